@@ -3,10 +3,11 @@
 
 import multiprocessing
 import os
+import threading
 
 import pytest
 
-from flow.base import builds, ghdl
+from flow.base import builds, ghdl, locks
 from flow.base.errors import FlowError
 
 
@@ -59,6 +60,72 @@ def test_what_failed_is_not_there(tmp_path):
     assert build(tmp_path / "root", tmp_path / "core", text=0).is_new
 
 
+class Kept(Exception):
+    """Its traceback keeps the frames of a build that broke off, as pytest and a debugger do."""
+
+
+@pytest.mark.parametrize("error", [FlowError("no", 4), Kept(), KeyboardInterrupt()])
+def test_a_build_that_fails_twice_does_not_wait_for_itself(tmp_path, error):
+    (tmp_path / "core").write_text("core")
+
+    def fail(folder, sources):
+        raise error
+
+    def twice():
+        kept = []
+        for _ in range(2):
+            try:
+                builds.build_once(tmp_path / "root", [tmp_path / "core"], [], 0, fail)
+            except BaseException as raised:
+                kept.append(raised)
+        os._exit(0 if len(kept) == 2 else 1)
+
+    process = multiprocessing.get_context("fork").Process(target=twice)
+    process.start()
+    process.join(20)
+    if process.is_alive():
+        process.kill()
+    assert process.exitcode == 0, "the second build waits for the first"
+
+
+def hold(path, kind, ready, done):
+    with locks.Lock(path) as lock:
+        lock.take(kind)
+        ready.set()
+        done.wait(20)
+
+
+@pytest.mark.parametrize("kind", [locks.SHARED, locks.EXCLUSIVE])
+@pytest.mark.parametrize("name", ["a folder", "file.lock"])
+def test_a_wait_that_lasts_says_for_whom(tmp_path, monkeypatch, capfd, kind, name):
+    path = tmp_path / name
+    if name == "a folder":
+        path.mkdir()
+    monkeypatch.setattr(locks, "PATIENCE_SECONDS", 0.2)
+    context = multiprocessing.get_context("fork")
+    ready, done = context.Event(), context.Event()
+    holder = context.Process(target=hold, args=(path, kind, ready, done))
+    holder.start()
+    assert ready.wait(20)
+    threading.Timer(1, done.set).start()
+    with locks.exclusive(path):
+        pass
+    holder.join()
+    said = capfd.readouterr().err.splitlines()
+    assert len(said) == 1 and said[0].startswith(f"waiting for {path}, which process {holder.pid} (")
+    with locks.exclusive(path):
+        pass
+    assert capfd.readouterr().err == "", "a short wait is not told"
+
+
+def test_a_lock_is_given_back_on_every_way_out(tmp_path):
+    for error in (FlowError("no"), KeyboardInterrupt()):
+        with pytest.raises(type(error)), locks.exclusive(tmp_path / "lock"):
+            raise error
+        with locks.Lock(tmp_path / "lock") as lock:
+            assert lock.take_at_once()
+
+
 def test_only_folders_that_nobody_uses_are_removed(tmp_path):
     file, held = tmp_path / "core", []
     for number in range(2 * builds.KEPT):
@@ -103,7 +170,7 @@ def test_one_run_at_a_time_writes_into_a_folder(tmp_path):
 
     def count():
         for _ in range(20):
-            with builds.Exclusive(tmp_path):
+            with locks.exclusive(tmp_path):
                 file = tmp_path / "count"
                 value = int(file.read_text()) if file.is_file() else 0
                 file.write_text(str(value + 1))

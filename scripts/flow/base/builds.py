@@ -2,34 +2,25 @@
 """Things that are built once for each content of their files: a folder a digest, which no two runs fill at once, and
 which nobody removes while a run uses it."""
 
-import fcntl
 import hashlib
 import os
 import shutil
 from collections.abc import Callable, Iterable
+from contextlib import ExitStack
 from pathlib import Path
 from typing import NamedTuple
 
 from .errors import FlowError
+from .locks import EXCLUSIVE, SHARED, Lock
 
 KEPT = 4  # folders of one root that no run uses; older ones are removed
 _STAMP = "built"
 
 
-class _Lock:
-    """Of an open lock file, as long as somebody holds this object."""
-
-    def __init__(self, descriptor: int) -> None:
-        self.descriptor = descriptor
-
-    def __del__(self) -> None:
-        os.close(self.descriptor)
-
-
 class Build(NamedTuple):
     folder: Path
     is_new: bool  # built by this call
-    lock: _Lock  # nobody removes the folder while this Build is held
+    lock: Lock  # nobody removes the folder while this Build is held
 
 
 def build_once(
@@ -52,22 +43,25 @@ def build_once(
     sources = [folder / "sources" / path.name for path, _ in contents]
     if len(set(sources)) != len(sources):
         raise FlowError(f"two source files of one name: {', '.join(str(path) for path, _ in contents)}")
-    lock, is_new = _locked(folder, fcntl.LOCK_SH), False
-    while not (folder / _STAMP).is_file():
-        del lock  # two runs that hold it would wait for each other
-        lock = _locked(folder, fcntl.LOCK_EX)
-        if not (folder / _STAMP).is_file():
-            shutil.rmtree(folder, ignore_errors=True)
-            (folder / "sources").mkdir(parents=True)
-            for path, (_, data) in zip(sources, contents):
-                path.write_bytes(data)
-            _make(make, folder, sources, [path for path, _ in contents])
-            (folder / _STAMP).touch()
-            is_new = True
-        fcntl.flock(lock.descriptor, fcntl.LOCK_SH)  # not at one go: another run may remove the folder in between
-    os.utime(folder)
-    _remove_old(root.resolve(), folder)
-    return Build(folder, is_new, lock)
+    is_new = False
+    with ExitStack() as held:
+        lock = held.enter_context(_locked(folder, SHARED))
+        while not (folder / _STAMP).is_file():
+            held.close()  # two runs that hold it would wait for each other
+            lock = held.enter_context(_locked(folder, EXCLUSIVE))
+            if not (folder / _STAMP).is_file():
+                shutil.rmtree(folder, ignore_errors=True)
+                (folder / "sources").mkdir(parents=True)
+                for path, (_, data) in zip(sources, contents):
+                    path.write_bytes(data)
+                _make(make, folder, sources, [path for path, _ in contents])
+                (folder / _STAMP).touch()
+                is_new = True
+            lock.take(SHARED)  # not at one go: another run may remove the folder in between
+        os.utime(folder)
+        _remove_old(root.resolve(), folder)
+        held.pop_all()  # whoever holds the Build holds the lock
+        return Build(folder, is_new, lock)
 
 
 def _make(make: Callable[[Path, list[Path]], object], folder: Path, copies: list[Path], files: list[Path]) -> None:
@@ -84,21 +78,15 @@ def _lock_file(folder: Path) -> Path:
     return folder.with_suffix(".lock")
 
 
-def _locked(folder: Path, kind: int) -> _Lock:
+def _locked(folder: Path, kind: int) -> Lock:
     """Of the folder's lock file. Who removes a folder removes that file, too: then it is another one."""
-    path = _lock_file(folder)
     while True:
-        lock = _Lock(os.open(path, os.O_RDWR | os.O_CREAT, 0o644))
-        fcntl.flock(lock.descriptor, kind)
-        if _is_still(lock, path):
-            return lock
-
-
-def _is_still(lock: _Lock, path: Path) -> bool:
-    try:
-        return os.fstat(lock.descriptor).st_ino == path.stat().st_ino
-    except FileNotFoundError:
-        return False
+        with ExitStack() as held:
+            lock = held.enter_context(Lock(_lock_file(folder)))
+            lock.take(kind)
+            if lock.is_still():
+                held.pop_all()
+                return lock
 
 
 def _remove_old(root: Path, used: Path) -> None:
@@ -107,14 +95,10 @@ def _remove_old(root: Path, used: Path) -> None:
     for folder in sorted(stamps, key=lambda one: stamps[one], reverse=True)[KEPT:]:
         if folder == used:
             continue
-        lock = _Lock(os.open(_lock_file(folder), os.O_RDWR | os.O_CREAT, 0o644))
-        try:
-            fcntl.flock(lock.descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            continue  # in use
-        if _is_still(lock, _lock_file(folder)):
-            shutil.rmtree(folder, ignore_errors=True)
-            _lock_file(folder).unlink(missing_ok=True)
+        with Lock(_lock_file(folder)) as lock:
+            if lock.take_at_once() and lock.is_still():  # else it is in use
+                shutil.rmtree(folder, ignore_errors=True)
+                _lock_file(folder).unlink(missing_ok=True)
 
 
 def _time(folder: Path) -> float:
@@ -122,17 +106,3 @@ def _time(folder: Path) -> float:
         return folder.stat().st_mtime
     except FileNotFoundError:  # another run has removed it
         return 0
-
-
-class Exclusive:
-    """A folder that one run at a time writes into; others wait."""
-
-    def __init__(self, folder: Path) -> None:
-        folder.mkdir(parents=True, exist_ok=True)
-        self._lock = os.open(folder, os.O_RDONLY)
-
-    def __enter__(self) -> None:
-        fcntl.flock(self._lock, fcntl.LOCK_EX)
-
-    def __exit__(self, *_: object) -> None:
-        os.close(self._lock)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The Python module stereo_hls (hls_tb/python), built from these sources in a virtual environment of its own."""
 
-import fcntl
 import os
 import re
 from pathlib import Path
 
 from . import venv
 from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, FlowError
+from .locks import exclusive
 from .tools import ROOT, Say, Word, find_stereo_hls, run
 
 REQUIREMENTS = ROOT / "scripts" / "requirements-python.txt"
@@ -34,8 +34,7 @@ def install(say: Say = print) -> Path:
         f"--config-settings=cmake.define.STEREO_WERROR={_warnings_are_errors()}",
         ROOT,
     ]
-    with (ROOT / "build" / "python-module.lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+    with exclusive(ROOT / "build" / "python-module.lock"):
         try:
             run([python, *words], log=log)
         except FlowError:

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Python packages that no Debian package brings, in virtual environments of the project's own under build/."""
 
-import fcntl
 import os
 import sys
 from pathlib import Path
 
 from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, FlowError
+from .locks import exclusive
 from .tools import ROOT, Say, run
 
 PYTHON = "/usr/bin/python3"
@@ -21,8 +21,7 @@ def ensure(name: str, requirements: Path, what: str, say: Say = print) -> Path:
     stamp = folder / "requirements.txt"
     folder.parent.mkdir(parents=True, exist_ok=True)
     # Tests run side by side: the second one waits until the first has installed it.
-    with folder.with_suffix(".lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+    with exclusive(folder.with_suffix(".lock")):
         if not (os.access(folder / "bin" / "python3", os.X_OK) and stamp.is_file() and stamp.read_text() == wanted):
             say(f"installing {what} from PyPI into {folder.relative_to(ROOT)} ...")
             _install(folder, requirements, what)

@@ -10,7 +10,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from ..base import builds, files, progress, rtl
+from ..base import files, locks, progress, rtl
 from ..base.configurations import Parameters, configuration, designs
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.facts import facts
@@ -132,7 +132,7 @@ def run_job(job: Job) -> Report:
     if job.out is None and not re.fullmatch(r"\w+", job.config):
         configuration(job.config, designs())  # no name of a folder
     out = _folder(job)
-    with builds.Exclusive(out):
+    with locks.exclusive(out):
         for stale in ("report.json", "junit.xml", *mismatch.FILES):
             (out / stale).unlink(missing_ok=True)
         try:

@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
-from ..base import builds, facts, files, json_files, rtl
+from ..base import facts, files, json_files, locks, rtl
 from ..base.configurations import designs
 from ..base.errors import EXIT_INTERRUPTED, EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_stereo_hls
@@ -84,7 +84,7 @@ class Regression:
         """Returns the exit code: 1 when anything differs, else the highest of all. What an interruption leaves is
         written before it goes on."""
         self.out.mkdir(parents=True, exist_ok=True)
-        with builds.Exclusive(self.out):
+        with locks.exclusive(self.out):
             return self._run()
 
     def _run(self) -> int:
