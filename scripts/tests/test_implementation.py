@@ -3,10 +3,12 @@
 
 import pytest
 
+from conftest import where_reachable
 from flow.base import rtl
-from flow.implementation import figures, record
+from flow.base.tools import run
+from flow.implementation import figures, nextpnr, record, yosys
 from flow.implementation.results import Configuration
-from flow.implementation.targets import FAMILIES
+from flow.implementation.targets import FAMILIES, TARGETS
 from flow.pages.published import SYSTEMS
 from flow.synthesis import manifest
 from flow_commands import call
@@ -122,8 +124,26 @@ def test_yosys_and_nextpnr_give_the_committed_numbers_of_tiny(ghdl, tmp_path):
     check_tiny(tmp_path, "ecp5", "--seeds", 1)
 
 
+@pytest.mark.parametrize("folder", ["plain", "für Köln"])
+def test_a_netlist_below_the_temporary_folder_is_routed(tmp_path, monkeypatch, folder):
+    """The tools of PyPI have a /tmp of their own."""
+    monkeypatch.setattr(nextpnr, "KEPT", tmp_path / "kept")
+    router, synthesis = where_reachable(lambda: (nextpnr.find_nextpnr(), yosys.find_yosys()))
+    work = tmp_path / folder / "ecp5" / "ecp5_25f_grade6"
+    work.mkdir(parents=True)
+    (work.parent / "toggle.v").write_text(
+        "module toggle (input clock, output reg q);\nalways @(posedge clock) q <= ~q;\nendmodule\n"
+    )
+    script = "read_verilog toggle.v; synth_ecp5 -top toggle -json netlist.json\n"
+    (work.parent / "synthesis.ys").write_text(script)
+    run([*synthesis, "-s", "synthesis.ys"], cwd=work.parent, log=work.parent / "yosys.log")
+    device = TARGETS["ecp5_25f_grade6"].device_options
+    report = nextpnr.route(router, "of a test", device, 1, work.parent / "netlist.json", work)
+    assert report["utilization"]["TRELLIS_FF"]["used"] == 1 and nextpnr.fmax_mhz(report) > 100
+
+
 def check_tiny(folder, target, *options):
-    expected = committed("tiny", target)
+    folder, expected = folder / "größte Fläche", committed("tiny", target)
     process = call("implement.py", "--config", "tiny", "--target", target, "--out", folder, *options)
     if process.returncode == 3:
         pytest.skip(f"SKIP: {process.stderr.strip()}")

@@ -73,7 +73,9 @@ def route(
     if kept.is_file():
         return check(json.loads(kept.read_text()))
     try:
-        run([nextpnr, *options, "--json", netlist, "--report", report.name], cwd=work, log=log)
+        # Relative: that of PyPI is WebAssembly with a folder /tmp of its own, and sees nothing of the machine's.
+        files_of_run: list[Word] = ["--json", os.path.relpath(netlist, work), "--report", report.name]
+        run([nextpnr, *options, *files_of_run], cwd=work, log=log)
     except FlowError as error:
         if cells := overfull(log.read_text()):
             raise DoesNotFitError(cells, error) from None
