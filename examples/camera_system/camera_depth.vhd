@@ -30,15 +30,18 @@ entity camera_depth is
 end entity;
 
 architecture rtl of camera_depth is
+  signal read_address, write_address : unsigned(place_bits - 1 downto 0);
   signal found : unsigned(15 downto 0);
   signal known, valid, start, last : std_logic := '0';
 begin
+  read_address <= unsigned(disparity(place_bits - 1 downto 0));
+  write_address <= unsigned(write_disparity(place_bits - 1 downto 0));
+
   depths : entity work.line_memory
-    generic map (depth => 2 ** place_bits, width => 16)
+    generic map (depth => 2 ** place_bits, width => 16, address_bits => place_bits)
     port map (
-      clock => clock, read_enable => true, read_data => found,
-      read_address => to_integer(unsigned(disparity(place_bits - 1 downto 0))),
-      write_address => to_integer(unsigned(write_disparity(place_bits - 1 downto 0))), write_data => unsigned(write_mm));
+      clock => clock, read_enable => true, read_address => read_address, read_data => found,
+      write_address => write_address, write_data => unsigned(write_mm));
 
   process (clock)
   begin
@@ -47,7 +50,10 @@ begin
       valid <= disparity_valid;
       start <= disparity_start_of_frame;
       last <= disparity_end_of_line;
-      depth_mm <= std_logic_vector(found) when known = '1' else (others => '0');
+      depth_mm <= (others => '0');
+      if known = '1' then
+        depth_mm <= std_logic_vector(found);
+      end if;
       depth_known(0) <= known;
       depth_valid <= valid;
       depth_start_of_frame <= start;

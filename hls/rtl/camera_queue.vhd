@@ -36,7 +36,19 @@ end entity;
 architecture rtl of camera_queue is
   constant word_bits : positive := pixel_bits + 2;
   constant ahead : positive := 8;  -- words that are read and not yet taken, at most
+
+  function bits_of(largest : natural) return positive is
+    variable bits : positive := 1;
+  begin
+    while largest / 2 ** bits > 0 loop
+      bits := bits + 1;
+    end loop;
+    return bits;
+  end function;
+
+  constant address_bits : positive := bits_of(depth - 1);
   signal write_address, read_address, written_address : natural range 0 to depth - 1 := 0;
+  signal memory_read_address, memory_write_address : unsigned(address_bits - 1 downto 0);
   signal written_word : unsigned(word_bits - 1 downto 0) := (others => '0');
   signal read_word : unsigned(word_bits - 1 downto 0);
   signal writes : std_logic := '0';  -- the written word is new: from the next clock on it is in the memory
@@ -69,11 +81,14 @@ begin
   out_start_of_frame <= shown(pixel_bits);
   out_end_of_line <= shown(pixel_bits + 1);
 
+  memory_read_address <= to_unsigned(read_address, address_bits);
+  memory_write_address <= to_unsigned(written_address, address_bits);
+
   memory : entity work.line_memory
-    generic map (depth => depth, width => word_bits)
+    generic map (depth => depth, width => word_bits, address_bits => address_bits)
     port map (
-      clock => clock, read_enable => true, read_address => read_address, read_data => read_word,
-      write_address => written_address, write_data => written_word);
+      clock => clock, read_enable => true, read_address => memory_read_address, read_data => read_word,
+      write_address => memory_write_address, write_data => written_word);
 
   words_ahead : entity work.stream_fifo
     generic map (depth => ahead, width => word_bits)
@@ -92,9 +107,13 @@ begin
       reads := stored > 0 and in_flight < ahead;
       leaves := shows = '1' and drops = '0' and out_ready = '1';
       drops <= '0';
-      writes <= '1' when takes else '0';
-      arrives <= '1' when reads else '0';
+      writes <= '0';
+      arrives <= '0';
+      if reads then
+        arrives <= '1';
+      end if;
       if takes then
+        writes <= '1';
         accepts <= '1';
         written_address <= write_address;
         written_word <= unsigned(in_end_of_line & in_start_of_frame & in_pixel);
@@ -124,7 +143,8 @@ begin
         in_flight <= in_flight - 1;
       end if;
       if starts then
-        count <= to_unsigned(1, count'length) when in_end_of_line = '1' else to_unsigned(0, count'length);
+        count <= (others => '0');
+        count(0) <= in_end_of_line;
       elsif in_valid = '1' and in_end_of_line = '1' and count /= 2 ** count'length - 1 then
         count <= count + 1;
       end if;

@@ -19,16 +19,16 @@ entity prove_line_memory is
 end entity;
 
 architecture proof of prove_line_memory is
-  signal read_address, write_address : natural range 0 to 1;
+  signal read_address, write_address : unsigned(0 downto 0);
   signal found : unsigned(width - 1 downto 0);
   signal lower, upper, expected : std_logic_vector(width - 1 downto 0) := (others => '0');
   signal lower_known, upper_known, known : std_logic := '0';
 begin
-  read_address <= 1 when read_upper = '1' else 0;
-  write_address <= 1 when write_upper = '1' else 0;
+  read_address(0) <= read_upper;
+  write_address(0) <= write_upper;
 
   dut : entity work.line_memory
-    generic map (depth => 2, width => width)
+    generic map (depth => 2, width => width, address_bits => 1)
     port map (
       clock => clock, read_enable => read_enable = '1', read_address => read_address, read_data => found,
       write_address => write_address, write_data => unsigned(data));

@@ -25,12 +25,12 @@ FAULTS = {
     ),
     "a write comes first": (
         "line_memory",
-        "word <= memory(read_address);",
+        "word <= memory(to_integer(read_address));",
         "word <= to_bitvector(std_logic_vector(write_data(high downto low))) when read_address = write_address "
-        "else memory(read_address);",
+        "else memory(to_integer(read_address));",
     ),
     "a word is lost": ("stream_register", "next_valid <= last_valid or (arrives", "next_valid <= (arrives"),
-    "the order is changed": ("stream_register", "last_flags when last_valid = '1' else in_flags;", "in_flags;"),
+    "the order is changed": ("stream_register", "next_flags <= last_flags;", "null;"),
     "a full register takes a word": (
         "stream_register",
         "not (last_valid or (arrives and next_valid))",
@@ -43,7 +43,7 @@ FAULTS = {
     "a word stays in the memory": ("stream_fifo", "or (stored = 1 and not leaves)", "or false"),
     "a beat changes while it waits": ("stream_fifo", "(shows = '0' or out_ready = '1')", "true"),
     "one credit too many": ("stream_credit", "lent < words - 2", "lent < words - 1"),
-    "a full queue is forgotten": ("stream_credit", "'1' when lent < words - 2 else '0'", "'1'"),
+    "a full queue is forgotten": ("stream_credit", "if lent < words - 2 then", "if true then"),
     "a disparity is due early": ("stream_credit", "due <= flight(latency);", "due <= flight(latency - 1);"),
     "a credit is lost": (
         "stream_credit",

@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 2705,
       gap_groups => 1800,
-      core_id => x"de2140ff",
+      core_id => x"3d8b5e9f",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"71847cb9",
+      core_id => x"d00fda5c",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 12,
       lane_bits => 16)

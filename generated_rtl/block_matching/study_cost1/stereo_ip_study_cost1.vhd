@@ -65,7 +65,7 @@ begin
       latency_clocks => 14,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"6a61312d",
+      core_id => x"c29f1825",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

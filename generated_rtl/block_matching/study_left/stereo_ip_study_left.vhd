@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 642,
       gap_groups => 0,
-      core_id => x"f5ed973d",
+      core_id => x"6af101a0",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

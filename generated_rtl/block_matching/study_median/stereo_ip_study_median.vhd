@@ -65,7 +65,7 @@ begin
       latency_clocks => 27,
       flush_groups => 962,
       gap_groups => 0,
-      core_id => x"8fc9e6d1",
+      core_id => x"eaae37fc",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 15,
       flush_groups => 321,
       gap_groups => 0,
-      core_id => x"cf15c6c2",
+      core_id => x"bb299254",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

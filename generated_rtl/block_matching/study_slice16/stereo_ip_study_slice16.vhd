@@ -65,7 +65,7 @@ begin
       latency_clocks => 15,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"2ab602d1",
+      core_id => x"3031981d",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

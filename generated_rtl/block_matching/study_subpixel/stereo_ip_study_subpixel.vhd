@@ -65,7 +65,7 @@ begin
       latency_clocks => 28,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"75e909ab",
+      core_id => x"e4306089",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

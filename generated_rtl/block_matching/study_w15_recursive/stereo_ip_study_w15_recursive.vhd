@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 2246,
       gap_groups => 2240,
-      core_id => x"f44c9c4f",
+      core_id => x"0d4141c2",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

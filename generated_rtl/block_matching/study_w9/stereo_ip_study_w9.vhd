@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 1283,
       gap_groups => 0,
-      core_id => x"92fda3c3",
+      core_id => x"9803bd7e",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 23,
       flush_groups => 962,
       gap_groups => 0,
-      core_id => x"f4f0eed3",
+      core_id => x"89cb975a",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

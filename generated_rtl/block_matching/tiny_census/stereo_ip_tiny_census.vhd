@@ -65,7 +65,7 @@ begin
       latency_clocks => 23,
       flush_groups => 98,
       gap_groups => 0,
-      core_id => x"7a990bd3",
+      core_id => x"e9fe21db",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 109,
       gap_groups => 0,
-      core_id => x"57f97ae6",
+      core_id => x"5ea64cf6",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

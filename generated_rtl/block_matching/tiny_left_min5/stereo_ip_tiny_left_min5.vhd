@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"5cf96ad7",
+      core_id => x"424d4420",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

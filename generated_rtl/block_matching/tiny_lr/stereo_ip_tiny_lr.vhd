@@ -65,7 +65,7 @@ begin
       latency_clocks => 20,
       flush_groups => 39,
       gap_groups => 0,
-      core_id => x"78969f31",
+      core_id => x"0ea46854",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

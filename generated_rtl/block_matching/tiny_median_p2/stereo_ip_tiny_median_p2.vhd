@@ -65,7 +65,7 @@ begin
       latency_clocks => 27,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"112c2011",
+      core_id => x"112a1301",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

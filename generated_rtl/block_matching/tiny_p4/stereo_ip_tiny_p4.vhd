@@ -65,7 +65,7 @@ begin
       latency_clocks => 15,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"4dcf63a6",
+      core_id => x"3a661f8d",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

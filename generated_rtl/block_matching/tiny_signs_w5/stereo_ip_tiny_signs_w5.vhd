@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"241499f6",
+      core_id => x"2ed72b06",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

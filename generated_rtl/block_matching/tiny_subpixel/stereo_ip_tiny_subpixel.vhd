@@ -65,7 +65,7 @@ begin
       latency_clocks => 28,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"fbbfc935",
+      core_id => x"cfc42aa3",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

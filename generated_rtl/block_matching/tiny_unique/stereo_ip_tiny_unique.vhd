@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"5b654fe5",
+      core_id => x"f7580809",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

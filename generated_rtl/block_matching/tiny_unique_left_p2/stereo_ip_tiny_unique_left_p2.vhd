@@ -65,7 +65,7 @@ begin
       latency_clocks => 18,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"e52e2b33",
+      core_id => x"52b4c9ec",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 0,
       gap_groups => 0,
-      core_id => x"15087a48",
+      core_id => x"71239029",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 32,
       gap_groups => 32,
-      core_id => x"ded85d34",
+      core_id => x"48ad7898",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

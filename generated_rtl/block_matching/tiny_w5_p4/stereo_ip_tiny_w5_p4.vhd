@@ -65,7 +65,7 @@ begin
       latency_clocks => 13,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"a5302aca",
+      core_id => x"29a81749",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 67,
       gap_groups => 64,
-      core_id => x"90f91f93",
+      core_id => x"9b86179c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

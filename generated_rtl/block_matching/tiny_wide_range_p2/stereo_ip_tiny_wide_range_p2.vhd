@@ -65,7 +65,7 @@ begin
       latency_clocks => 17,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"78698a16",
+      core_id => x"23425e54",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 41,
       flush_groups => 3024,
       gap_groups => 1536,
-      core_id => x"9c7672fa",
+      core_id => x"61fff436",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 55,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"b55820e5",
+      core_id => x"064c44bc",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 41,
       flush_groups => 255,
       gap_groups => 0,
-      core_id => x"fa03866f",
+      core_id => x"86d72a7b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

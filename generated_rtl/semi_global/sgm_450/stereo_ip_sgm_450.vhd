@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 2708,
       gap_groups => 0,
-      core_id => x"91d38dbe",
+      core_id => x"bb87b41e",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

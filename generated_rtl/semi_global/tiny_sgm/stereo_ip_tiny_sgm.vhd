@@ -65,7 +65,7 @@ begin
       latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"90cb6be6",
+      core_id => x"17011668",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"65616704",
+      core_id => x"ff5729ea",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 10,
       lane_bits => 16)

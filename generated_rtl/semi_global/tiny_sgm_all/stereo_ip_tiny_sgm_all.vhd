@@ -65,7 +65,7 @@ begin
       latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"a7588d0b",
+      core_id => x"f3c2cb70",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"63439ddf",
+      core_id => x"3435a8eb",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -66,7 +66,7 @@ begin
       latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"ee8ef2a1",
+      core_id => x"dbd84356",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (0, 0, 0, 0, 0, 0, 40, 12),
       settings_start => (0, 0, 0, 0, 0, 0, 40, 12),

@@ -65,7 +65,7 @@ begin
       latency_clocks => 28,
       flush_groups => 125,
       gap_groups => 0,
-      core_id => x"1621cdd8",
+      core_id => x"0bc2f1bf",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

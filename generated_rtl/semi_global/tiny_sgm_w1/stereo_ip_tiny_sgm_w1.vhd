@@ -65,7 +65,7 @@ begin
       latency_clocks => 32,
       flush_groups => 168,
       gap_groups => 0,
-      core_id => x"5876f8fc",
+      core_id => x"14fc4687",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

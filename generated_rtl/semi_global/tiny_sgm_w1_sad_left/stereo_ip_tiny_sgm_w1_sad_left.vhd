@@ -65,7 +65,7 @@ begin
       latency_clocks => 24,
       flush_groups => 84,
       gap_groups => 0,
-      core_id => x"70940f44",
+      core_id => x"fa7687b4",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 39,
       flush_groups => 245,
       gap_groups => 0,
-      core_id => x"633cd4c5",
+      core_id => x"5f4c4bb2",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

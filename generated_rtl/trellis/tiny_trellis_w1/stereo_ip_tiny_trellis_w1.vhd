@@ -65,7 +65,7 @@ begin
       latency_clocks => 26,
       flush_groups => 165,
       gap_groups => 0,
-      core_id => x"bee4f50f",
+      core_id => x"c3d8b359",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
