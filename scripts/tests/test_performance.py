@@ -2,15 +2,17 @@
 """docs/performance.md follows from the committed files, and its tables say what the files say."""
 
 import json
+import re
 import shutil
 
 import pytest
 
-from flow.base import rtl
+from flow.base import files, rtl
 from flow.base.errors import FlowError
 from flow.implementation import record as implementation
 from flow.implementation.results import Configuration
 from flow.pages import camera, clock_logic, performance
+from flow.quality import recovery
 from flow.shell import design
 from flow.synthesis import manifest
 from flow_commands import call, refused
@@ -97,6 +99,31 @@ def test_one_number_and_its_picture(folders):
     assert first == second and ">tiny</text>" in first and "<dc:date>" not in first
     moved = [points[0]._replace(mhz=100.0), points[0]]
     assert clock_logic.picture(moved) != first
+
+
+@pytest.mark.parametrize("command", ["performance.py", "recovery.py"])
+def test_a_picture_is_up_to_date_by_its_data(tmp_path, command):
+    """Other versions of matplotlib draw other curves, and none is wrong for that."""
+    module = {"performance.py": clock_logic, "recovery.py": recovery}[command]
+    committed, other = module.PICTURE.read_text(), tmp_path / "other.svg"
+    moved = re.sub(r"(?m)^L (\d)", r"L 1\1", committed, count=1)
+    changed = re.sub(r"(<!-- drawn from: .*?\d)", r"\g<1>1", committed)
+    assert moved != committed and changed != committed
+    other.write_text(moved)
+    assert files.update({other: committed}, True, command) == 0
+    other.write_text(changed)
+    with pytest.raises(FlowError, match="other.svg; run"):
+        files.update({other: committed}, True, command)
+    other.write_text(moved)
+    assert files.update({other: committed}, False, command) == 0 and other.read_text() == committed
+
+
+def test_the_picture_of_a_table_shows_what_the_table_says():
+    """docs/images/recovery.svg and docs/dynamic_range.md."""
+    data = json.loads(re.search(r"<!-- drawn from: (.*) -->", recovery.PICTURE.read_text())[1])
+    text = recovery.PAGE.read_text()
+    rows = {name: re.search(rf"^\| {name} \| (.*) \|$", text, re.MULTILINE)[1] for name in recovery.METHODS}
+    assert data == {name: [float(value) for value in row.split(" | ")] for name, row in rows.items()}
 
 
 def test_published_numbers(folders):

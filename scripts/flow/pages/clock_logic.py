@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""docs/images/clock_logic.svg: clock against logic of every routed configuration.
-The same results give the same file."""
+"""docs/images/clock_logic.svg: clock against logic of every routed configuration."""
 
 from collections.abc import Iterable
 from typing import NamedTuple
@@ -36,7 +35,7 @@ def points(configurations: Iterable[Configuration]) -> list[Point]:
 
 def picture(shown: list[Point]) -> str:
     """The SVG."""
-    return svg("clock_logic", (9, 6), lambda axis: _draw(axis, shown))
+    return svg("clock_logic", (9, 6), shown, lambda axis: _draw(axis, shown))
 
 
 def _draw(axis: Axis, shown: list[Point]) -> None:

@@ -60,7 +60,8 @@ def text(runs: Runs) -> str:
 
 def picture(runs: Runs) -> str:
     """The SVG."""
-    return svg("recovery", (7, 3), lambda axis: _draw(axis, runs), layout="constrained")
+    shown = {name: [round(value, 2) for value in means(by_seed)] for name, by_seed in runs.items()}
+    return svg("recovery", (7, 3), shown, lambda axis: _draw(axis, runs), layout="constrained")
 
 
 def _draw(axis: Axis, runs: Runs) -> None:

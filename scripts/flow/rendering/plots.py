@@ -2,9 +2,11 @@
 """Diagrams by matplotlib."""
 
 import io
+import json
 from collections.abc import Callable
 from typing import Any
 
+from ..base import files
 from ..base.errors import EXIT_MISSING_TOOL, FlowError
 
 Axis = Any  # of matplotlib, which has no types
@@ -26,9 +28,9 @@ def pyplot() -> Any:
     return pyplot
 
 
-def svg(name: str, size: tuple[float, float], draw: Callable[[Axis], None], layout: str = "none") -> str:
-    """A diagram that is the same file wherever it is drawn: text stays text, and the names of its parts follow from
-    `name`."""
+def svg(name: str, size: tuple[float, float], data: Any, draw: Callable[[Axis], None], layout: str = "none") -> str:
+    """A diagram. One version of matplotlib draws the same file everywhere: text stays text, and the names of its parts
+    follow from `name`. Another version draws other curves, so the file also says what it shows: `data`, as JSON."""
     plots = pyplot()
     with plots.rc_context({"svg.fonttype": "none", "svg.hashsalt": name, "font.size": 8}):
         figure, axis = plots.subplots(figsize=size, layout=layout)
@@ -36,4 +38,5 @@ def svg(name: str, size: tuple[float, float], draw: Callable[[Axis], None], layo
         output = io.StringIO()
         figure.savefig(output, format="svg", metadata={"Date": None, "Creator": None})
         plots.close(figure)
-    return "\n".join(line.rstrip() for line in output.getvalue().splitlines()) + "\n"
+    lines = [line.rstrip() for line in output.getvalue().splitlines()]
+    return "\n".join([*lines, files.drawn_from(json.dumps(data)), ""])
