@@ -10,7 +10,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.errors import ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
-from flow.base.tools import ROOT
+from flow.base.places import build_folder
 from flow.cosim import job, record, regression
 from flow.cosim.simulators import SIMULATORS
 
@@ -72,7 +72,8 @@ def main() -> int:
     parser.add_argument(
         "--out",
         type=a_path,
-        help="where reports go (default build/cosim/CONFIG-SIMULATOR; of several build/cosim/regression)",
+        help="where reports go (default build/cosim/CONFIG-SIMULATOR; of several build/cosim/regression; a folder in "
+        "$XDG_CACHE_HOME where build/ cannot be written)",
     )
     parser.add_argument(
         "--wave",
@@ -151,7 +152,7 @@ def _several(options: argparse.Namespace) -> int:
         options.simulator,
         words,
         [image for image in (options.left, options.right) if image],
-        options.out or ROOT / "build" / "cosim" / "regression",
+        options.out or build_folder() / "cosim" / "regression",
         options.jobs,
         options.fail_fast,
         options.changed,

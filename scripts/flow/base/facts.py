@@ -10,11 +10,12 @@ import subprocess
 from functools import cache
 from typing import TypedDict
 
+from .errors import FlowError
 from .tools import ROOT
 
 
 class Facts(TypedDict):
-    commit: str | None  # of the project, with "+changes" where files differ from it; None outside of a checkout
+    commit: str  # of the project, with "+changes" where files differ from it, or "unknown: " and why
     system: str
     processor: str
     processors: int
@@ -32,16 +33,21 @@ def facts() -> Facts:
     }
 
 
-def _commit() -> str | None:
-    head = _git("rev-parse", "HEAD")
-    if head is None:
-        return None
-    changes = _git("status", "--porcelain", "--untracked-files=no")
+def _commit() -> str:
+    try:
+        head = _git("rev-parse", "HEAD")
+        changes = _git("status", "--porcelain", "--untracked-files=no")
+    except FlowError as error:
+        return f"unknown: {error}"
     return head + ("+changes" if changes else "")
 
 
-def _git(*words: str) -> str | None:
+def _git(*words: str) -> str:
+    """Refused, for example, by git itself in a checkout that another user owns, as in a container."""
     if shutil.which("git") is None:
-        return None
+        raise FlowError("git is not installed")
     result = subprocess.run(["git", "-C", str(ROOT), *words], capture_output=True, text=True, stdin=subprocess.DEVNULL)
-    return result.stdout.strip() if result.returncode == 0 else None
+    if result.returncode != 0:
+        said = result.stderr.strip().splitlines() or ["no message"]
+        raise FlowError(f"git says: {said[0].removeprefix('fatal: ')}")
+    return result.stdout.strip()

@@ -87,8 +87,8 @@ def tool_version(program: str) -> str:
 def first_error(lines: Iterable[str]) -> str | None:
     """The line of a tool's messages that says what is wrong; what follows are places and consequences."""
     sign = re.compile(
-        r"\b(error|fatal)\b|^\S+:\d+:\d+: ", re.IGNORECASE
-    )  # or FILE:LINE:COLUMN: without a word, as GHDL
+        r"\b(error|fatal)\b|^\S+:\d+:\d+: |: \*\*\* ", re.IGNORECASE
+    )  # or FILE:LINE:COLUMN: without a word, as GHDL; or asterisks, as make
     return next((line.strip() for line in lines if sign.search(line) and "warning" not in line.lower()), None)
 
 

@@ -14,7 +14,8 @@ from ..base import files, locks, progress, rtl
 from ..base.configurations import Parameters, configuration, designs
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.facts import facts
-from ..base.tools import ROOT, Word, find_stereo_hls, run
+from ..base.places import build_folder
+from ..base.tools import Word, find_stereo_hls, run
 from ..synthesis import generate, manifest
 from ..synthesis.bambu import original_files
 from ..synthesis.lowering.naming import Trace, read_trace
@@ -23,7 +24,6 @@ from .report import Report, summary
 from .simulators import SIMULATORS, Clocks, Ghdl, Simulator
 
 AUTOMATIC_WAVE_CLOCKS = 100_000  # later mismatches would take GHDL minutes
-SIMULATIONS = ROOT / "build" / "cosim" / "simulators"
 STAGE_DISPARITIES = 16  # of the scene that a stage gets
 
 
@@ -48,7 +48,7 @@ class Job:
     watchdog_seconds: float = 300.0
 
     def out_directory(self) -> Path:
-        return self.out or ROOT / "build" / "cosim" / f"{self.config}-{self.simulator}"
+        return self.out or build_folder() / "cosim" / f"{self.config}-{self.simulator}"
 
     def command(self) -> str:
         """The words that run it again."""
@@ -224,6 +224,11 @@ def make_report(
 # --- steps of run_job -------------------------------------------------------------------------------------------------
 
 
+def _simulations() -> Path:
+    """What was built for any run."""
+    return build_folder() / "cosim" / "simulators"
+
+
 def _check_wave(job: Job) -> None:
     if job.wave is None:
         return
@@ -265,7 +270,7 @@ def _folder(job: Job) -> Path:
 
 
 def _simulator(job: Job, design: list[Path], parameters: Parameters) -> Simulator:
-    folder = SIMULATIONS / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
+    folder = _simulations() / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
     lanes, bits = parameters["pixels_per_clock"], vectors.row_bits(parameters)
     return SIMULATORS[job.simulator](
         job.config, design, folder, lanes, bits, trace=job.wave is not None, kind=rtl.kind_of(parameters)
@@ -304,7 +309,7 @@ def _explain(job: Job, parameters: Parameters, simulator: Simulator, first: chec
             raise FlowError(f"it lies beyond clock {AUTOMATIC_WAVE_CLOCKS:,}; --wave FILE makes one")
         source = simulator
         if not isinstance(simulator, Ghdl):
-            folder = SIMULATIONS / f"{job.config}-ghdl"
+            folder = _simulations() / f"{job.config}-ghdl"
             lanes, bits = simulator.pixels, simulator.disparity_bits
             source = Ghdl(job.config, simulator.vhdl_files, folder, lanes, bits, kind=simulator.kind)
             source.build()

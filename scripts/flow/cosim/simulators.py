@@ -7,7 +7,8 @@ import os
 import shutil
 import tempfile
 import threading
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 from ..base import builds, ghdl, rtl
@@ -229,7 +230,7 @@ class Verilator(Simulator):
     def _build(self, work: Path, vhdl_files: list[Path]) -> None:
         options = ["--trace-fst"] if self.trace else []
         (work / bench.CPP_PORTS).write_text(self.ports.cpp())
-        options += ["-CFLAGS", f"-I{work}"]
+        options += ["-CFLAGS", "-I.."]  # from the model's folder on: verilate
         verilate(work, vhdl_files, self.kind.entity(self.config), self._bench_files(), options)
 
     def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
@@ -241,10 +242,11 @@ def verilate(
     work: Path,
     vhdl_files: Iterable[Path],
     top: str,
-    bench_files: Iterable[Path],
+    bench_files: Sequence[Path],
     options: Sequence[str] = (),
 ) -> None:
-    """Compiles a design and its C++ bench, which knows it as Vdesign, to the program verilated_bench(work)."""
+    """Compiles a design and its C++ bench, which knows it as Vdesign, to the program verilated_bench(work). All that
+    make sees is named from the folder on that it works in, which has no blanks: make refuses them."""
     verilator = find_verilator()
     source = work / f"{top}.v"
     source.write_text(ghdl.to_verilog(vhdl_files, work, top))
@@ -258,13 +260,32 @@ def verilate(
         "--prefix",
         "Vdesign",
         "--Mdir",
-        work / "model",
+        "model",
         "-o",
         "bench",
-        source,
-        *bench_files,
+        source.name,
+        *(path.name for path in bench_files),
     ]
-    run(command, cwd=work, log=work / "verilator.log")
+    with _without_blanks(work) as folder:
+        for path in [source, *bench_files]:
+            if path.parent != folder:
+                shutil.copy(path, folder)
+        run(command, cwd=folder, log=work / "verilator.log")
+
+
+@contextmanager
+def _without_blanks(work: Path) -> Iterator[Path]:
+    """The folder, or one elsewhere with what stands in it, whose `model` becomes its own."""
+    if not any(sign.isspace() for sign in str(work)):
+        yield work
+        return
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for path in work.iterdir():
+            if path.is_file():
+                shutil.copy(path, folder)
+        yield folder
+        shutil.copytree(folder / "model", work / "model", dirs_exist_ok=True)
 
 
 def verilated_bench(work: Path) -> Path:
