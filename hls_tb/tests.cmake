@@ -74,7 +74,7 @@ stereo_add_unit_tests(
 stereo_add_unit_tests(LINK stereo_small_cores FILES cores/block_matching/core_stream_test.cpp
                       cores/block_matching/core_test.cpp)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/named_cores_test.cpp
-                      engines/clocked/stimulus_test.cpp engines/rectification/stage_stimulus_test.cpp)
+                      engines/clocked/stimulus_test.cpp engines/clocked/stress_test.cpp engines/rectification/stage_stimulus_test.cpp)
 add_dependencies(cores_named_cores_test cores)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/settings_test.cpp)
 foreach(row tiny_settings tiny_settings_all tiny_settings_full tiny_settings_left_p2 tiny_settings_recursive
@@ -84,6 +84,7 @@ foreach(row tiny_settings tiny_settings_all tiny_settings_full tiny_settings_lef
   add_dependencies(cores_settings_test core_${row})
 endforeach()
 add_dependencies(engines_clocked_stimulus_test cores)
+add_dependencies(engines_clocked_stress_test cores)
 
 # Definitions, models, the program's parts, the kept cases of fuzzing.
 stereo_add_unit_tests(
@@ -118,6 +119,7 @@ stereo_add_unit_tests(
   program/io/pfm_test.cpp
   program/rectification/map_table_test.cpp
   scene/scene_test.cpp
+  scene/stress_pairs_test.cpp
   testing/map_compare_test.cpp)
 # OpenCV's confidence map is in a module of its own.
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations stereo_evaluation ${OpenCV_LIBS} opencv_ximgproc

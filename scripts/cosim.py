@@ -35,9 +35,14 @@ def main() -> int:
         action="store_true",
         help="only configurations that have not passed into --out before with the same VHDL, model, tools and options",
     )
-    parser.add_argument("--left", type=a_path, help="left image of the rectified pair (default: a generated scene)")
+    parser.add_argument("--left", type=a_path, help="left image of a rectified pair, sent behind the stress stream")
     parser.add_argument("--right", type=a_path, help="right image")
-    parser.add_argument("--stimulus", type=a_path, help="a stimulus.txt of one's own instead of images")
+    parser.add_argument(
+        "--stimulus",
+        metavar="stress|scene|FILE",
+        help="stress (default): the stream that is made to find faults, and behind it the images, where any are given; "
+        "scene: the images alone, or a generated scene; with --expected: a stimulus.txt of one's own",
+    )
     parser.add_argument("--expected", type=a_path, help="its expected.txt")
     parser.add_argument(
         "--rows",
@@ -79,7 +84,7 @@ def main() -> int:
         "--wave",
         type=a_path,
         metavar="FILE",
-        help=".ghw, .fst or .vcd (ghdl), .fst (verilator) around the first mismatch",
+        help=".ghw, .fst or .vcd (ghdl), .fst (verilator, nvc) around the first mismatch",
     )
     parser.add_argument(
         "--watchdog",
@@ -95,6 +100,7 @@ def main() -> int:
         help="keep the result beside the VHDL, in cosimulation.json, for docs/performance.md",
     )
     options = parser.parse_args()
+    _choose_stimulus(options)
     _check(options)
     if len(set(options.configs)) > 1 or regression.is_pattern(options.configs[0]):
         return _several(options)
@@ -105,6 +111,19 @@ def main() -> int:
     if options.record:
         record.keep(report)
     return job.exit_code(report)
+
+
+def _choose_stimulus(options: argparse.Namespace) -> None:
+    """options.stress says whether the stress stream is sent; options.stimulus is a file or None from here on."""
+    word, options.stress = options.stimulus, False
+    if options.expected:
+        options.stimulus = None if word is None else a_path(word)
+        return
+    if word not in (None, "stress", "scene"):
+        raise FlowError(f"--stimulus {word}: must be stress or scene, or a file together with --expected")
+    if word == "stress" and options.record:
+        raise FlowError("--record keeps results of whole frames and rows: no --stimulus stress")
+    options.stress, options.stimulus = word != "scene" and not options.record, None
 
 
 def _check(options: argparse.Namespace) -> None:
@@ -137,10 +156,10 @@ def _check(options: argparse.Namespace) -> None:
 
 
 def _several(options: argparse.Namespace) -> int:
-    for name in ("rtl", "wave", "stimulus"):
+    for name in ("rtl", "wave", "expected"):
         if getattr(options, name):
             raise FlowError(f"--{name} is for one configuration")
-    words: list[str] = []
+    words = ["--stimulus", "stress" if options.stress else "scene"]
     for name in ("left", "right", "rows", "frames", "broken", "stall_percent", "seed", "fit"):
         value = getattr(options, name)
         if value is not None:

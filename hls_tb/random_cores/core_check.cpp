@@ -6,6 +6,7 @@
 
 #include "engines/clocked/run_core.hpp"
 #include "engines/families.hpp"
+#include "scene/stress_pairs.hpp"
 
 namespace stereo {
 namespace {
@@ -184,16 +185,13 @@ class Checker {
       return algorithm;
    }
 
-   /// Few grey levels, far apart or close together: ties, extremes, sums that differ by little.
+   /// Of each class as often.
    DeepPair random_pair() { return random_pair(image_); }
    DeepPair random_pair(const Image& size) {
-      const int range = 1 << core_.shape.pixel_bits;
-      const int levels = random_.percent(50) ? 2 + random_.below(6) : range;
-      const int step = random_.percent(50) ? (range - 1) / (levels - 1) : 1;
-      DeepPair pair{DeepImage(size.width_px, size.height_px), DeepImage(size.width_px, size.height_px)};
-      for (DeepImage* side : {&pair.left, &pair.right})
-         for (uint16_t& pixel : side->pixels) pixel = uint16_t(random_.below(levels) * step);
-      return pair;
+      const StressClass kind = kStressClasses[std::size_t(random_.below(int(kStressClasses.size())))];
+      const CoreShape& shape = core_.shape;
+      return stress_pair(
+          kind, {size.width_px, size.height_px, shape.first_disparity, shape.disparities, shape.pixel_bits}, random_);
    }
 
    void compare(const std::vector<DeepPair>& sent, const std::vector<CoreOutput>& outputs, const std::string& what) {

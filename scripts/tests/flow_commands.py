@@ -59,6 +59,10 @@ def random_pair(folder, config, levels, seed=1, brightest=255):
 
 
 def cosim(config, pair, out, *options, environment=None):
+    """Of the pair alone, which has known outputs; the stress stream has tests of its own."""
+    options = ["--stimulus", "scene", *options]
+    if "--rtl" in options and "--allow-edited" not in options:
+        options.append("--allow-edited")
     words = ["--config", config, "--left", pair[0], "--right", pair[1], "--out", out, *options]
     return call("cosim.py", *words, environment=environment)
 

@@ -14,7 +14,7 @@ from flow_commands import altered_rtl, cosim, random_pair, report
 
 FAULTS = {
     "constant: one row too many": (r"raster_place_group = 11", "raster_place_group = 10"),
-    "constant: ring one shorter": (r"when delay_ring_read_address = 7 else", "when delay_ring_read_address = 6 else"),
+    "constant: ring one shorter": (r"if delay_ring_read_address = 7 then", "if delay_ring_read_address = 6 then"),
     "operator: sum becomes difference": (r"(slice1window_sum_0_1 <= \S+) \+ ", r"\1 - "),
     "operator: smaller becomes smaller or equal": (
         r"(slice0winner1_of_pair_0_0_is_less := \(slice0window_sum_\d_\d - slice0window_sum_\d_\d\)) < ",
@@ -32,8 +32,8 @@ FAULTS = {
     "condition inverted": (r"if rows_ready_tag_valid then", "if not rows_ready_tag_valid then"),
     "a carry lost": (r"as_number\(slice0cost_negative_0_1\) \+", "0 +"),
     "one winner's place wrong": (
-        r"(slice2_best_index_0_0 <= )slice1_best_index_0_0 when",
-        r"\g<1>slice1_best_index_0_0 / 2 when",
+        r"(slice2_best_index_0_0 <= )slice1_best_index_0_0;",
+        r"\g<1>slice1_best_index_0_0 / 2;",
     ),
 }
 
@@ -41,13 +41,12 @@ FAULTS = {
 # Faults of the control, which only a broken stream shows.
 BROKEN_STREAM_FAULTS = {
     "a start in mid-frame leaves the column": (
-        r"raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else",
-        "raster_place_column <= 0 when raster_place_group_is_equal else",
+        r"if raster_place_group_is_equal or in_start_of_frame then(\s+raster_place_column <= 0;)",
+        r"if raster_place_group_is_equal then\1",
     ),
     "a start in mid-frame leaves the row": (
-        r"raster_place_group <= raster_place_group_choice \* 4 when in_start_of_frame and in_valid else",
-        "raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid and "
-        "(raster_place_group >= 11) else",
+        r"if in_start_of_frame and in_valid then(\s+raster_place_group <= raster_place_group_choice \* 4;)",
+        r"if in_start_of_frame and in_valid and (raster_place_group >= 11) then\1",
     ),
     "a start anywhere in the last row joins": (
         r"raster_place_group_all := raster_place_group_is_equal and ",
@@ -55,7 +54,7 @@ BROKEN_STREAM_FAULTS = {
     ),
     "outputs without a start behind a reset": (r"raster_place_group <= 13;", "raster_place_group <= 0;"),
     "rows that come round behind a reset": (r"raster_place_group <= 13;", "raster_place_group <= 14;"),
-    "the next frame is never forgotten": (r"mod 2\) = 1\) when$", "mod 2) /= 1) when"),
+    "the next frame is never forgotten": (r"mod 2\) = 1\);$", "mod 2) /= 1);"),
 }
 
 
@@ -188,9 +187,11 @@ def test_failure_is_reported_in_full(ghdl, pair, tmp_path):
     assert "expected disparity" in failure.get("message")
 
 
-def test_fault_is_caught_in_verilator(verilator, pair, tmp_path):
+@pytest.mark.parametrize("simulator", ["verilator", "nvc"])
+def test_fault_is_caught_in_another_simulator(request, pair, tmp_path, simulator):
+    request.getfixturevalue(simulator)
     rtl = altered_rtl(tmp_path / "rtl", "tiny", *FAULTS["register dropped"])
-    process = cosim("tiny", pair, tmp_path / "out", "--rtl", rtl, "--simulator", "verilator")
+    process = cosim("tiny", pair, tmp_path / "out", "--rtl", rtl, "--simulator", simulator)
     assert process.returncode == 1
     assert report(tmp_path / "out")["mismatches"] > 0
 

@@ -15,8 +15,8 @@ from flow.implementation.targets import FAMILIES
 from flow.synthesis import manifest
 from flow_commands import scene, stream
 
-READ = "          word <= memory(read_address);\n"
-OTHER = "          word <= not memory(read_address) when {} else memory(read_address);\n"
+READ = "          word <= memory(to_integer(read_address));\n"
+OTHER = f"{READ}          if {{}} then\n  {READ.replace('<= ', '<= not ')}          end if;\n"
 SAME_CLOCK = "read_address = write_address"
 BLOCK_MATCHING = sorted(
     name

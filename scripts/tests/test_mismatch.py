@@ -23,7 +23,7 @@ pytest.importorskip("matplotlib", reason="SKIP: python3-matplotlib is not instal
 from test_report import fill
 
 numpy, Image = pictures.libraries()
-WINNER = (r"(slice2_best_index_0_0 <= )slice1_best_index_0_0 when", r"\g<1>slice1_best_index_0_0 / 2 when")
+WINNER = (r"(slice2_best_index_0_0 <= )slice1_best_index_0_0;", r"\g<1>slice1_best_index_0_0 / 2;")
 LANE = (
     "leftright_checked_disparity_1 <= leftright_answered_disparity_1",
     "leftright_checked_disparity_1 <= leftright_answered_disparity_0",

@@ -35,7 +35,7 @@ FAULTS = {
         r"\1leftoffsets_y_row_value;",
     ),
     "taps: a fraction's bit": (r"(lefttaps_weight_x <= lefttaps_source_x mod) 32;", r"\1 16;"),
-    "taps: to the left": (r"\+ 65025(\) mod 256 when lefttaps)", r"+ 65024\1"),
+    "taps: to the left": (r"(lefttaps_taps_column <= .* \+ 6502)5", r"\g<1>4"),
     "taps: a column too many": (r"(lefttaps_column_shown_1 <= sample_leaves) and .*;", r"\1;"),
     "taps: a row too many": (r"(lefttaps_row_shown_1 <= \(lefttaps_taps_row_sum <) 7\)", r"\1 8)"),
     "sampler: weights swapped": (

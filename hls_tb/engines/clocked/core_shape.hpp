@@ -18,12 +18,26 @@ struct CoreShape {
    SettingList settings;     ///< that its ports take; none where they are constants
    int pixel_bits = 8;       ///< of a grey value
    bool turns_rows = false;  ///< rows go back and forth in memories: addresses rise in one row and fall in the next
+   // The search range, in pixels; of a stage that has none, a usual one.
+   int first_disparity = 0;
+   int disparities = 16;
 };
 
 template <class Core>
 inline constexpr bool kTurnsRows = [] {
    if constexpr (requires { Core::kTurnsRows; }) return Core::kTurnsRows;
    else return false;
+}();
+
+template <class Core>
+inline constexpr int kFirstDisparity = [] {
+   if constexpr (requires { Core::kConfig.min_disparity; }) return Core::kConfig.min_disparity;
+   else return 0;
+}();
+template <class Core>
+inline constexpr int kDisparities = [] {
+   if constexpr (requires { Core::kConfig.disparities; }) return Core::kConfig.disparities;
+   else return 16;
 }();
 
 template <class Core>
@@ -37,7 +51,9 @@ constexpr CoreShape core_shape() {
            Core::kSchedule,
            settings,
            kPixelBits<Core::kConfig>,
-           kTurnsRows<Core>};
+           kTurnsRows<Core>,
+           kFirstDisparity<Core>,
+           kDisparities<Core>};
 }
 
 }  // namespace stereo

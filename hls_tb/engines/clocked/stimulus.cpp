@@ -42,21 +42,6 @@ void check(const std::string& name, const CoreShape& core, const PairOf<Pixel>& 
            range + " would give no output: send at least " + std::to_string(least) + " rows");
 }
 
-/// The first frame has the settings of the row, the others random ones.
-void set_random_frames(Stimulus& stimulus, const SettingList& ports, uint64_t seed,
-                       const std::vector<SizeChange>& sizes) {
-   Random random(seed ^ 0x5e77);
-   bool first = true;
-   const auto next = [&] {
-      std::vector<uint32_t> values = random_settings(ports, random);
-      if (first)
-         for (int i = 0; i < ports.count; ++i) values[std::size_t(i)] = uint32_t(ports.setting[i].start);
-      first = false;
-      return values;
-   };
-   set_frames(stimulus, ports, random, next, sizes);
-}
-
 const Setting* held_setting(const SettingList& ports, std::string_view name) {
    for (const Setting& port : ports)
       if (port.held && port.name == name) return &port;
@@ -149,6 +134,20 @@ void set_sizes(Stimulus& stimulus, const std::vector<SizeChange>& sizes) {
    }
    changes_before(stimulus.clocks.size());
    stimulus.settings = std::move(all);
+}
+
+void set_random_frames(Stimulus& stimulus, const SettingList& ports, uint64_t seed,
+                       const std::vector<SizeChange>& sizes) {
+   Random random(seed ^ 0x5e77);
+   bool first = true;
+   const auto next = [&] {
+      std::vector<uint32_t> values = random_settings(ports, random);
+      if (first)
+         for (int i = 0; i < ports.count; ++i) values[std::size_t(i)] = uint32_t(ports.setting[i].start);
+      first = false;
+      return values;
+   };
+   set_frames(stimulus, ports, random, next, sizes);
 }
 
 void StimulusWriter::record(const WideInput& in) {

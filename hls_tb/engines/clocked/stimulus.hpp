@@ -83,6 +83,8 @@ class StimulusWriter {
    StimulusWriter(int pixels_per_clock, int stall_percent, uint64_t seed, int pixel_bits = 8)
        : pixels_per_clock_(pixels_per_clock), stall_percent_(stall_percent), random_(seed), pixel_bits_(pixel_bits) {}
 
+   /// Of the records from now on.
+   void set_stall_percent(int stall_percent) { stall_percent_ = stall_percent; }
    /// Random bubbles, then the record.
    void record(const WideInput& in);
    /// These rows of the images, a whole number of groups, as the top of a frame; upside down: row y is the y-th from
@@ -170,6 +172,10 @@ void set_frames(Stimulus& stimulus, const SettingList& ports, Random& random, Ne
    }
    set_sizes(stimulus, sizes);
 }
+
+/// The first frame has the settings of the row, the others random ones.
+void set_random_frames(Stimulus& stimulus, const SettingList& ports, uint64_t seed,
+                       const std::vector<SizeChange>& sizes);
 
 /// Gives the outputs of a core their places, in the order in which they come.
 class OutputLocator {

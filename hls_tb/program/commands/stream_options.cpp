@@ -3,6 +3,7 @@
 
 #include <charconv>
 
+#include "engines/clocked/stress.hpp"
 #include "program/commands/checks.hpp"
 #include "program/commands/pair_options.hpp"
 #include "program/errors.hpp"
@@ -21,9 +22,8 @@ RowRange parse_rows(const std::string& text) {
    throw InputError("--rows " + text + ": must be A:B, the first row and the one after the last, such as 10:20");
 }
 
-}  // namespace
-
-Stimulus make_stream(const StreamArguments& arguments, const std::string& config, const CoreShape& shape) {
+/// That of the images.
+Stimulus stream_of_images(const StreamArguments& arguments, const std::string& config, const CoreShape& shape) {
    const Image& image = shape.image;
    StimulusOptions options = arguments.options;
    if (!arguments.rows.empty()) options.rows = parse_rows(arguments.rows);
@@ -34,6 +34,17 @@ Stimulus make_stream(const StreamArguments& arguments, const std::string& config
    };
    if (shape.pixel_bits > 8) return stream_of(load_deep_pair(arguments.left, arguments.right, shape.pixel_bits));
    return stream_of(load_pair(arguments.left, arguments.right));
+}
+
+}  // namespace
+
+Stream make_stream(const StreamArguments& arguments, const std::string& config, const CoreShape& shape) {
+   const bool has_images = !arguments.left.empty();
+   if (!arguments.stress && !has_images) throw InputError("nothing to send: give --stress, or --left and --right");
+   if (!arguments.stress) return {stream_of_images(arguments, config, shape)};
+   Stream stream{make_stress_stimulus(config, shape, arguments.options.seed)};
+   if (has_images) stream.images_from = append(stream.stimulus, stream_of_images(arguments, config, shape));
+   return stream;
 }
 
 void add_stream_options(CLI::App& command, StreamArguments& arguments) {
@@ -56,6 +67,12 @@ void add_stream_options(CLI::App& command, StreamArguments& arguments) {
        ->capture_default_str()
        ->check(check_seed);
    add_pair_options(command, arguments.left, arguments.right, arguments.fit);
+   command.add_flag("--stress", arguments.stress, "the stream that is made to find faults; before that of the images");
+   CLI::Option* const left = command.get_option("--left")->required(false);
+   CLI::Option* const right = command.get_option("--right")->required(false);
+   left->needs(right);
+   for (const char* const name : {"--right", "--fit", "--rows", "--frames", "--broken", "--stall-percent"})
+      command.get_option(name)->needs(left);
 }
 
 }  // namespace stereo::app

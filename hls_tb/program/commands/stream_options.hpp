@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options that say which stream a pair of images becomes, clock by clock.
+// Options that say which stream goes into a core, clock by clock.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,6 +11,7 @@
 namespace stereo::app {
 
 struct StreamArguments {
+   bool stress = false;  ///< the stream that is made to find faults; that of the images comes behind it
    std::string left, right;
    std::string rows;  ///< "A:B"; empty for all
    Fit fit = Fit::none;
@@ -20,7 +21,12 @@ struct StreamArguments {
 
 void add_stream_options(CLI::App& command, StreamArguments& arguments);
 
-/// Throws InputError with one sentence when the images or rows do not fit the core.
-Stimulus make_stream(const StreamArguments& arguments, const std::string& config, const CoreShape& shape);
+struct Stream {
+   Stimulus stimulus;
+   uint64_t images_from = 0;  ///< the clock in which the images' part begins
+};
+
+/// Throws InputError with one sentence when there is nothing to send, or when the images or rows do not fit the core.
+Stream make_stream(const StreamArguments& arguments, const std::string& config, const CoreShape& shape);
 
 }  // namespace stereo::app

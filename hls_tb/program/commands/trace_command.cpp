@@ -27,18 +27,19 @@ template <class Clocks>
 void cut(Clocks& clocks, const TraceArguments& arguments) {
    const std::size_t first = std::size_t(arguments.first);
    if (first >= clocks.size())
-      throw InputError("--first-clock " + std::to_string(first) + ": the images give " + std::to_string(clocks.size()) +
+      throw InputError("--first-clock " + std::to_string(first) + ": the stream has " + std::to_string(clocks.size()) +
                        " clocks");
    clocks.resize(std::min(clocks.size(), first + std::size_t(arguments.clocks)));
 }
 
 void trace(const TraceArguments& arguments) {
    std::ostringstream text;
-   const bool has_images = !arguments.stream.left.empty();
+   const bool has_stream = arguments.stream.stress || !arguments.stream.left.empty();
    const uint64_t first = uint64_t(arguments.first);
+   if (first > 0 && !has_stream) throw InputError("--first-clock needs --stress, or --left and --right");
    if (const Stage* const stage = find_stage(arguments.config)) {
-      if (has_images) {
-         const Stimulus stream = make_stream(arguments.stream, stage->name, stage->shape);
+      if (has_stream) {
+         const Stimulus stream = make_stream(arguments.stream, stage->name, stage->shape).stimulus;
          std::vector<StageClock> clocks = make_stage_stimulus(*stage, stream, arguments.stream.options.seed);
          cut(clocks, arguments);
          trace_stage(*stage, clocks, text, first);
@@ -47,9 +48,9 @@ void trace(const TraceArguments& arguments) {
       }
    } else {
       const CoreModule& core = core_module(require_configuration(arguments.config).name);
-      Stimulus stimulus = has_images ? make_stream(arguments.stream, core.name, core.shape)
+      Stimulus stimulus = has_stream ? make_stream(arguments.stream, core.name, core.shape).stimulus
                                      : make_trace_stimulus(core.name, core.shape, arguments.clocks);
-      if (has_images) cut(stimulus.clocks, arguments);
+      if (has_stream) cut(stimulus.clocks, arguments);
       trace_core(core, stimulus, text, first);
    }
    OutputFolder out(arguments.out);
@@ -63,20 +64,14 @@ void add_trace(CLI::App& app) {
    static TraceArguments arguments;
    CLI::App* command = app.add_subcommand(
        "trace",
-       "trace all registers of the clocked core: trace.txt; of random pixels, or of what `vectors` makes of images");
+       "trace all registers of the clocked core: trace.txt; of random pixels, or of the stream that `vectors` makes");
    command->add_option("--config", arguments.config, "configuration")->required();
    command->add_option("--out", arguments.out, "folder for the result")->required();
    command->add_option("--clocks", arguments.clocks, "how many")->check(CLI::Range(10, 1000000))->capture_default_str();
-   CLI::Option* const first = command->add_option("--first-clock", arguments.first, "the first one, with images")
-                                  ->check(CLI::Range(0, 1000000000))
-                                  ->capture_default_str();
+   command->add_option("--first-clock", arguments.first, "the first one of a stream")
+       ->check(CLI::Range(0, 1000000000))
+       ->capture_default_str();
    add_stream_options(*command, arguments.stream);
-   CLI::Option* const left = command->get_option("--left")->required(false);
-   CLI::Option* const right = command->get_option("--right")->required(false);
-   left->needs(right);
-   first->needs(left);
-   for (const char* const name : {"--right", "--fit", "--rows", "--frames", "--broken", "--stall-percent", "--seed"})
-      command->get_option(name)->needs(left);
    command->callback([] { trace(arguments); });
 }
 

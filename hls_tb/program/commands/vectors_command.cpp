@@ -28,30 +28,32 @@ struct VectorsArguments {
    StreamArguments stream;
 };
 
-void write(const VectorsArguments& arguments, std::size_t clocks, std::size_t outputs, std::string stimulus,
-           std::string expected) {
+void write(const VectorsArguments& arguments, uint64_t images_from, std::size_t clocks, std::size_t outputs,
+           std::string stimulus, std::string expected) {
    OutputFolder out(arguments.out);
    out.add("stimulus.txt", std::move(stimulus));
    out.add("expected.txt", std::move(expected));
    std::cout << clocks << " clocks, " << outputs << " outputs\n";
+   if (images_from > 0) std::cout << "the images begin at clock " << images_from << "\n";
    out.commit();
 }
 
 void vectors_of_stage(const VectorsArguments& arguments, const Stage& stage) {
-   const std::vector<StageClock> clocks = make_stage_stimulus(
-       stage, make_stream(arguments.stream, stage.name, stage.shape), arguments.stream.options.seed);
+   const Stream stream = make_stream(arguments.stream, stage.name, stage.shape);
+   const std::vector<StageClock> clocks =
+       make_stage_stimulus(stage, stream.stimulus, arguments.stream.options.seed);
    const std::vector<StageOutput> outputs = run_stage(stage, clocks);
-   write(arguments, clocks.size(), outputs.size(), text_of(write_stage_stimulus, stage, clocks),
+   write(arguments, stream.images_from, clocks.size(), outputs.size(), text_of(write_stage_stimulus, stage, clocks),
          text_of(write_stage_expected, stage, outputs));
 }
 
 void vectors(const VectorsArguments& arguments) {
    if (const Stage* const stage = find_stage(arguments.config)) return vectors_of_stage(arguments, *stage);
    const CoreModule& core = core_module(require_configuration(arguments.config).name);
-   const Stimulus stimulus = make_stream(arguments.stream, core.name, core.shape);
+   const auto [stimulus, images_from] = make_stream(arguments.stream, core.name, core.shape);
    const Expected expected{core.name, core.shape.image.pixels_per_clock, core.shape.disparity_bits,
                            core.shape.schedule.latency_clocks, run_core(core, stimulus)};
-   write(arguments, stimulus.clocks.size(), expected.outputs.size(), text_of(write_stimulus, stimulus),
+   write(arguments, images_from, stimulus.clocks.size(), expected.outputs.size(), text_of(write_stimulus, stimulus),
          text_of(write_expected, expected));
 }
 

@@ -3,6 +3,7 @@
 which nobody removes while a run uses it."""
 
 import hashlib
+import json
 import os
 import shutil
 from collections.abc import Callable, Iterable
@@ -14,7 +15,7 @@ from .errors import FlowError
 from .locks import EXCLUSIVE, SHARED, Lock
 
 KEPT = 4  # folders of one root that no run uses; older ones are removed
-_STAMP = "built"
+_STAMP = "built"  # {file: [size, mode]} of all that was made
 
 
 class Build(NamedTuple):
@@ -46,22 +47,38 @@ def build_once(
     is_new = False
     with ExitStack() as held:
         lock = held.enter_context(_locked(folder, SHARED))
-        while not (folder / _STAMP).is_file():
+        while not _is_whole(folder):
             held.close()  # two runs that hold it would wait for each other
             lock = held.enter_context(_locked(folder, EXCLUSIVE))
-            if not (folder / _STAMP).is_file():
+            if not _is_whole(folder):
                 shutil.rmtree(folder, ignore_errors=True)
                 (folder / "sources").mkdir(parents=True)
                 for path, (_, data) in zip(sources, contents):
                     path.write_bytes(data)
                 _make(make, folder, sources, [path for path, _ in contents])
-                (folder / _STAMP).touch()
+                (folder / _STAMP).write_text(json.dumps(_made(folder)))
                 is_new = True
             lock.take(SHARED)  # not at one go: another run may remove the folder in between
         os.utime(folder)
         _remove_old(root.resolve(), folder)
         held.pop_all()  # whoever holds the Build holds the lock
         return Build(folder, is_new, lock)
+
+
+def _made(folder: Path) -> dict[str, list[int]]:
+    found = sorted(path for path in folder.rglob("*") if path.is_file())
+    return {path.relative_to(folder).as_posix(): [path.stat().st_size, path.stat().st_mode] for path in found}
+
+
+def _is_whole(folder: Path) -> bool:
+    """Whether all that was made is there as it was: a program that has lost its content or its x bit would stay so for
+    ever, as the folder's name says only what it was made of."""
+    try:
+        made = json.loads((folder / _STAMP).read_text())
+        stats = {name: (folder / name).stat() for name in made}
+        return bool(made) and all(made[name] == [stat.st_size, stat.st_mode] for name, stat in stats.items())
+    except (OSError, ValueError, AttributeError):
+        return False
 
 
 def _make(make: Callable[[Path, list[Path]], object], folder: Path, copies: list[Path], files: list[Path]) -> None:

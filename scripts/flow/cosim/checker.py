@@ -4,7 +4,7 @@ simulators."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypedDict
 
 from ..base.configurations import Parameters
@@ -123,6 +123,12 @@ def measure(stimulus: Stimulus, observed: list[Observed], configuration: Paramet
     if starts and first_input is not None:
         latency = starts[0] - _completing_clock(stimulus, first_input, configuration)
     return Timing(len(starts), clocks, interval, latency)
+
+
+def part_from(clock: int, stimulus: Stimulus, observed: list[Observed]) -> tuple[Stimulus, list[Observed]]:
+    """What is sent and seen from a clock on, as if it were the first."""
+    later = [replace(output, clock=output.clock - clock) for output in observed if output.clock >= clock]
+    return stimulus[clock:], later
 
 
 def count_frames(observed: list[Observed]) -> Timing:

@@ -30,7 +30,8 @@ STAGE_DISPARITIES = 16  # of the scene that a stage gets
 @dataclasses.dataclass(frozen=True)
 class Job:
     config: str
-    left: Path | None = None  # None: a generated scene
+    stress: bool = True  # the stream that is made to find faults; the images' stream comes behind it
+    left: Path | None = None  # None: a generated scene, where its stream is wanted
     right: Path | None = None
     stimulus: Path | None = None  # vectors of one's own instead of images
     expected: Path | None = None
@@ -47,6 +48,12 @@ class Job:
     wave: Path | None = None
     watchdog_seconds: float = 300.0
 
+    @property
+    def has_images(self) -> bool:
+        """Whether the stream of a pair is sent: with --stimulus scene, or where an option says something of it."""
+        said = self.left or self.rows or self.frames != 1 or self.broken or self.stall_percent
+        return not self.stimulus and (not self.stress or bool(said))
+
     def out_directory(self) -> Path:
         return self.out or build_folder() / "cosim" / f"{self.config}-{self.simulator}"
 
@@ -56,7 +63,7 @@ class Job:
         for option, value, default in (
             ("--left", self.left, None),
             ("--right", self.right, None),
-            ("--stimulus", self.stimulus, None),
+            ("--stimulus", self.stimulus or (None if self.stress else "scene"), None),
             ("--expected", self.expected, None),
             ("--rows", self.rows, None),
             ("--frames", self.frames, 1),
@@ -83,22 +90,29 @@ def middle_rows(parameters: Parameters, least: int) -> str | None:
     return f"{first}:{first + rows}"
 
 
-def make_vectors(job: Job, directory: Path, parameters: Parameters) -> tuple[Path, Path]:
-    """(stimulus, expectation)"""
+def make_vectors(job: Job, directory: Path, parameters: Parameters) -> tuple[Path, Path, int | None]:
+    """(stimulus, expectation, clock in which the images' stream begins; None where there is none)"""
     stimulus, expected = directory / "stimulus.txt", directory / "expected.txt"
     if job.stimulus is not None and job.expected is not None:
         for path, copy in ((job.stimulus, stimulus), (job.expected, expected)):
             _copy(path, copy)
-        return stimulus, expected
-    pair = _pair(job, directory, parameters)
-    print(run([find_stereo_hls(), "vectors", *_stream(job, pair), "--out", directory], passes_errors=True), end="")
-    return stimulus, expected
+        return stimulus, expected, None
+    words = _stream(job, directory, parameters)
+    said = run([find_stereo_hls(), "vectors", *words, "--out", directory], passes_errors=True)
+    print(said, end="")
+    if not job.has_images:
+        return stimulus, expected, None
+    begin = re.search(r"the images begin at clock (\d+)", said)
+    return stimulus, expected, int(begin[1]) if begin else 0
 
 
-def _stream(job: Job, pair: tuple[Path, Path]) -> list[Word]:
-    """The words of `vectors` and `trace` that say which stream a pair becomes."""
-    words: list[Word] = ["--config", job.config, "--left", pair[0], "--right", pair[1]]
-    words += ["--stall-percent", job.stall_percent, "--seed", job.seed, "--fit", job.fit]
+def _stream(job: Job, directory: Path, parameters: Parameters) -> list[Word]:
+    """The words of `vectors` and `trace` that say which stream is sent."""
+    words: list[Word] = ["--config", job.config, "--seed", job.seed, *(["--stress"] if job.stress else [])]
+    if not job.has_images:
+        return words
+    left, right = _pair(job, directory, parameters)
+    words += ["--left", left, "--right", right, "--stall-percent", job.stall_percent, "--fit", job.fit]
     words += ["--broken", job.broken] if job.broken else ["--frames", job.frames]
     return words + (["--rows", job.rows] if job.rows is not None else [])
 
@@ -149,10 +163,12 @@ def _run(job: Job, out: Path) -> Report:
         job = dataclasses.replace(job, rows=middle_rows(parameters, int(job.rows)))
     _check_wave(job)
     design, edited = _vhdl_files(job, parameters)
-    stimulus_path, expected_path = make_vectors(job, out, parameters)
+    stimulus_path, expected_path, images_from = make_vectors(job, out, parameters)
     given = (job.stimulus or stimulus_path, job.expected or expected_path)  # the user's own name in a message
     stimulus = vectors.read_stimulus(given[0], kind)
     expected, _ = vectors.read_expected(given[1])
+    if not expected:
+        raise FlowError(f"{given[1]} has no outputs: there is nothing to compare")
     for path in given:
         vectors.check_fits(path, job.config, parameters)
 
@@ -168,8 +184,10 @@ def _run(job: Job, out: Path) -> Report:
         raise FlowError(f"the simulation ran {clocks} of {len(stimulus)} clocks", EXIT_TOOL_FAILED)
 
     verdict = checker.compare(expected, observed, vectors.row_bits(parameters), " and ".join(reversed(kind.word)))
-    is_irregular = bool(job.broken or job.stimulus)
-    timing = checker.count_frames(observed) if is_irregular else checker.measure(stimulus, observed, parameters)
+    if images_from is None or job.broken:
+        timing = checker.count_frames(observed)  # its frames have no common length
+    else:
+        timing = checker.measure(*checker.part_from(images_from, stimulus, observed), parameters)
     result = make_report(job, verdict, timing, clocks, seconds, build_seconds)
     result["is_cached"] = not is_new
     result["tools"] = simulator.tools()
@@ -253,10 +271,14 @@ def _vhdl_files(job: Job, parameters: Parameters) -> tuple[list[Path], list[str]
     entry = manifest.read(folder)
     if entry["configuration"] != job.config:
         raise FlowError(f"--rtl {job.rtl} is the VHDL of {entry['configuration']}, not of {job.config}")
-    edited = manifest.edited_files(folder)
     if job.allow_edited:
-        return manifest.vhdl_files(folder, allow_edited=True), edited
-    return manifest.vhdl_files(folder), []
+        edited = manifest.edited_files(folder)
+        said = [f"{folder / 'manifest.json'}: {reason}" for reason in manifest.edit_reasons(folder)]
+        return manifest.vhdl_files(folder, allow_edited=True), edited or said
+    made = manifest.vhdl_files(folder)
+    for reason in manifest.edit_reasons(folder):
+        raise FlowError(f"{folder}: {reason}; --allow-edited takes it, for experiments")
+    return made, []
 
 
 def _folder(job: Job) -> Path:
@@ -301,8 +323,8 @@ def _dump_wave(wave: Path, job: Job, simulator: Simulator, verdict: checker.Verd
 
 
 def _explain(job: Job, parameters: Parameters, simulator: Simulator, first: checker.Mismatch, clocks: int) -> None:
-    """Waveform and page of the first mismatch. A model of Verilator has no waveform built in: GHDL runs the same VHDL
-    for it."""
+    """Waveform and page of the first mismatch. After a run in another simulator GHDL runs the same
+    VHDL for it."""
 
     def dump(path: Path, window: Clocks) -> None:
         if first.clock > AUTOMATIC_WAVE_CLOCKS:
@@ -331,7 +353,7 @@ class _CppTrace:
 
     def of(self, clocks: Clocks) -> Trace:
         first, last = clocks
-        words = _stream(self.job, _pair(self.job, self.job.out_directory(), self.parameters))
+        words = _stream(self.job, self.job.out_directory(), self.parameters)
         words += ["--first-clock", first, "--clocks", max(last - first + 1, 10)]
         with tempfile.TemporaryDirectory() as folder:
             run([find_stereo_hls(), "trace", *words, "--out", folder], passes_errors=True)

@@ -174,6 +174,7 @@ class Regression:
         folders = (BENCH, flow / "cosim", flow / "base")
         sources = [path for folder in folders for path in sorted(folder.iterdir()) if path.is_file()]
         design = [path for path in sorted(rtl.folder(config).iterdir()) if path.suffix in (".vhd", ".vhdl")]
+        design.append(rtl.folder(config) / "manifest.json")
         key = hashlib.sha256(repr((config, list(self.options), SIMULATORS[self.simulator].tools())).encode())
         modules = sorted(program.parent.glob(f"{program.name}_*.so"))  # what it loads, as the readers of images
         for path in [program, *modules, core, rtl.MEMORY_CELL, *design, *sources, *self.inputs]:
@@ -207,9 +208,12 @@ class Regression:
         files.write(self.out / "junit.xml", report.junit([self._case(entry) for entry in entries]))
         print(_table(entries))
         said = ", ".join(f"{count} {outcome}" for outcome, count in counts.items() if count)
+        outputs = f"{summary['compared']:,} of {summary['expected']:,} outputs compared"
+        outputs += f", {summary['mismatches']:,} mismatches"
+        if all(entry.outcome == "unchanged" for entry in entries):
+            outputs = "nothing compared, as nothing has changed"
         print(
-            f"{'PASS' if code == EXIT_OK else 'FAIL'}: {said}; {summary['compared']:,} of {summary['expected']:,} "
-            f"outputs compared, {summary['mismatches']:,} mismatches; {seconds:.1f} s; {self.out / 'summary.json'}"
+            f"{'PASS' if code == EXIT_OK else 'FAIL'}: {said}; {outputs}; {seconds:.1f} s; {self.out / 'summary.json'}"
         )
 
     def _content(self, entry: Entry) -> dict[str, Any]:

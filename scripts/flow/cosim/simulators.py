@@ -12,13 +12,15 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..base import builds, ghdl, rtl
-from ..base.tools import ROOT, Word, find_ghdl, find_verilator, run, run_with_progress, tool_version
+from ..base.errors import EXIT_TOOL_FAILED, FlowError
+from ..base.tools import ROOT, Word, find_ghdl, find_nvc, find_verilator, run, run_with_progress, tool_version
 from . import bench, vcd, waveform
 
 BENCH = ROOT / "hls_tb" / "cosim"
 # Components that Bambu writes in Verilog only.
 READ_PORT, MULTIPLIER = BENCH / "bambu_read_port.vhd", BENCH / "bambu_multiplier.vhd"
 VERILATOR_OPTIONS = ["--cc", "--exe", "--build", "-O3", "--x-assign", "fast", "--output-split", "20000", "-Wno-fatal"]
+TOP = bench.VHDL.stem
 Clocks = tuple[int, int]  # first and last
 
 
@@ -92,21 +94,17 @@ class Simulator:
             if line.startswith("progress "):
                 on_clock(int(line.split()[1]))
 
-        return run_with_progress(command, on_line, watchdog_seconds, cwd=self.work)
+        seconds = run_with_progress(command, on_line, watchdog_seconds, cwd=self.work)
+        if not observed.is_file():
+            raise FlowError(f"{self.name} ended with exit code 0 but has simulated nothing", EXIT_TOOL_FAILED)
+        return seconds
 
 
-class Ghdl(Simulator):
-    """The judge: a VHDL simulator on the VHDL as it is."""
-
-    name = "ghdl"
-    wave_suffixes = (".ghw", ".fst", ".vcd")
+class OfVhdl(Simulator):
+    """One that takes the VHDL as it is, with the bench in VHDL."""
 
     def _bench_files(self) -> list[Path]:
         return [bench.VHDL]
-
-    @staticmethod
-    def tools() -> dict[str, str]:
-        return {"ghdl": ghdl.full_version()}
 
     def _build(self, work: Path, vhdl_files: list[Path]) -> None:
         self._elaborate(work, [*vhdl_files, self._bench(work)])
@@ -117,18 +115,30 @@ class Ghdl(Simulator):
         copy.write_text(self.ports.vhdl(self.config))
         return copy
 
+    @staticmethod
+    def _generics(stimulus: Path, observed: Path) -> list[str]:
+        return ghdl.options_of({"stimulus_file": str(stimulus), "observed_file": str(observed)})
+
+    def _elaborate(self, work: Path, files: Iterable[Path]) -> None:
+        raise NotImplementedError
+
+
+class Ghdl(OfVhdl):
+    """The judge."""
+
+    name = "ghdl"
+    wave_suffixes = (".ghw", ".fst", ".vcd")
+
+    @staticmethod
+    def tools() -> dict[str, str]:
+        return {"ghdl": ghdl.full_version()}
+
     def _elaborate(self, work: Path, files: Iterable[Path]) -> None:
         ghdl.analyse(files, work)
-        ghdl.elaborate(work, "tb_stereo_core")
+        ghdl.elaborate(work, TOP)
 
     def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
-        generics = ghdl.options_of(
-            {
-                "stimulus_file": str(stimulus),
-                "observed_file": str(observed),
-            }
-        )
-        command: list[Word] = [find_ghdl(), "-r", ghdl.STANDARD, "tb_stereo_core", *generics]
+        command: list[Word] = [find_ghdl(), "-r", ghdl.STANDARD, TOP, *self._generics(stimulus, observed)]
         if wave is not None:
             # GHDL always dumps from the start; the stop time bounds the end.
             option = {".ghw": "--wave", ".fst": "--fst", ".vcd": "--vcd"}[wave.suffix]
@@ -166,6 +176,28 @@ class Ghdl(Simulator):
 def _cut(pipe: Path, path: Path, first_ns: int, last_ns: int) -> None:
     with pipe.open(encoding="ascii") as lines, path.open("w", encoding="ascii") as result:
         vcd.cut(lines, result.write, first_ns, last_ns)
+
+
+class Nvc(OfVhdl):
+    """A second VHDL simulator, written by others: what both take as one means the same to both."""
+
+    name = "nvc"
+    wave_suffixes = (".fst",)
+
+    @staticmethod
+    def tools() -> dict[str, str]:
+        return {"nvc": tool_version(find_nvc())}
+
+    def _elaborate(self, work: Path, files: Iterable[Path]) -> None:
+        """Analyses only: it elaborates with the generics, which name the files of a run."""
+        run([find_nvc(), ghdl.STANDARD, "-a", *files], cwd=work, log=work / "analyse.log")
+
+    def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
+        elaborate = ["-e", "--jit", "--no-save", *self._generics(stimulus, observed), TOP]
+        command: list[Word] = [find_nvc(), ghdl.STANDARD, *elaborate, "-r"]
+        if wave is not None:
+            command += [f"--wave={wave}", f"--stop-time={waveform.start_ns(wave_clocks[1] + 1)}ns"]
+        return [*command, TOP]
 
 
 class Original(Ghdl):
@@ -292,4 +324,4 @@ def verilated_bench(work: Path) -> Path:
     return work / "model" / "bench"
 
 
-SIMULATORS: dict[str, type[Simulator]] = {simulator.name: simulator for simulator in (Ghdl, Verilator, Original)}
+SIMULATORS: dict[str, type[Simulator]] = {simulator.name: simulator for simulator in (Ghdl, Verilator, Nvc, Original)}

@@ -137,6 +137,8 @@ class Values:
 
     def at(self, name: str, time: int) -> Seen | None:
         """The number at a time, "X" where a bit is neither 0 nor 1, None before the first value."""
+        if name not in self.names:
+            raise FlowError(f"the waveform has no signal {name}", EXIT_TOOL_FAILED)
         key = self.names[name][0]
         place = bisect.bisect_right(self._times.get(key, []), time) - 1
         if place < 0:

@@ -207,14 +207,10 @@ def check_program(table: Mapping[str, Configuration]) -> None:
             )
 
 
-def stale_reasons(name: str, row: Configuration) -> list[str]:
-    """Why the VHDL of a configuration no longer follows from the sources, or is not what was made; empty when all is
-    well."""
-    directory = rtl.folder(name)
+def edit_reasons(directory: Path) -> list[str]:
+    """Why the VHDL of a folder is not what was made; empty when it is."""
     manifest = read(directory)
-    reasons, core = [], f"{rtl.kind_of(row).entity(name)}.vhd"
-    if manifest["configuration"] != name or set(manifest["files"]) != {core}:
-        reasons.append(f"its manifest does not name {core} as its VHDL")
+    reasons = []
     if cast(dict[str, object], manifest).get("seal") != _seal(manifest):
         reasons.append("manifest.json was edited")
     for file, expected in manifest["files"].items():
@@ -225,6 +221,18 @@ def stale_reasons(name: str, row: Configuration) -> list[str]:
             reasons.append(f"{file} was edited")
         elif not _has_structure(path, manifest["structure"]):
             reasons.append(f"{file} is not the design that was made")
+    return reasons
+
+
+def stale_reasons(name: str, row: Configuration) -> list[str]:
+    """Why the VHDL of a configuration no longer follows from the sources, or is not what was made; empty when all is
+    well."""
+    directory = rtl.folder(name)
+    manifest = read(directory)
+    reasons, core = [], f"{rtl.kind_of(row).entity(name)}.vhd"
+    if manifest["configuration"] != name or set(manifest["files"]) != {core}:
+        reasons.append(f"its manifest does not name {core} as its VHDL")
+    reasons += edit_reasons(directory)
     if manifest["parameters"] != parameters_of(row) or manifest["use"] != row["use"]:
         reasons.append(f"its row in {row['family']}/configurations.hpp changed")
     then, now = manifest["sources"] | manifest["cells"], source_digests(row) | cell_digests()

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/clocked/stress.hpp"
+
+#include <algorithm>
+
+#include "scene/stress_pairs.hpp"
+
+namespace stereo {
+namespace {
+
+constexpr int kShortFrame = 4000;        // groups; of longer ones the first rows are sent
+constexpr int kWantedClocks = 20000;     // of short frames
+constexpr int kMostRounds = 5;
+constexpr int kRowsBeyondFirst = 2;      // groups of rows of a long frame beyond those that give the first output
+
+class Stress {
+  public:
+   Stress(const CoreShape& core, uint64_t seed)
+       : core_(core), size_(core.image), random_(seed ^ 0x57e5), writer_(core.image.pixels_per_clock, 0, seed, core.pixel_bits) {}
+
+   StimulusWriter make() {
+      // What a reset leaves out shows only before the first start of frame.
+      writer_.random_records(1 + random_.below(2 * size_.width_px));
+      tidy_round();
+      const int wanted = is_short() ? kWantedClocks / std::max(1, int(writer_.clocks.size())) : 1;
+      for (int round = 0; round < std::clamp(wanted, 1, kMostRounds - 1); ++round) wild_round();
+      frame(StressClass::patchwork);
+      if (is_short()) writer_.flush(core_.schedule);
+      writer_.drain(core_.schedule);
+      return std::move(writer_);
+   }
+
+  private:
+   int frame_groups() const { return size_.width_px * size_.row_groups(); }
+   bool is_short() const { return frame_groups() <= kShortFrame; }
+   Schedule schedule() const { return shape_at(core_, size_).schedule; }
+
+   /// Whole where it is short.
+   RowRange sent_rows() const {
+      if (is_short()) return {0, size_.height_px};
+      const int groups = (core_.schedule.groups_to_first_output + size_.width_px - 1) / size_.width_px + kRowsBeyondFirst;
+      return {0, std::min(size_.height_px, groups * size_.pixels_per_clock)};
+   }
+   DeepPair pair(StressClass kind) {
+      const RowRange rows = sent_rows();
+      return stress_pair(kind, {size_.width_px, rows.end, core_.first_disparity, core_.disparities, core_.pixel_bits},
+                         random_);
+   }
+   void frame(StressClass kind) {
+      const DeepPair images = pair(kind);
+      writer_.rows(images, {0, images.left.height});
+   }
+   /// The first records of one.
+   void part_of_a_frame(StressClass kind) {
+      StimulusWriter whole(core_.image.pixels_per_clock, 0, 0, core_.pixel_bits);
+      const DeepPair images = pair(kind);
+      whole.rows(images, {0, images.left.height});
+      const int all = int(whole.clocks.size());
+      // Most often in its last rows.
+      const int records = random_.percent(60) ? all - random_.below(std::min(all, 2 * size_.width_px)) : 1 + random_.below(all);
+      for (int i = 0; i < records; ++i) writer_.record(whole.clocks[std::size_t(i)]);
+   }
+
+   /// Each class once, whole, as close as frames may be.
+   void tidy_round() {
+      bool first = true;
+      for (const StressClass kind : kStressClasses) {
+         if (!first) writer_.gap(schedule());
+         first = false;
+         frame(kind);
+      }
+      writer_.flush(core_.schedule);
+   }
+
+   /// Each class once more, in any order, with all that may come between.
+   void wild_round() {
+      auto kinds = kStressClasses;
+      for (std::size_t i = kinds.size() - 1; i > 0; --i) std::swap(kinds[i], kinds[std::size_t(random_.below(int(i) + 1))]);
+      for (const StressClass kind : kinds) {
+         constexpr int kStalls[] = {0, 0, 5, 30, 70};
+         writer_.set_stall_percent(kStalls[random_.below(5)]);
+         if (random_.percent(25)) part_of_a_frame(kind);
+         else frame(kind);
+         between();
+      }
+      writer_.set_stall_percent(0);
+   }
+
+   void between() {
+      switch (random_.below(6)) {
+         case 0:
+            reset();
+            // At times more than a frame of them: a counter that is not at rest behind the reset comes round.
+            writer_.random_records(random_.below(random_.percent(20) && is_short() ? frame_groups() + 8 * size_.width_px
+                                                                                   : 2 * size_.width_px));
+            break;
+         case 1:
+            break;  // the next start of frame comes at once: the frame before it is a broken one
+         case 2:
+            writer_.flush(core_.schedule);
+            writer_.random_records(random_.below(2 * size_.width_px));
+            writer_.bubbles(random_.below(2 * core_.schedule.latency_clocks));
+            break;
+         default:
+            writer_.gap(schedule());
+      }
+   }
+   void reset() {
+      const int clocks = 1 + random_.below(3);
+      if (!has_size_ports(core_.settings)) return writer_.reset(clocks);
+      size_ = random_.percent(20) ? core_.image : random_size(core_, random_);
+      writer_.reset_to_size(clocks, size_.width_px, size_.height_px);
+   }
+
+   const CoreShape& core_;
+   Image size_;  ///< of the frames that are sent
+   Random random_;
+   StimulusWriter writer_;
+};
+
+}  // namespace
+
+Stimulus make_stress_stimulus(const std::string& config_name, const CoreShape& core, uint64_t seed) {
+   StimulusWriter writer = Stress(core, seed).make();
+   Stimulus stimulus{config_name, core.image.pixels_per_clock, std::move(writer.clocks), std::move(writer.resets)};
+   stimulus.pixel_bits = core.pixel_bits;
+   set_random_frames(stimulus, core.settings, seed, writer.sizes);
+   return stimulus;
+}
+
+uint64_t append(Stimulus& stimulus, Stimulus next) {
+   stimulus.resets.push_back(stimulus.clocks.size());
+   stimulus.clocks.push_back({});
+   const uint64_t begin = stimulus.clocks.size();
+   if (stimulus.ports.count > 0) {
+      std::vector<uint32_t> start;
+      for (const Setting& port : stimulus.ports) start.push_back(uint32_t(port.start));
+      stimulus.settings.push_back({begin - 1, std::move(start)});
+   }
+   stimulus.clocks.insert(stimulus.clocks.end(), next.clocks.begin(), next.clocks.end());
+   for (const uint64_t clock : next.resets) stimulus.resets.push_back(begin + clock);
+   for (SettingsChange& change : next.settings) stimulus.settings.push_back({begin + change.clock, std::move(change.values)});
+   return begin;
+}
+
+}  // namespace stereo

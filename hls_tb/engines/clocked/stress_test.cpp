@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/clocked/stress.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "engines/clocked/core_modules.hpp"
+#include "engines/clocked/run_core.hpp"
+#include "scene/stress_pairs.hpp"
+#include "testing/seed.hpp"
+
+namespace stereo::test {
+namespace {
+
+/// How often a stream does what.
+struct Events {
+   int frames = 0, whole = 0, at_the_gap = 0, broken = 0, bubbles = 0, resets = 0, later = 0;
+};
+
+Events events_of(const Stimulus& made, const CoreShape& shape) {
+   Events events;
+   const int frame = shape.image.width_px * shape.image.row_groups();
+   int since_start = -1;  // valid groups; -1 before the first start
+   bool was_reset = false;
+   for (std::size_t clock = 0; clock < made.clocks.size(); ++clock) {
+      const WideInput& in = made.clocks[clock];
+      const bool reset = std::ranges::binary_search(made.resets, clock);
+      events.resets += reset && !was_reset;
+      was_reset = reset;
+      events.bubbles += !in.valid && !reset;
+      if (reset) since_start = -1;
+      if (reset || !in.valid) continue;
+      if (in.start_of_frame) {
+         ++events.frames;
+         events.broken += since_start >= 0 && since_start < frame;
+         events.at_the_gap += since_start == frame + shape.schedule.gap_groups;
+         events.later += since_start > frame + shape.schedule.gap_groups;
+         since_start = 0;
+      }
+      if (since_start >= 0) events.whole += ++since_start == frame;
+   }
+   return events;
+}
+
+class StressTest : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Named, StressTest,
+                         ::testing::Values("tiny", "tiny_p2", "tiny_sgm", "tiny_trellis", "tiny_phase",
+                                           "tiny_dynamic_census", "tiny_settings"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST_P(StressTest, HasAllThatMayComeBetweenFrames) {
+   const CoreModule& core = core_module(GetParam());
+   const Stimulus made = make_stress_stimulus(core.name, core.shape, test_seed());
+   const Events events = events_of(made, core.shape);
+   const int classes = int(kStressClasses.size());
+   EXPECT_GE(events.frames, 2 * classes);
+   EXPECT_GE(events.whole, classes) << "each class once";
+   EXPECT_GE(events.at_the_gap, classes - 1);
+   EXPECT_GT(events.broken, 0);
+   EXPECT_GT(events.later, 0);
+   EXPECT_GT(events.resets, 0);
+   EXPECT_GT(events.bubbles, 100);
+   EXPECT_GT(run_core(core, made).size(), std::size_t(classes) * 100);
+}
+
+TEST_P(StressTest, ASeedIsAStream) {
+   const CoreModule& core = core_module(GetParam());
+   const auto pixels = [&](uint64_t seed) {
+      std::vector<int> all;
+      for (const WideInput& in : make_stress_stimulus(core.name, core.shape, seed).clocks)
+         all.insert(all.end(), {in.left[0], in.right[0], in.valid, in.start_of_frame});
+      return all;
+   };
+   EXPECT_EQ(pixels(3), pixels(3));
+   EXPECT_NE(pixels(3), pixels(4));
+}
+
+TEST(Stress, OfALongFrameSendsTheFirstRows) {
+   const CoreModule& core = core_module("tiny");
+   CoreShape shape = core.shape;
+   shape.image.width_px = 320;
+   shape.image.height_px = 240;
+   shape.schedule.groups_to_first_output = 3 * 320;
+   const Stimulus made = make_stress_stimulus(core.name, shape, test_seed());
+   EXPECT_LT(made.clocks.size(), 100'000u);
+   EXPECT_GT(made.clocks.size(), 2u * 320 * 4 * kStressClasses.size());
+}
+
+TEST(Stress, SettingsAndSizesChangeWithTheFrames) {
+   for (const char* const name : {"tiny_settings", "tiny_size"}) {
+      const CoreModule& core = core_module(name);
+      const Stimulus made = make_stress_stimulus(core.name, core.shape, test_seed());
+      const Setting* const ports = made.ports.setting;
+      const auto port = std::find_if(ports, ports + made.ports.count, [&](const Setting& setting) {
+         return std::string_view(setting.name) == (name == std::string_view("tiny_size") ? "image_width" : "uniqueness_percent");
+      });
+      ASSERT_NE(port, ports + made.ports.count);
+      std::vector<uint32_t> values;
+      for (const SettingsChange& change : made.settings) values.push_back(change.values[std::size_t(port - ports)]);
+      std::ranges::sort(values);
+      EXPECT_GT(std::ranges::unique(values).begin() - values.begin(), 3) << name;
+   }
+}
+
+TEST(Stress, AnAppendedStreamGivesWhatItGivesAlone) {
+   for (const char* const name : {"tiny", "tiny_settings", "tiny_size"}) {
+      const CoreModule& core = core_module(name);
+      Random random(test_seed());
+      const DeepPair deep = stress_pair(StressClass::noise, {core.shape.image.width_px, core.shape.image.height_px, 0, 8}, random);
+      const Stimulus alone = make_stimulus(core.name, core.shape, deep, {.frames = 2, .seed = 5});
+      Stimulus both = make_stress_stimulus(core.name, core.shape, test_seed());
+      const std::size_t before = run_core(core, both).size();
+      const uint64_t begin = append(both, alone);
+      const std::vector<CoreOutput> expected = run_core(core, alone), got = run_core(core, both);
+      ASSERT_EQ(got.size(), before + expected.size()) << name;
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+         EXPECT_EQ(got[before + i].clock, begin + expected[i].clock);
+         EXPECT_EQ(got[before + i].disparity, expected[i].disparity);
+         EXPECT_EQ(got[before + i].pixel_valid, expected[i].pixel_valid);
+      }
+   }
+}
+
+}  // namespace
+}  // namespace stereo::test

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/stress_pairs.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace stereo {
+namespace {
+
+/// Draws into a pair of one shape.
+class Painter {
+  public:
+   Painter(const StressShape& shape, Random& random)
+       : pair{DeepImage(shape.width, shape.height), DeepImage(shape.width, shape.height)},
+         shape_(shape),
+         random_(random),
+         top_((1 << shape.pixel_bits) - 1) {}
+
+   void scene();
+   void noise(int levels, int step);
+   void few_levels();
+   void blocks();
+   enum class Jumps { anywhere, between_ends, to_neighbours };
+   void steps(Jumps jumps);
+   void periodic();
+   void constant();
+   void opposed();
+   void ramp();
+   void patchwork();
+
+   DeepPair pair;
+
+  private:
+   int last_disparity() const { return shape_.first_disparity + shape_.disparities - 1; }
+   int any_disparity() { return shape_.first_disparity + random_.below(shape_.disparities); }
+   uint16_t either_end() { return uint16_t(random_.percent(50) ? 0 : top_); }
+
+   template <class Value>
+   void fill(DeepImage& image, Value value) {
+      for (int y = 0; y < shape_.height; ++y)
+         for (int x = 0; x < shape_.width; ++x) image.at(x, y) = value(x, y);
+   }
+   /// left(x + disparity, y) = value of right(x, y) for x in first ... end-1.
+   template <class Value>
+   void match(int y, int first, int end, int disparity, Value value) {
+      for (int x = std::max(first, -disparity); x < std::min(end, shape_.width - disparity); ++x)
+         pair.left.at(x + disparity, y) = value(pair.right.at(x, y));
+   }
+   void match_all(int disparity) {
+      for (int y = 0; y < shape_.height; ++y) match(y, 0, shape_.width, disparity, [](uint16_t v) { return v; });
+   }
+   /// Rectangles of black and white, of any size up to a third of the image.
+   void draw_blocks(DeepImage& image) {
+      const int wide = 1 + random_.below(std::min(12, shape_.width)), high = 1 + random_.below(std::min(9, shape_.height));
+      std::vector<uint16_t> levels;
+      const int columns = shape_.width / wide + 1, rows = shape_.height / high + 1;
+      for (int i = 0; i < columns * rows; ++i) levels.push_back(either_end());
+      fill(image, [&](int x, int y) { return levels[std::size_t(y / high * columns + x / wide)]; });
+   }
+
+   const StressShape& shape_;
+   Random& random_;
+   const int top_;  ///< the largest grey value
+};
+
+void Painter::scene() {
+   // Wide enough for a scene of the whole range; the part at random.
+   const int disparities = std::clamp(last_disparity() + 1, 2, 256);
+   const int width = std::max(shape_.width, disparities + 1);
+   Scene made = make_scene({.width = width, .height = shape_.height, .disparities = disparities, .seed = random_.bits()});
+   const DeepPair deep = shape_.pixel_bits > 8 ? deepened(made.images, shape_.pixel_bits, random_.bits())
+                                               : DeepPair{widened(made.images.left), widened(made.images.right)};
+   const int from = random_.below(width - shape_.width + 1);
+   fill(pair.left, [&](int x, int y) { return deep.left.at(from + x, y); });
+   fill(pair.right, [&](int x, int y) { return deep.right.at(from + x, y); });
+}
+
+void Painter::noise(int levels, int step) {
+   const int base = random_.below(top_ - (levels - 1) * step + 1);
+   for (DeepImage* image : {&pair.left, &pair.right})
+      fill(*image, [&](int, int) { return uint16_t(base + random_.below(levels) * step); });
+}
+
+void Painter::few_levels() {
+   const int levels = 2 + random_.below(4);
+   noise(levels, random_.percent(50) ? top_ / (levels - 1) : 1);
+   if (random_.percent(30)) match_all(any_disparity());
+}
+
+void Painter::blocks() {
+   draw_blocks(pair.right);
+   draw_blocks(pair.left);
+   // A third of them unrelated.
+   const int disparity = any_disparity(), way = random_.below(3);
+   for (int y = 0; y < shape_.height && way > 0; ++y)
+      match(y, 0, shape_.width, disparity, [&](uint16_t v) { return uint16_t(way == 1 ? v : top_ - v); });
+}
+
+void Painter::steps(Jumps jumps) {
+   // Few levels make places that match at several disparities.
+   const int levels = random_.percent(40) ? 2 + random_.below(14) : top_ + 1;
+   noise(levels, random_.percent(50) ? top_ / (levels - 1) : 1);
+   const int longest = std::max(2, shape_.width / 2), beyond = last_disparity() + 1;
+   int now = random_.percent(70) ? last_disparity() : shape_.first_disparity;
+   const auto disparity = [&] {
+      const int ends[] = {shape_.first_disparity, last_disparity(), shape_.first_disparity + 1, last_disparity() - 1,
+                          beyond};
+      if (jumps == Jumps::between_ends) return ends[random_.below(random_.percent(20) ? 5 : 2)];
+      if (jumps == Jumps::anywhere) return any_disparity();
+      // Back to an end now and then, else it would be left for long.
+      if (random_.percent(20)) now = random_.percent(70) ? last_disparity() : shape_.first_disparity;
+      now = std::clamp(now + (random_.percent(30) ? random_.below(7) - 3 : random_.below(3) - 1), shape_.first_disparity, last_disparity());
+      return now;
+   };
+   for (int y = 0; y < shape_.height;) {
+      const int rows = 1 + random_.below(5);
+      for (int x = 0; x < shape_.width;) {
+         const bool is_short = jumps == Jumps::to_neighbours || random_.percent(50);
+         const int end = x + 1 + random_.below(is_short ? 8 : longest), here = disparity();
+         for (int row = y; row < std::min(y + rows, shape_.height); ++row)
+            match(row, x, std::min(end, shape_.width), here, [](uint16_t v) { return v; });
+         x = end;
+      }
+      y += rows;
+   }
+}
+
+void Painter::periodic() {
+   const int period = 2 + random_.below(std::max(1, shape_.disparities - 1)), high = 1 + random_.below(4);
+   std::vector<uint16_t> pattern(std::size_t(period * high));
+   const bool two = random_.percent(50);
+   for (uint16_t& level : pattern) level = two ? either_end() : uint16_t(random_.below(top_ + 1));
+   const int shift = random_.below(period);
+   fill(pair.right, [&](int x, int y) { return pattern[std::size_t(y % high * period + x % period)]; });
+   fill(pair.left, [&](int x, int y) { return pattern[std::size_t(y % high * period + (x + shift) % period)]; });
+}
+
+void Painter::constant() {
+   const uint16_t level = random_.percent(60) ? either_end() : uint16_t(random_.below(top_ + 1));
+   const int others = random_.percent(40) ? 0 : random_.below(4);  // in a hundred
+   for (DeepImage* image : {&pair.left, &pair.right})
+      fill(*image, [&](int, int) { return random_.percent(others) ? uint16_t(random_.below(top_ + 1)) : level; });
+}
+
+void Painter::opposed() {
+   const bool right_is_dark = random_.percent(50);
+   const int border = random_.percent(50) ? 0 : random_.below(shape_.width);  // the other way round before it
+   const auto dark = [&](int x) { return uint16_t((x < border) == right_is_dark ? top_ : 0); };
+   fill(pair.right, [&](int x, int) { return dark(x); });
+   fill(pair.left, [&](int x, int) { return uint16_t(top_ - dark(x)); });
+   if (random_.percent(30)) {
+      const int x = random_.below(shape_.width), y = random_.below(shape_.height);
+      pair.right.at(x, y) ^= uint16_t(top_);
+   }
+}
+
+void Painter::ramp() {
+   const int across = 1 + random_.below(8), down = random_.below(6), start = random_.below(top_ + 1);
+   const bool saturates = random_.percent(50);
+   const auto level = [&](int x, int y) {
+      const int value = start + across * x + down * y;
+      return uint16_t(saturates ? std::clamp(value, 0, top_) : value & top_);
+   };
+   const int disparity = any_disparity(), other = random_.percent(50) ? across : 1 + random_.below(8);
+   fill(pair.right, level);
+   fill(pair.left, [&](int x, int y) { return level((x - disparity + shape_.width) * other / across, y); });
+}
+
+void Painter::patchwork() {
+   const int columns = 1 + random_.below(3), rows = 1 + random_.below(3);
+   for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column) {
+         const auto kind = kStressClasses[std::size_t(random_.below(int(kStressClasses.size()) - 1))];
+         const DeepPair part = stress_pair(kind, shape_, random_);
+         for (int y = shape_.height * row / rows; y < shape_.height * (row + 1) / rows; ++y)
+            for (int x = shape_.width * column / columns; x < shape_.width * (column + 1) / columns; ++x) {
+               pair.left.at(x, y) = part.left.at(x, y);
+               pair.right.at(x, y) = part.right.at(x, y);
+            }
+      }
+}
+
+}  // namespace
+
+DeepPair stress_pair(StressClass kind, const StressShape& shape, Random& random) {
+   Painter painter(shape, random);
+   switch (kind) {
+      case StressClass::scene:
+         painter.scene();
+         break;
+      case StressClass::noise:
+         painter.noise(1 << shape.pixel_bits, 1);
+         break;
+      case StressClass::few_levels:
+         painter.few_levels();
+         break;
+      case StressClass::blocks:
+         painter.blocks();
+         break;
+      case StressClass::steps:
+         painter.steps(Painter::Jumps::anywhere);
+         break;
+      case StressClass::edges:
+         painter.steps(Painter::Jumps::between_ends);
+         break;
+      case StressClass::stairs:
+         painter.steps(Painter::Jumps::to_neighbours);
+         break;
+      case StressClass::periodic:
+         painter.periodic();
+         break;
+      case StressClass::constant:
+         painter.constant();
+         break;
+      case StressClass::opposed:
+         painter.opposed();
+         break;
+      case StressClass::ramp:
+         painter.ramp();
+         break;
+      case StressClass::patchwork:
+         painter.patchwork();
+         break;
+   }
+   return std::move(painter.pair);
+}
+
+}  // namespace stereo

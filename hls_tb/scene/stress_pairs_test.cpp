@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/stress_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "testing/seed.hpp"
+
+namespace stereo::test {
+namespace {
+
+constexpr StressShape kShape{.width = 40, .height = 12, .first_disparity = 0, .disparities = 8};
+constexpr int kPairs = 60;  // of a class: what one of them may lack, they have together
+
+std::vector<DeepPair> pairs(StressClass kind, const StressShape& shape) {
+   Random random(test_seed());
+   std::vector<DeepPair> made;
+   for (int i = 0; i < kPairs; ++i) made.push_back(stress_pair(kind, shape, random));
+   return made;
+}
+
+/// Whether six pixels side by side match at a disparity and at no other one of the range.
+bool matches_only_at(const DeepPair& pair, const StressShape& shape, int disparity, int x, int y) {
+   const auto is_match = [&](int d) {
+      for (int i = x; i < x + 6; ++i)
+         if (i + d < 0 || i + d >= shape.width || pair.left.at(i + d, y) != pair.right.at(i, y)) return false;
+      return true;
+   };
+   for (int d = shape.first_disparity; d < shape.first_disparity + shape.disparities; ++d)
+      if (is_match(d) != (d == disparity)) return false;
+   return true;
+}
+
+/// The disparities that are the only match somewhere.
+std::set<int> only_matches(const std::vector<DeepPair>& made, const StressShape& shape) {
+   std::set<int> found;
+   for (const DeepPair& pair : made)
+      for (int y = 0; y < shape.height; ++y)
+         for (int x = 0; x + 6 <= shape.width; ++x)
+            for (int d = shape.first_disparity; d < shape.first_disparity + shape.disparities; ++d)
+               if (matches_only_at(pair, shape, d, x, y)) found.insert(d);
+   return found;
+}
+
+TEST(StressPairs, AllClassesOfAllShapesStayInTheirRange) {
+   for (const StressShape& shape :
+        {kShape, StressShape{1, 1, 0, 1}, StressShape{2, 1, 0, 2, 10}, StressShape{1, 9, -3, 5, 12},
+         StressShape{311, 3, 40, 256}, StressShape{33, 7, -8, 8, 12}}) {
+      Random random(test_seed());
+      for (const StressClass kind : kStressClasses) {
+         const DeepPair pair = stress_pair(kind, shape, random);
+         for (const DeepImage* image : {&pair.left, &pair.right}) {
+            ASSERT_EQ(image->width, shape.width);
+            ASSERT_EQ(image->height, shape.height);
+            EXPECT_LT(*std::ranges::max_element(image->pixels), 1 << shape.pixel_bits);
+         }
+      }
+   }
+}
+
+TEST(StressPairs, StepsMatchAtEachDisparityOfTheRange) {
+   for (const int first : {0, -3, 5}) {
+      StressShape shape = kShape;
+      shape.first_disparity = first;
+      for (const StressClass kind : {StressClass::steps, StressClass::stairs}) {
+         const std::set<int> found = only_matches(pairs(kind, shape), shape);
+         EXPECT_EQ(int(found.size()), shape.disparities) << "class " << int(kind) << ", from " << first;
+      }
+      const std::set<int> ends = only_matches(pairs(StressClass::edges, shape), shape);
+      EXPECT_TRUE(ends.contains(first) && ends.contains(first + shape.disparities - 1));
+   }
+}
+
+TEST(StressPairs, BlocksHaveWholeWindowsOfTheLargestDifference) {
+   int most = 0;
+   for (const DeepPair& pair : pairs(StressClass::blocks, kShape))
+      for (int y = 0; y + 3 <= kShape.height; ++y)
+         for (int x = 0; x + 3 <= kShape.width; ++x) {
+            int sum = 0;
+            for (int i = 0; i < 9; ++i)
+               sum += std::abs(pair.left.at(x + i % 3, y + i / 3) - pair.right.at(x + i % 3, y + i / 3));
+            most = std::max(most, sum);
+         }
+   EXPECT_EQ(most, 9 * 255);
+}
+
+TEST(StressPairs, OpposedImagesDifferAllOverByTheLargestDifference) {
+   for (const DeepPair& pair : pairs(StressClass::opposed, kShape)) {
+      int largest = 0;
+      for (std::size_t i = 0; i < pair.left.pixels.size(); ++i)
+         largest += std::abs(pair.left.pixels[i] - pair.right.pixels[i]) == 255;
+      EXPECT_GE(largest, 40 * 12 - 1);
+   }
+}
+
+TEST(StressPairs, FewLevelsAndPeriodsTie) {
+   for (const StressClass kind : {StressClass::few_levels, StressClass::periodic, StressClass::constant}) {
+      int ties = 0;
+      for (const DeepPair& pair : pairs(kind, kShape))
+         for (int y = 0; y < kShape.height; ++y)
+            for (int x = 0; x + 8 + 7 < kShape.width; ++x) {
+               int matches = 0;
+               for (int d = 0; d < 8; ++d)
+                  matches += pair.left.at(x + d, y) == pair.right.at(x, y) &&
+                             pair.left.at(x + d + 1, y) == pair.right.at(x + 1, y);
+               ties += matches > 1;
+            }
+      EXPECT_GT(ties, 500) << "class " << int(kind);
+   }
+}
+
+TEST(StressPairs, ASeedIsASetOfPairs) {
+   for (const StressClass kind : kStressClasses) {
+      Random one(5), again(5), other(6);
+      const DeepPair first = stress_pair(kind, kShape, one), second = stress_pair(kind, kShape, again);
+      EXPECT_EQ(first.left, second.left);
+      EXPECT_EQ(first.right, second.right);
+      bool differs = false;
+      for (int i = 0; i < 5; ++i) differs |= stress_pair(kind, kShape, other).left != first.left;
+      EXPECT_TRUE(differs) << "class " << int(kind);
+   }
+}
+
+}  // namespace
+}  // namespace stereo::test
