@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The edits of docs/tutorial.md apply to the files as they are, one after the other. test_tutorial.py, which also runs what
-the page says, takes many minutes."""
+"""The edits of docs/tutorial.md apply to the files as they are, one after the other. test_tutorial.py, which also runs
+what the page says, takes many minutes."""
 
 import re
 import shutil
