@@ -138,9 +138,8 @@ class Joiner:
         if netlist:
             generics = ghdl.options_of({**SIZE, "depth": DEPTH, **self.bits})
             text = run([find_ghdl(), "--synth", ghdl.STANDARD, *generics, "--out=vhdl", "stereo_joiner"], cwd=work)
-            # GHDL 2.0 converts the bit inside to a vector of one bit, which VHDL does not allow.
-            text, count = re.subn(r"\b(m_axis_tuser) <= std_ulogic_vector", r"\1(0) <= std_ulogic", text)
-            assert count == 1
+            # Where GHDL, as 2.0, converts the bit inside to a vector of one bit, VHDL does not allow it.
+            text = re.sub(r"\b(m_axis_tuser) <= std_ulogic_vector\b", r"\1(0) <= std_ulogic", text)
             (work / "netlist.vhd").write_text(text)
             ghdl.analyse([work / "netlist.vhd"], work)
         ghdl.analyse([BENCH], work)

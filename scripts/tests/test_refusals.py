@@ -156,3 +156,16 @@ def test_commands_with_empty_paths(tmp_path):
 )
 def test_an_empty_path_is_not_the_current_folder(command, words):
     refused(call(command, *words, "--out", ""), 2, "argument --out: must not be empty")
+
+
+@pytest.mark.parametrize(
+    "words, sentence",
+    [
+        ((), "which distribution? For example: try_distribution.sh trixie"),
+        (("../..",), "which distribution?"),
+        (("--out",), "--out needs a value"),
+        (("--nonsense", "trixie"), "unknown option '--nonsense'"),
+    ],
+)
+def test_no_distribution_is_tried_by_chance(words, sentence):
+    refused(call("try_distribution.sh", *words), 2, sentence)
