@@ -34,15 +34,15 @@ def _full_version(program: str) -> str:
     return tool_version(program) + (f", {generator[1]}" if generator else "")
 
 
-def analyse(files: Iterable[Path], work: Path, log: str = "analyse.log") -> None:
+def analyse(files: Iterable[Path], work: Path, log: str = "analyse.log", standard: str = STANDARD) -> None:
     """`ghdl -a` of the files, in compile order, in the folder `work`."""
-    run([find_ghdl(), "-a", STANDARD, *files], cwd=work, log=work / log)
+    run([find_ghdl(), "-a", standard, *files], cwd=work, log=work / log)
 
 
-def elaborate(work: Path, top: str) -> None:
+def elaborate(work: Path, top: str, standard: str = STANDARD) -> None:
     """`ghdl -e` of what was analysed in the folder `work`. By itself GHDL only warns of a component without its
     entity, whose outputs nothing drives then."""
-    run([find_ghdl(), "-e", STANDARD, "-Werror=binding", top], cwd=work, log=work / "elaborate.log")
+    run([find_ghdl(), "-e", standard, "-Werror=binding", top], cwd=work, log=work / "elaborate.log")
 
 
 def options_of(generics: Generics | None) -> list[str]:

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All VHDL that goes into a user's design is valid as VHDL-93 and as VHDL-2008 and elaborates in both. Benches are
+VHDL-2008."""
+
+import shutil
+
+import pytest
+
+import kits
+from flow.base import ghdl as ghdl_flow
+from flow.base import rtl
+from flow.base.errors import FlowError
+from flow.shell import design, example, template
+from flow.synthesis import manifest
+from flow.system import template as systems
+
+STANDARDS = ("--std=93", "--std=08")
+EXAMPLE_FILES = [example.FOLDER / f"{name}.vhd" for name in example.SOURCES]
+
+
+def user_files():
+    """In compile order, each once."""
+    cores = [file for name in rtl.known_designs() for file in manifest.core_files(name)]
+    shells = [template.path(name) for name in rtl.known_configurations()]
+    cameras = [file for system in systems.SYSTEMS.values() for file in systems.own_files(system)]
+    return list(dict.fromkeys([*cores, *design.shell_files(), *shells, *cameras, *EXAMPLE_FILES]))
+
+
+def user_tops():
+    """All that stands on its own: the other files are parts of these."""
+    cores = [rtl.entity(name) for name in rtl.known_designs()]
+    shells = [rtl.ip_entity(name) for name in rtl.known_configurations()]
+    return [*cores, *shells, *(system.entity for system in systems.SYSTEMS.values()), "stereo_joiner", "example_top"]
+
+
+def test_no_file_is_forgotten():
+    folders = (rtl.GENERATED_RTL, rtl.HAND_WRITTEN, systems.FOLDER, example.FOLDER)
+    there = {file for folder in folders for file in folder.rglob("*.vhd") if not file.name.startswith("tb_")}
+    assert there == set(user_files())
+
+
+@pytest.mark.parametrize("standard", STANDARDS)
+def test_every_file_compiles_and_every_design_elaborates(ghdl, tmp_path, standard):
+    ghdl_flow.analyse(user_files(), tmp_path, standard=standard)
+    tops = user_tops()
+    assert len(tops) > 2 * len(rtl.known_configurations())
+    for top in tops:
+        ghdl_flow.elaborate(tmp_path, top, standard)
+
+
+@pytest.mark.parametrize("kit", kits.KITS)
+@pytest.mark.parametrize("standard", STANDARDS)
+def test_a_kit(ghdl, tmp_path, kit, standard):
+    made = kits.make(tmp_path / "kit", kit, "tiny_size_all")
+    ghdl_flow.analyse(made.sources(), tmp_path, standard=standard)
+    ghdl_flow.elaborate(tmp_path, made.top, standard)
+
+
+FAULTS = {  # (standard that does not have it, file, text, instead)
+    "a conditional assignment in a process": (
+        "--std=93",
+        "stream_fifo",
+        "      waits <= '0';\n",
+        "      waits <= '1' when leaves else '0';\n",
+    ),
+    "a process that waits for all": ("--std=93", "stream_fifo", "process (clock)", "process (all)"),
+    "a reduction": ("--std=93", "stereo_axis", "not core_in_reset(1)", "not (or core_in_reset)"),
+    "an output that is read": ("--std=93", "stream_fifo", "waits = '1' and (shows", "waits = '1' and (out_valid"),
+    "an expression in a port map": ("--std=93", "stereo_axis", "start_slot => start_slot", "start_slot => not entering"),
+    "a name that VHDL-2008 reserves": ("--std=08", "stream_fifo", "leaves", "force"),
+    "a part that is nowhere": ("--std=93", "stereo_axis", "entity work.stream_fifo", "entity work.stream_queue"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_fault_is_found(ghdl, tmp_path, fault):
+    standard, name, old, new = FAULTS[fault]
+    for file in design.shell_files():
+        shutil.copy(file, tmp_path)
+    ghdl_flow.analyse(design.shell_files(tmp_path), tmp_path, standard=standard)
+    text = (tmp_path / f"{name}.vhd").read_text()
+    assert old in text
+    (tmp_path / f"{name}.vhd").write_text(text.replace(old, new))
+    with pytest.raises(FlowError, match=f"{name}.vhd"):
+        ghdl_flow.analyse(design.shell_files(tmp_path), tmp_path, standard=standard)
