@@ -22,15 +22,21 @@ def main() -> int:
     what.add_argument("--instance", action="store_true", help="only an instance, to be pasted")
     what.add_argument("--kit", choices=contents.TOOLS, help="a folder for this tool")
     parser.add_argument("--mhz", type=megahertz, help="clock in the constraints of a kit (default 100)")
+    parser.add_argument(
+        "--pad-map",
+        action="store_true",
+        help="in a kit: zeros above the map in m_axis_tdata, up to a power of two of bits, as DMA engines want it",
+    )
     parser.add_argument("--out", type=a_path, help="file to write (default: standard output); of a kit: a new folder")
     options = parser.parse_args()
     if options.kit:
         if options.out is None:
             raise FlowError("--kit needs --out FOLDER")
-        write.write(options.kit, options.config, options.out, options.mhz or constraints.DEFAULT_MHZ)
+        write.write(options.kit, options.config, options.out, options.mhz or constraints.DEFAULT_MHZ, options.pad_map)
         return EXIT_OK
-    if options.mhz:
-        raise FlowError("--mhz is for --kit")
+    for name, value in (("--mhz", options.mhz), ("--pad-map", options.pad_map)):
+        if value:
+            raise FlowError(f"{name} is for --kit")
     entry = manifest.read(rtl.folder(options.config))
     make = template.user_instance if options.instance else template.entity
     text = make(options.config, entry)

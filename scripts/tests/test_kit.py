@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The folder that scripts/instantiate.py --kit writes: its files for every configuration, and what it refuses."""
 
+import re
+import sys
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
@@ -86,8 +88,13 @@ def test_every_configuration_has_its_kits(config):
         files = contents.of(kit, config, 100)
         order = [Path(name) for name in files[contents.ORDER].split()]
         before = quartus.DIRECTIVE if kit == "quartus" else ""
-        committed = [before + path.read_text() for path in design.vhdl_files(config)]
-        assert [files[path] for path in order[:-1]] == committed
+        committed = design.vhdl_files(config)
+        assert [f"rtl/{path.stem.removesuffix(f'_{config}')}_{config}.vhd" for path in committed] == [
+            path.as_posix() for path in order[:-1]
+        ]
+        shared = "|".join(path.stem for path in committed if not path.stem.endswith(f"_{config}"))
+        for path, kept in zip(order, committed):
+            assert re.sub(rf"\b({shared})_{config}\b", r"\1", files[path]) == before + kept.read_text()
         assert order[-1].stem == f"stereo_plain_{config}" and order[-1] in files
         check_component(files, config)
         assert not any("@{" in text or str(ROOT) in text for text in files.values())
@@ -105,7 +112,7 @@ def test_a_component_that_does_not_fit_is_noticed():
         (">INTERRUPT<", ">IRQ<"),
         ("<ipxact:master />", "<ipxact:slave />"),
         ("<ipxact:left>15<", "<ipxact:left>7<"),
-        (">rtl/stereo_axis.vhd<", ">stereo_axis.vhd<"),
+        (">rtl/stereo_axis_tiny.vhd<", ">stereo_axis_tiny.vhd<"),
         (">broken_frames<", ">frames_broken<"),
         ("<ipxact:bitOffset>8<", "<ipxact:bitOffset>9<"),
     ):
@@ -129,7 +136,9 @@ def test_register_values_are_what_the_core_shows():
 
 def test_command_needs_no_program_and_no_tool(tmp_path):
     out = tmp_path / "new" / "kit"
-    nothing = {"STEREO_HLS": "/nonexistent", "PATH": "/nonexistent"}
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin" / "python3").symlink_to(sys.executable)
+    nothing = {"STEREO_HLS": "/nonexistent", "PATH": str(tmp_path / "bin")}
     process = call(
         "instantiate.py", "--kit", "fusesoc", "--config", "tiny", "--mhz", "74.25", "--out", out, environment=nothing
     )
@@ -159,6 +168,7 @@ def test_clock_says_where_it_comes_from():
         (["--kit", "vivado", "--config", "tiny", "--out", "OUT", "--mhz", "0"], ["'0' is no number from 0.1"]),
         (["--kit", "vivado", "--config", "tiny", "--out", "OUT", "--instance"], ["not allowed with"]),
         (["--config", "tiny", "--mhz", "100"], ["--mhz is for --kit"]),
+        (["--config", "tiny", "--pad-map"], ["--pad-map is for --kit"]),
     ],
 )
 def test_refuses(tmp_path, options, words):
@@ -174,6 +184,20 @@ def test_fusesoc_finds_one_core_here():
     folders = [ROOT, *(ROOT / name for name in ("scripts", "hls", "generated_rtl", "examples", "hls_tb"))]
     found = [path for folder in folders for path in (folder.glob if folder == ROOT else folder.rglob)("*.core")]
     assert [path.name for path in found] == ["stereo_hls.core"]
+
+
+@pytest.mark.parametrize("config, bits", [("tiny", 16), ("tiny_p2", 24), ("tiny_p4", 40)])
+def test_map_padded_to_a_power_of_two(config, bits):
+    for kit in kits.KITS:
+        plain, padded = contents.of(kit, config, 100), contents.of(kit, config, 100, pads_map=True)
+        top = Path("rtl") / f"stereo_plain_{config}.vhd"
+        assert kits.entity_of(plain[top]).ports["m_axis_tdata"] == ("out", bits)
+        check_component(padded, config)
+        wide = kits.entity_of(padded[top]).ports["m_axis_tdata"][1]
+        assert wide == {16: 16, 24: 32, 40: 64}[bits]
+        assert (plain == padded) == (wide == bits)
+        zeros = f"  m_axis_tdata({wide - 1} downto {bits}) <= (others => '0');"
+        assert (zeros in padded[top]) == (wide != bits)
 
 
 def test_takes_an_empty_folder(tmp_path):

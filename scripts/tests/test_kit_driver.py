@@ -9,6 +9,7 @@ import kits
 from conftest import need
 from flow.base.tools import ROOT
 from flow.cosim import simulators
+from flow.kit import naming
 
 BENCHES = ROOT / "hls_tb" / "kit"
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
@@ -19,17 +20,28 @@ def gcc():
     return need("gcc")
 
 
+def named(kit, folder, bench):
+    """A bench of hls_tb/kit with the names of a kit's driver."""
+    path = folder / bench
+    path.write_text(naming.of_c(kit.config, (BENCHES / bench).read_text()))
+    return path
+
+
+def source(kit, name):
+    return kit.folder / "software" / naming.of_c(kit.config, name)
+
+
 def compiled(gcc, kit, out, *words):
     """Compiles the driver with `words` into `out`."""
     software = kit.folder / "software"
-    command = [gcc, *STRICT, "-I", software, software / "stereo_driver.c", *words, "-o", out]
+    command = [gcc, *STRICT, "-I", software, source(kit, "stereo_driver.c"), *words, "-o", out]
     process = subprocess.run(command, capture_output=True, text=True)
     assert process.returncode == 0, process.stderr
     return out
 
 
 def on_the_model(gcc, kit, folder):
-    program = compiled(gcc, kit, folder / "test", BENCHES / "driver_model_test.c")
+    program = compiled(gcc, kit, folder / "test", named(kit, folder, "driver_model_test.c"))
     return subprocess.run([program], capture_output=True, text=True)
 
 
@@ -59,8 +71,8 @@ FAULTS = [  # (file, what, instead, what the test says)
 @pytest.mark.parametrize("file, what, instead, said", FAULTS)
 def test_the_model_notices_a_fault(gcc, tmp_path, file, what, instead, said):
     kit = kits.make(tmp_path / "kit", "vivado", "tiny")
-    path = kit.folder / "software" / file
-    text = path.read_text()
+    path, text = source(kit, file), source(kit, file).read_text()
+    what, instead = (naming.of_c(kit.config, words) for words in (what, instead))
     assert what in text
     path.write_text(text.replace(what, instead))
     process = on_the_model(gcc, kit, tmp_path)
@@ -73,13 +85,13 @@ def test_driver_on_the_vhdl(gcc, ghdl, verilator, tmp_path, config):
     kit = kits.make(tmp_path / "kit", "vivado", config)
     driver = compiled(gcc, kit, tmp_path / "driver.o", "-c")
     options = ["-CFLAGS", f"-I{kit.folder / 'software'}"]
-    simulators.verilate(tmp_path, kit.sources(), kit.top, [BENCHES / "driver_bench.cpp", driver], options)
+    simulators.verilate(tmp_path, kit.sources(), kit.top, [named(kit, tmp_path, "driver_bench.cpp"), driver], options)
     bench = simulators.verilated_bench(tmp_path)
     process = subprocess.run([bench], capture_output=True, text=True)
     assert process.returncode == 0 and process.stdout == "288 of 288 disparities right, 0 wrong\n", process.stdout
 
-    source = kit.folder / "software" / "stereo_driver.c"
-    source.write_text(source.read_text().replace("if (errors != 0) set", "if (errors == 0) set"))
+    path = source(kit, "stereo_driver.c")
+    path.write_text(path.read_text().replace("if (errors != 0) set", "if (errors == 0) set"))
     compiled(gcc, kit, driver, "-c")
     bench.unlink()
     subprocess.run(["make", "-C", bench.parent, "-f", "Vdesign.mk"], check=True, capture_output=True)

@@ -37,9 +37,11 @@ def check_vivado(kit):
     found = vendor_commands.calls(kit.folder / "package_ip.tcl", vendor_commands.VIVADO)
     top = kits.entity(kit.sources()[-1])
     [files] = arguments(found, "add_files", "-norecurse")[:1]
-    assert [Path(name) for name in files[0].split()] == kit.sources()
-    [[_, constraints]] = arguments(found, "add_files", "-norecurse", "-fileset")
-    assert Path(constraints).is_file()
+    assert [Path(name) for name in files] == kit.sources()
+    [[_, *constraints]] = arguments(found, "add_files", "-norecurse", "-fileset")
+    assert len(constraints) == 1 and Path(constraints[0]).is_file(), constraints
+    for words in arguments(found, "get_files"):
+        assert words and all(Path(name).is_file() for name in words), words
     [top_set] = arguments(found, "set_property", "top")
     assert top_set[0] == kit.sources()[-1].stem == kit.top
     buses = arguments(found, "ipx::associate_bus_interfaces", "-busif")
@@ -49,6 +51,17 @@ def check_vivado(kit):
         assert rest[0] == "-clock" and rest[1] in top.ports
     [[clock, _, reset, _]] = arguments(found, "ipx::associate_bus_interfaces", "-clock")
     assert clock in top.ports and reset in top.ports
+    inferred = arguments(found, "ipx::infer_bus_interface")
+    assert len(inferred) == 1, "irq is no interrupt"
+    irq, kind, _ = inferred[0]
+    assert top.ports[irq] == ("out", None) and kind == "xilinx.com:signal:interrupt_rtl:1.0"
+    [level] = arguments(found, "ipx::add_bus_parameter", "SENSITIVITY")
+    assert ["set_property", "value", "LEVEL_HIGH", "ipx::add_bus_parameter:" + level[-1]] in found
+    assert ["ipx::get_bus_interfaces", irq, "-of_objects"] in [call[:3] for call in found]
+    [[span, _]] = arguments(found, "set_property", "range")
+    component = (kit.folder / "component.xml").read_text()
+    assert f"<ipxact:range>{span}</ipxact:range>" in component
+    assert int(span) > max(register["offset"] for register in registers.description())
     names = [call[0] for call in arguments(found, "ipx::add_register")]
     known = registers.description_of(rtl.folder(kit.config).parent.name)
     assert names == [register["name"] for register in known]
@@ -108,19 +121,25 @@ CHECKS = {"vivado": [check_vivado, check_constraints], "quartus": [check_quartus
 @pytest.mark.parametrize("config", CONFIGURATIONS)
 @pytest.mark.parametrize("tool", CHECKS)
 def test_scripts_run_and_fit_the_vhdl(tclsh, tmp_path, tool, config):
-    kit = kits.make(tmp_path / "kit", tool, config)
+    kit = kits.make(tmp_path / "a kit", tool, config)  # a blank splits what Tcl takes for a list
     for check in CHECKS[tool]:
         check(kit)
 
 
 FAULTS = [  # (kit, file, what, instead)
-    ("vivado", "package_ip.tcl", r"rtl/stereo_axis.vhd", "rtl/stereo_axes.vhd"),
-    ("vivado", "package_ip.tcl", r"(?s)(rtl/stream_fifo.vhd)\n(.*?)(rtl/stream_credit.vhd)", r"\3\n\2\1"),
+    ("vivado", "package_ip.tcl", r"rtl/stereo_axis_tiny.vhd", "rtl/stereo_axes_tiny.vhd"),
+    ("vivado", "package_ip.tcl", r"(?s)(rtl/stream_fifo_tiny.vhd)\n(.*?)(rtl/stream_credit_tiny.vhd)", r"\3\n\2\1"),
     ("vivado", "package_ip.tcl", r"-reset aresetn", "-reset reset"),
     ("vivado", "package_ip.tcl", r"register frames", "register frame"),
     ("vivado", "package_ip.tcl", r"oneToClear", ""),
     ("vivado", "package_ip.tcl", r"ipx::add_register", "ipx::new_register"),
     ("vivado", "package_ip.tcl", r"-import_files", "-import"),
+    ("vivado", "package_ip.tcl", r"ipx::infer_bus_interface.*", ""),
+    ("vivado", "package_ip.tcl", r"LEVEL_HIGH", "EDGE_RISING"),
+    ("vivado", "package_ip.tcl", r"range 128", "range 4096"),
+    ("vivado", "package_ip.tcl", r"constrs_1 \[list \$constraints\]", "constrs_1 $constraints"),
+    ("vivado", "package_ip.tcl", r"get_files \[list \$constraints\]", "get_files $constraints"),
+    ("vivado", "package_ip.tcl", r"lrange \$paths end end", "lindex $paths end"),
     ("vivado", "constraints/clock.xdc", r"get_ports aclk", "get_ports clk"),
     ("quartus", "stereo_plain_tiny_hw.tcl", r"m_axis_tdata tdata Output 16", "m_axis_tdata tdata Output 8"),
     ("quartus", "stereo_plain_tiny_hw.tcl", r"tlast Input 1", "last Input 1"),
@@ -133,14 +152,14 @@ FAULTS = [  # (kit, file, what, instead)
         r"s_axis_tuser VHDL_TYPE STD_LOGIC_VECTOR",
         "s_axis_tuser VHDL_TYPE STD_LOGIC",
     ),
-    ("quartus", "stereo_plain_tiny.qip", r"rtl/line_memory.vhd", "line_memory.vhd"),
-    ("quartus", "rtl/line_memory.vhd", r"-- synthesis.*", ""),
+    ("quartus", "stereo_plain_tiny.qip", r"rtl/line_memory_tiny.vhd", "line_memory_tiny.vhd"),
+    ("quartus", "rtl/line_memory_tiny.vhd", r"-- synthesis.*", ""),
 ]
 
 
 @pytest.mark.parametrize("tool, file, what, instead", FAULTS)
 def test_the_checks_notice_a_fault(tclsh, tmp_path, tool, file, what, instead):
-    kit = kits.make(tmp_path / "kit", tool, "tiny")
+    kit = kits.make(tmp_path / "a kit", tool, "tiny")
     path = kit.folder / file
     text, count = re.subn(what, instead, path.read_text(), count=1)
     assert count == 1

@@ -31,6 +31,16 @@ def test_top_is_vhdl_93(ghdl, tmp_path, config):
     assert process.returncode == 0, process.stderr
 
 
+@pytest.mark.parametrize("tool", kits.KITS)
+@pytest.mark.parametrize("config", ["tiny_p2", "tiny_sgm"])
+@pytest.mark.parametrize("standard", ["--std=93", "--std=08"])
+def test_every_file_is_valid_in_both_versions(ghdl, tmp_path, tool, config, standard):
+    kit = kits.make(tmp_path / "kit", tool, config)
+    process = ghdl_step(ghdl, tmp_path, "-a", standard, *kit.sources())
+    assert process.returncode == 0, process.stderr
+    assert ghdl_step(ghdl, tmp_path, "-e", standard, kit.top).returncode == 0
+
+
 def test_a_top_of_vhdl_2008_is_noticed(ghdl, tmp_path):
     kit = kits.make(tmp_path / "kit", "vivado", "tiny")
     top = kit.sources()[-1]

@@ -20,6 +20,8 @@ VIVADO = {  # command -> its options
     "ipx::remove_memory_map": "",
     "ipx::add_memory_map": "",
     "ipx::get_bus_interfaces": "-of_objects",
+    "ipx::infer_bus_interface": "",
+    "ipx::add_bus_parameter": "",
     "ipx::add_address_block": "",
     "ipx::add_register": "",
     "ipx::add_field": "",
@@ -35,12 +37,14 @@ PLATFORM_DESIGNER = dict.fromkeys(
 )
 QUARTUS = {"set_global_assignment": "-name -hdl_version -library"}
 
-# A call is a line, its words with a bar between them. It returns its own name and last word, as a handle.
+# A call is a line, its words with a bar between them. It returns its own name and last word, as a handle. Files are a
+# list of Tcl, which blanks divide.
 _STAND_IN = """
 proc {name} {{args}} {{
   foreach word $args {{
     if {{[string match {{-[a-z]*}} $word] && $word ni {{{options}}}}} {{ error "{name} has no option $word" }}
   }}
+  if {{"{name}" in {{add_files get_files}}}} {{ set args [concat [lrange $args 0 end-1] [lindex $args end]] }}
   puts [join [concat {name} $args] |]
   return "{name}:[lindex $args end]"
 }}

@@ -14,7 +14,7 @@ from pathlib import Path
 from ..base import builds, ghdl, rtl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Word, find_ghdl, find_nvc, find_verilator, run, run_with_progress, tool_version
-from . import bench, vcd, waveform
+from . import bench, coverage, vcd, waveform
 
 BENCH = ROOT / "hls_tb" / "cosim"
 # Components that Bambu writes in Verilog only.
@@ -270,39 +270,44 @@ class Verilator(Simulator):
         return [verilated_bench(self.work), stimulus, observed, *dump]
 
 
+class Covered(Verilator):
+    """The same, counting what it moves."""
+
+    def _build(self, work: Path, vhdl_files: list[Path]) -> None:
+        top = self.kind.entity(self.config)
+        (work / bench.CPP_PORTS).write_text(self.ports.cpp())
+        options = ["--coverage-toggle", "-CFLAGS", "-I.."]
+        verilate(work, vhdl_files, top, self._bench_files(), options, lambda verilog: coverage.marked(verilog, top))
+
+    @property
+    def verilog(self) -> Path:
+        return self.work / f"{self.kind.entity(self.config)}.v"
+
+
 def verilate(
     work: Path,
     vhdl_files: Iterable[Path],
     top: str,
     bench_files: Sequence[Path],
     options: Sequence[str] = (),
+    edited: Callable[[str], str] = str,
 ) -> None:
     """Compiles a design and its C++ bench, which knows it as Vdesign, to the program verilated_bench(work). All that
-    make sees is named from the folder on that it works in, which has no blanks: make refuses them."""
+    make sees stands in a folder without blanks: it refuses them."""
     verilator = find_verilator()
     source = work / f"{top}.v"
-    source.write_text(ghdl.to_verilog(vhdl_files, work, top))
+    source.write_text(edited(ghdl.to_verilog(vhdl_files, work, top)))
     command: list[Word] = [verilator, *VERILATOR_OPTIONS, "-j", os.cpu_count() or 1, *options]
     # What runs once is not worth optimising. Verilator's own part and the bench are the same in each simulation.
     settings = "OPT_FAST=-O2 OPT_SLOW=-O0 OPT_GLOBAL=-O2" + (" OBJCACHE=ccache" if shutil.which("ccache") else "")
     command += ["-CFLAGS", "-std=c++20", "-MAKEFLAGS", settings]
-    command += [
-        "--top-module",
-        top,
-        "--prefix",
-        "Vdesign",
-        "--Mdir",
-        "model",
-        "-o",
-        "bench",
-        source.name,
-        *(path.name for path in bench_files),
-    ]
+    command += ["--top-module", top, "--prefix", "Vdesign", "-o", "bench"]
     with _without_blanks(work) as folder:
-        for path in [source, *bench_files]:
+        for path in bench_files:
             if path.parent != folder:
                 shutil.copy(path, folder)
-        run(command, cwd=folder, log=work / "verilator.log")
+        files = [folder / path.name for path in [source, *bench_files]]
+        run([*command, "--Mdir", folder / "model", *files], cwd=folder, log=work / "verilator.log")
 
 
 @contextmanager

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ..base.tools import ROOT
-from . import bench, constraints, fusesoc, ipxact, quartus, software, vivado
+from . import bench, constraints, fusesoc, ipxact, naming, quartus, software, vivado
 from .fill import fill
 from .subject import Subject, wrapper, wrapper_file
 
@@ -15,7 +15,7 @@ TOOLS = {"vivado": "Vivado", "quartus": "Quartus", "fusesoc": "FuseSoC"}
 TRIED = {
     "vivado": "Not tried in Vivado: package_ip.tcl ran in a Tcl interpreter with stand-ins for Vivado's commands.",
     "quartus": "Not tried in Quartus: the component ran in a Tcl interpreter with stand-ins for "
-    "Platform Designer's commands. The VHDL needs conditional assignments of VHDL-2008 in processes.",
+    "Platform Designer's commands. The VHDL is valid as VHDL-93, too.",
     "fusesoc": "Tried in FuseSoC with GHDL: targets lint and sim.",
 }
 START = {
@@ -25,11 +25,11 @@ START = {
 }
 
 
-def of(kit: str, config: str, mhz: float) -> Files:
+def of(kit: str, config: str, mhz: float, pads_map: bool = False) -> Files:
     """All files of a kit for the tool `kit`."""
-    subject = Subject(config)
-    rtl = {Path("rtl") / path.name: path.read_text() for path in subject.sources}
-    rtl[wrapper_file(subject)] = wrapper(subject)
+    subject = Subject(config, pads_map)
+    texts = {path.name: path.read_text() for path in subject.sources} | {wrapper_file(subject): wrapper(subject)}
+    rtl = {Path("rtl") / name: text for name, text in naming.of_vhdl(config, subject.own_units, texts).items()}
     if kit == "quartus":
         rtl = {path: quartus.DIRECTIVE + text for path, text in rtl.items()}
     clock = Path("constraints") / ("clock.xdc" if kit == "vivado" else "clock.sdc")

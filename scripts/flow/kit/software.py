@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """The registers in C, and the driver on top of them."""
 
-from . import access
+from . import access, naming
 from .fill import TEMPLATES, fill
 from .subject import Subject
 
-DRIVER = ("stereo_driver.h", "stereo_driver.c")  # the same for every configuration
+DRIVER = ("stereo_driver.h", "stereo_driver.c")  # the same for every configuration but for their names
 
 
 def header(subject: Subject) -> str:
-    """stereo_registers.h."""
+    """stereo_registers.h, before its names are the configuration's own."""
     lines = []
     for register in subject.registers:
         name = register["name"].upper()
@@ -29,4 +29,5 @@ def header(subject: Subject) -> str:
 
 def files(subject: Subject) -> dict[str, str]:
     """{name: text}"""
-    return {"stereo_registers.h": header(subject)} | {name: (TEMPLATES / name).read_text() for name in DRIVER}
+    texts = {"stereo_registers.h": header(subject)} | {name: (TEMPLATES / name).read_text() for name in DRIVER}
+    return {naming.of_c(subject.config, name): naming.of_c(subject.config, text) for name, text in texts.items()}

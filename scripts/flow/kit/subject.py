@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 from typing import NamedTuple
 
 from ..base import rtl
@@ -15,6 +14,7 @@ from ..synthesis import manifest
 
 CLOCK, RESET = "aclk", "aresetn"
 INTERRUPT = "irq"
+MAP_DATA = "m_axis_tdata"
 GENERIC = "enabled_at_reset"
 STREAM, REGISTERS = "AXI4-Stream", "AXI4-Lite"
 _INTERFACES = {"s_axis": (STREAM, False), "m_axis": (STREAM, True), "s_axil": (REGISTERS, False)}
@@ -31,15 +31,18 @@ class Interface(NamedTuple):
 class Subject:
     """One configuration."""
 
-    def __init__(self, config: str) -> None:
+    def __init__(self, config: str, pads_map: bool = False) -> None:
+        """`pads_map`: with zeros above the map in m_axis_tdata, up to a power of two, as DMA engines want it."""
         folder = rtl.folder(config)
         self.config = config
         self.entry = manifest.read(folder)
         self.manifest_file = folder / "manifest.json"
         self.generics = design.generics(self.entry)
         self.top = f"stereo_plain_{config}"
+        self.own_units = {rtl.core_entity(config), rtl.ip_entity(config), self.top}  # no other configuration has them
         self.pixel_bits = rtl.pixel_bits_of(self.entry["parameters"])
-        self.ports = template.ports(self.generics, self.pixel_bits)
+        self.inner_ports = template.ports(self.generics, self.pixel_bits)  # of the stereo_ip
+        self.ports = [_padded(port) if pads_map and port.name == MAP_DATA else port for port in self.inner_ports]
         self.interfaces = _interfaces(self.ports)
         self.sources = design.vhdl_files(config)  # below the top
         self.registers = registers.description_of(self.entry["parameters"]["family"])
@@ -74,9 +77,18 @@ def width(port: Port) -> int | None:
     return int(vector.group(1)) + 1 if vector else None
 
 
-def wrapper_file(subject: Subject) -> Path:
-    """Within a kit."""
-    return Path("rtl") / f"{subject.top}.vhd"
+def _padded(port: Port) -> Port:
+    bits = width(port) or 1
+    return port._replace(kind=f"std_logic_vector({(1 << (bits - 1).bit_length()) - 1} downto 0)")
+
+
+def wrapper_file(subject: Subject) -> str:
+    """Within the folder rtl of a kit."""
+    return f"{subject.top}.vhd"
+
+
+def _slice(port: Port, outer: Port) -> str:
+    return port.name if outer == port else f"{port.name}({(width(port) or 1) - 1} downto 0)"
 
 
 def wrapper(subject: Subject) -> str:
@@ -86,8 +98,13 @@ def wrapper(subject: Subject) -> str:
         "ip",
         rtl.ip_entity(subject.config),
         {GENERIC: f"{GENERIC} = 1"},
-        {port.name: port.name for port in subject.ports},
+        {port.name: _slice(port, outer) for port, outer in zip(subject.inner_ports, subject.ports)},
     )
+    zeros = [
+        f"  {outer.name}({(width(outer) or 1) - 1} downto {width(port)}) <= (others => '0');"
+        for port, outer in zip(subject.inner_ports, subject.ports)
+        if outer != port
+    ]
     lines = [
         "-- SPDX-License-Identifier: Apache-2.0",
         f"-- {rtl.ip_entity(subject.config)} as packagers take it: VHDL-93, plain ports, and a number as its generic.",
@@ -104,6 +121,7 @@ def wrapper(subject: Subject) -> str:
         f"architecture rtl of {subject.top} is",
         "begin",
         inside,
+        *zeros,
         "end architecture;",
         "",
     ]

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """A kit for AMD's Vivado: a script that packages the core for its IP catalogue."""
 
+from ..shell import registers
 from . import access
 from .fill import fill
-from .subject import LIBRARY, VENDOR, Subject
+from .subject import INTERRUPT, LIBRARY, VENDOR, Subject
 
 
 def _register_calls(subject: Subject) -> list[str]:
@@ -38,5 +39,7 @@ def script(subject: Subject, sources: list[str]) -> str:
         version=".".join(subject.version.split(".")[:2]),  # Vivado takes two numbers
         sources="\n".join(f"  {name}" for name in sources),
         buses=" ".join(interface.name for interface in subject.interfaces),
+        range=str(1 << registers.address_bits()),
+        interrupt=INTERRUPT,
         registers="\n".join(_register_calls(subject)),
     )

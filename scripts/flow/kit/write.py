@@ -9,13 +9,13 @@ from ..base.errors import FlowError
 from . import contents
 
 
-def write(kit: str, config: str, folder: Path, mhz: float) -> None:
+def write(kit: str, config: str, folder: Path, mhz: float, pads_map: bool = False) -> None:
     """Fills `folder`, which must be new or empty."""
     if folder.is_dir() and any(folder.iterdir()):
         raise FlowError(f"{folder} is not empty; name a new folder")
     if folder.exists() and not folder.is_dir():
         raise FlowError(f"{folder} is a file; name a new folder")
-    files = contents.of(kit, config, mhz)
+    files = contents.of(kit, config, mhz, pads_map)
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         beside = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}."))

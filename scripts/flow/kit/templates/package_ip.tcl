@@ -14,11 +14,11 @@ set paths {}
 foreach name $sources { lappend paths [file join $here $name] }
 add_files -norecurse $paths
 set_property file_type {VHDL 2008} [get_files [lrange $paths 0 end-1]]
-set_property file_type VHDL [get_files [lindex $paths end]]
+set_property file_type VHDL [get_files [lrange $paths end end]]
 set constraints [file join $here constraints clock.xdc]
-add_files -norecurse -fileset constrs_1 $constraints
+add_files -norecurse -fileset constrs_1 [list $constraints]
 # The clock of a packaged core comes from the design around it; here it is only for synthesis out of context.
-set_property used_in {synthesis implementation out_of_context} [get_files $constraints]
+set_property used_in {synthesis implementation out_of_context} [get_files [list $constraints]]
 set_property top $top [current_fileset]
 update_compile_order -fileset sources_1
 
@@ -33,6 +33,11 @@ set_property description {Disparity maps of rectified image pairs, configuration
 foreach bus {@{buses}} { ipx::associate_bus_interfaces -busif $bus -clock aclk $core }
 ipx::associate_bus_interfaces -clock aclk -reset aresetn $core
 
+# A port alone is no interrupt to Vivado.
+ipx::infer_bus_interface @{interrupt} xilinx.com:signal:interrupt_rtl:1.0 $core
+set interrupt [ipx::get_bus_interfaces @{interrupt} -of_objects $core]
+set_property value LEVEL_HIGH [ipx::add_bus_parameter SENSITIVITY $interrupt]
+
 # The registers: a map of our own instead of what Vivado guesses.
 foreach map [ipx::get_memory_maps -quiet -of_objects $core] {
   ipx::remove_memory_map [get_property name $map] $core
@@ -40,7 +45,7 @@ foreach map [ipx::get_memory_maps -quiet -of_objects $core] {
 set map [ipx::add_memory_map s_axil $core]
 set_property slave_memory_map_ref s_axil [ipx::get_bus_interfaces s_axil -of_objects $core]
 set block [ipx::add_address_block registers $map]
-set_property range 4096 $block
+set_property range @{range} $block
 set_property width 32 $block
 set_property usage register $block
 
