@@ -87,6 +87,11 @@ def main() -> int:
         help=".ghw, .fst or .vcd (ghdl), .fst (verilator, nvc) around the first mismatch",
     )
     parser.add_argument(
+        "--coverage",
+        action="store_true",
+        help="in Verilator, and say which bits of registers never took both values and which branches never ran",
+    )
+    parser.add_argument(
         "--watchdog",
         dest="watchdog_seconds",
         type=float,
@@ -100,6 +105,8 @@ def main() -> int:
         help="keep the result beside the VHDL, in cosimulation.json, for docs/performance.md",
     )
     options = parser.parse_args()
+    if options.coverage:
+        options.simulator = "verilator"
     _choose_stimulus(options)
     _check(options)
     if len(set(options.configs)) > 1 or regression.is_pattern(options.configs[0]):
@@ -137,6 +144,8 @@ def _check(options: argparse.Namespace) -> None:
             raise FlowError(f"--{one} and --{other} go together: both are required")
     if options.stimulus and (options.left or options.rows or options.broken or options.stall_percent):
         raise FlowError("--stimulus takes the place of images, --rows, --broken and --stall-percent")
+    if options.coverage and options.wave:
+        raise FlowError("--coverage and --wave are for two runs")
     if options.jobs < 1:
         raise FlowError("--jobs must be at least 1")
     if options.record and options.broken:
@@ -165,7 +174,7 @@ def _several(options: argparse.Namespace) -> int:
         if value is not None:
             words += [f"--{name.replace('_', '-')}", str(value)]
     words += ["--watchdog", str(options.watchdog_seconds)]
-    words += [f"--{name}" for name in ("allow-edited", "record") if getattr(options, name.replace("-", "_"))]
+    words += [f"--{name}" for name in ("allow-edited", "coverage", "record") if getattr(options, name.replace("-", "_"))]
     return regression.Regression(
         regression.select(options.configs),
         options.simulator,

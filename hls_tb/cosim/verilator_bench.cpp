@@ -2,6 +2,7 @@
 // The Verilator twin of tb_stereo_core.vhd: drives the model with a stimulus file, writes down every output with its
 // clock, judges nothing. bench_ports.hpp, made by scripts/flow/cosim/bench.py, knows the ports of the design.
 //   bench STIMULUS OBSERVED [WAVE FIRST_CLOCK LAST_CLOCK]
+// Built for coverage it writes coverage.dat beside OBSERVED.
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -10,6 +11,11 @@
 #include "verilated.h"
 #if VM_TRACE
 #include "verilated_fst_c.h"
+#endif
+#if VM_COVERAGE
+#include <filesystem>
+
+#include "verilated_cov.h"
 #endif
 
 namespace {
@@ -104,5 +110,9 @@ int main(int argc, char** argv) {
    }
    std::fprintf(observed, "end %ld\n", clock);
    wave.close();
+#if VM_COVERAGE
+   const auto data = std::filesystem::path(argv[2]).replace_filename("coverage.dat");
+   Verilated::threadContextp()->coveragep()->write(data.c_str());
+#endif
    return std::fclose(observed) == 0 ? 0 : 1;
 }

@@ -148,9 +148,11 @@ void Painter::constant() {
 void Painter::opposed() {
    const bool right_is_dark = random_.percent(50);
    const int border = random_.percent(50) ? 0 : random_.below(shape_.width);  // the other way round before it
-   const auto dark = [&](int x) { return uint16_t((x < border) == right_is_dark ? top_ : 0); };
-   fill(pair.right, [&](int x, int) { return dark(x); });
-   fill(pair.left, [&](int x, int) { return uint16_t(top_ - dark(x)); });
+   // With noise the largest costs differ, so that each of them may win.
+   const int noise = random_.percent(50) ? 1 : 2 + random_.below(top_ / 8);
+   const auto level = [&](bool dark) { return uint16_t(dark ? random_.below(noise) : top_ - random_.below(noise)); };
+   fill(pair.right, [&](int x, int) { return level((x < border) != right_is_dark); });
+   fill(pair.left, [&](int x, int) { return level((x < border) == right_is_dark); });
    if (random_.percent(30)) {
       const int x = random_.below(shape_.width), y = random_.below(shape_.height);
       pair.right.at(x, y) ^= uint16_t(top_);

@@ -19,9 +19,9 @@ from ..base.tools import Word, find_stereo_hls, run
 from ..synthesis import generate, manifest
 from ..synthesis.bambu import original_files
 from ..synthesis.lowering.naming import Trace, read_trace
-from . import checker, mismatch, registers, report, vectors
+from . import checker, coverage, mismatch, registers, report, vectors
 from .report import Report, summary
-from .simulators import SIMULATORS, Clocks, Ghdl, Simulator
+from .simulators import SIMULATORS, Clocks, Covered, Ghdl, Simulator
 
 AUTOMATIC_WAVE_CLOCKS = 100_000  # later mismatches would take GHDL minutes
 STAGE_DISPARITIES = 16  # of the scene that a stage gets
@@ -46,6 +46,7 @@ class Job:
     allow_edited: bool = False  # VHDL that differs from its manifest
     out: Path | None = None  # default: build/cosim/CONFIG-SIMULATOR
     wave: Path | None = None
+    coverage: bool = False  # count what the stream moves
     watchdog_seconds: float = 300.0
 
     @property
@@ -75,6 +76,7 @@ class Job:
             if value is not None and value != default:
                 words += [option, value]
         words += ["--allow-edited"] if self.allow_edited else []
+        words += ["--coverage"] if self.coverage else []
         return shlex.join(str(word) for word in [*words, "--seed", self.seed, "--simulator", self.simulator])
 
 
@@ -194,6 +196,8 @@ def _run(job: Job, out: Path) -> Report:
     result["environment"] = facts()
     if edited:
         result["edited"] = edited
+    if isinstance(simulator, Covered):
+        result["coverage"] = _coverage(simulator, out)
     if job.wave is not None:
         result["wave"] = _dump_wave(job.wave, job, simulator, verdict, clocks)
     report.write(out, result)
@@ -201,6 +205,16 @@ def _run(job: Job, out: Path) -> Report:
     if verdict.first_mismatch:
         _explain(job, parameters, simulator, verdict.first_mismatch, clocks)
     return result
+
+
+def _coverage(simulator: Covered, out: Path) -> coverage.Coverage:
+    print(f"{simulator.config}: what has never moved is given to yosys-abc ...", flush=True)
+    texts = {path.name: path.read_text() for path in simulator.vhdl_files}
+    with tempfile.TemporaryDirectory() as work:
+        top = simulator.kind.entity(simulator.config)
+        found = coverage.read(out / coverage.DATA, simulator.verilog, texts, top, Path(work))
+    coverage.write(out, found, out / coverage.DATA)
+    return found
 
 
 def exit_code(result: Report) -> int:
@@ -292,6 +306,10 @@ def _folder(job: Job) -> Path:
 
 
 def _simulator(job: Job, design: list[Path], parameters: Parameters) -> Simulator:
+    if job.coverage:
+        lanes, bits = parameters["pixels_per_clock"], vectors.row_bits(parameters)
+        folder = _simulations() / f"{job.config}-coverage"
+        return Covered(job.config, design, folder, lanes, bits, kind=rtl.kind_of(parameters))
     folder = _simulations() / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
     lanes, bits = parameters["pixels_per_clock"], vectors.row_bits(parameters)
     return SIMULATORS[job.simulator](

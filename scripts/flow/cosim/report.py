@@ -14,6 +14,7 @@ from ..base import files
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from ..base.facts import Facts, facts
 from ..base.newer_python import NotRequired
+from . import coverage
 from .checker import Interval
 
 _NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -45,6 +46,7 @@ class Report(TypedDict):
     edited: NotRequired[list[str]]  # VHDL that is not what its manifest says
     tools: NotRequired[dict[str, str]]  # {name: version}
     environment: NotRequired[Facts]
+    coverage: NotRequired[coverage.Coverage]
     wave: NotRequired[str]  # the file that --wave asked for
     wave_clocks: NotRequired[tuple[int, int]]  # first and last in failure.vcd
     first_register: NotRequired[str]  # which register of the VHDL differs first from the C++ core's, and when
@@ -101,6 +103,8 @@ def summary(report: Report) -> str:
         f"({report['clocks_per_second']:.0f} clocks/s), "
         + ("simulation cached" if report.get("is_cached") else f"built in {report['build_seconds']} s")
     )
+    if "coverage" in report:
+        text += coverage.summary(report["coverage"])
     if "wave" in report:
         text.append(f"  waveform: {report['wave']}")
     return "\n".join(text)

@@ -27,8 +27,8 @@ from . import differences
 SECONDS = 30  # for what is left after the merging of registers
 SHORT_SECONDS, LONG_SECONDS = 10, 200  # the same of where the versions may differ, at first and at last
 MOST_ALONE = 40  # registers of which each is proved to stay 0, where all at once are not
-PROVED = "Property proved"
 VALID = {  # bit: the outputs that say something while it is '1'
+    "rectified_valid": ("rectified_left", "rectified_right", "rectified_start_of_frame"),
     "disparity_valid": ("disparity", "pixel_valid", "disparity_start_of_frame", "disparity_end_of_line"),
     "m_axis_tvalid": ("m_axis_tdata", "m_axis_tuser", "m_axis_tlast"),
     "s_axil_bvalid": ("s_axil_bresp",),
@@ -81,7 +81,8 @@ def graph(design: Design, core: list[Path], shell: list[Path], work: Path) -> Pa
     name = design.config
     options: dict[str, int | str] = {}
     if design.is_core:
-        files, top, compared = core, rtl.core_entity(name), rtl.core_entity(name)
+        files, top = core, rtl.entity(name)
+        compared = top
     else:
         generics = dict(design.generics)
         enabled = generics.pop("enabled_at_reset", None)  # the only one that a user of the stereo_ip chooses
@@ -102,11 +103,10 @@ def compare(original: Path, changed: Path, work: Path) -> str:
     differs = Differences(where, work) if where else None
     if differs and differs.never():
         return ""
-    said = aiger.ask(f"miter {original} {changed}; scleanup; lcorr; scorr; pdr -T {SECONDS}", work)
-    refuted = re.search(r"asserted in frame (\d+)", said)
-    if refuted:
-        return f"differs in clock {refuted.group(1)}"
-    is_proved = PROVED in said or bool(differs and differs.never_with_lemmas())
+    answer = aiger.prove(f"miter {original} {changed}; scleanup; lcorr; scorr", work, SECONDS)
+    if answer.clock:
+        return f"differs in clock {answer.clock}"
+    is_proved = answer.proved or bool(differs and differs.never_with_lemmas())
     return "" if is_proved else f"no proof in {SECONDS} s"
 
 
@@ -117,20 +117,20 @@ class Differences:
         self.where, self.work = where, work
         self.may_be = True  # that nobody sees it
 
-    def _ask(self, graph: differences.Graph, commands: str) -> str:
+    def _proof(self, graph: differences.Graph, commands: str, seconds: int) -> aiger.Answer:
         differences.write(graph, self.work / "asked.aig")
-        return aiger.ask(f"read asked.aig; {commands}", self.work)
+        return aiger.prove(f"read asked.aig; {commands}", self.work, seconds)
 
     def never(self) -> bool:
-        said = self._ask(self.where, f"scleanup; lcorr; scorr; write merged.aig; pdr -T {SHORT_SECONDS}")
-        self.may_be = "asserted in frame" not in said
-        return PROVED in said
+        answer = self._proof(self.where, "scleanup; lcorr; scorr; write merged.aig", SHORT_SECONDS)
+        self.may_be = not answer.clock
+        return answer.proved
 
     def _that_stay(self, graph: differences.Graph, numbers: list[int]) -> list[int]:
         """Those of the registers that are proved to stay 0: all of them at once, or one by one."""
 
         def stays(some: list[int], seconds: int) -> bool:
-            return PROVED in self._ask(differences.asked_for(graph, some), f"scleanup; pdr -T {seconds}")
+            return self._proof(differences.asked_for(graph, some), "scleanup", seconds).proved
 
         if stays(numbers, SECONDS):
             return numbers
@@ -144,9 +144,10 @@ class Differences:
         graph = differences.read(self.work / "merged.aig")
         numbers = self._that_stay(graph, differences.quiet(graph))
         if numbers:
-            self._ask(differences.without(graph, numbers), "scleanup; scorr -F 2; write merged.aig")
+            differences.write(differences.without(graph, numbers), self.work / "asked.aig")
+            aiger.ask("read asked.aig; scleanup; scorr -F 2; write merged.aig", self.work)
             graph = differences.read(self.work / "merged.aig")
-        return PROVED in self._ask(differences.with_predictions(graph), f"pdr -T {LONG_SECONDS}")
+        return self._proof(differences.with_predictions(graph), "strash", LONG_SECONDS).proved
 
 
 class Prover:

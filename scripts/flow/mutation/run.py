@@ -23,7 +23,7 @@ from ..shell import broken, cocotb_runs, contract, design, formal, pool, script,
 from ..synthesis import manifest
 from . import differences, equivalence, judges, mutants
 from .equivalence import Design, NotSynthesizedError, Prover
-from .judges import CONFIG_OF_SHORT_FRAMES, WORK, Core, Shell, compiles, core_stages, refuted, shell_stages
+from .judges import CONFIG_OF_SHORT_FRAMES, WORK, Core, Shell, compiles, refuted, shell_stages
 
 
 @dataclass
@@ -87,20 +87,26 @@ class Run:
     ) -> None:
         self.core_files = manifest.core_files(config)
         self.seed, self.counts, self.jobs, self.say = seed, (core_count, shell_count), jobs, say
-        short, thorough = shell_stages(config)
         # Each for mutants of the core and for those of the shell.
-        self.short: dict[bool, Core | Shell] = {True: Core(config), False: Shell(config, short)}
-        self.thorough = {True: Shell(config, core_stages(config)), False: Shell(config, thorough)}
-        variants = {(stage.config, *stage.generics.items()): stage for stage in (*short, *thorough)}
-        of_the_shell = [Design(stage.config, False, stage.generics) for stage in variants.values()]
-        self.provers = {
-            is_core: Prover(designs, self.core_files, design.shell_files(), WORK / f"originals_{config}_{is_core}")
-            for is_core, designs in ((True, [Design(config, True)]), (False, of_the_shell))
-        }
+        self.short: dict[bool, Core | Shell] = {}
+        self.provers: dict[bool, Prover] = {}
+        if core_count:
+            self.short[True] = Core(config)
+            self._prove_with(True, config, [Design(config, True)])
+        if shell_count:
+            short, thorough = shell_stages(config)
+            self.short[False] = Shell(config, short)
+            self.thorough = Shell(config, thorough)
+            variants = {(stage.config, *stage.generics.items()): stage for stage in (*short, *thorough)}
+            self._prove_with(False, config, [Design(one.config, False, one.generics) for one in variants.values()])
         self.config, self.earlier, self.began = config, EarlierVerdicts(config), time.monotonic()
         self.verdicts: list[Verdict] = []
         self.number, self.started = 0, {True: 0, False: 0}  # of mutants, of those of the core and of the shell
         self.lock = threading.Lock()
+
+    def _prove_with(self, is_core: bool, config: str, designs: list[Design]) -> None:
+        work = WORK / f"originals_{config}_{is_core}"
+        self.provers[is_core] = Prover(designs, self.core_files, design.shell_files(), work)
 
     def judge(self, mutant: mutants.Mutant, is_core: bool, number: int) -> Verdict:
         folder = WORK / "mutants" / f"{self.config}_{'core' if is_core else 'shell'}_{number}"
@@ -119,7 +125,8 @@ class Run:
             objection = by or self.provers[is_core].objection(core, shell, folder)
         except NotSynthesizedError as error:
             by = objection = f"synthesis: {error}"
-        by = by or (self.thorough[is_core].noticed(core, shell, folder) if objection else "")
+        if objection and not by and not is_core:
+            by = self.thorough.noticed(core, shell, folder)
         outcome = "killed" if by else "survived" if objection else "equivalent"
         shutil.rmtree(folder, ignore_errors=True)
         return Verdict(mutant, outcome, objection if outcome == "survived" else by, time.monotonic() - started)
