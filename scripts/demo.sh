@@ -81,4 +81,8 @@ step "Disparity map" "$STEREO_HLS" match "${pair[@]}" "${truth[@]}" --out "$out/
 step "Co-simulation in GHDL, some rows" ./scripts/cosim.py "${pair[@]}" --seed "$seed" --rows 8 --out "$out/cosim-ghdl"
 step "Co-simulation in Verilator, two frames" ./scripts/cosim.py "${pair[@]}" --seed "$seed" --frames 2 \
    --simulator verilator --out "$out/cosim-verilator"
-step "Report" ./scripts/report.py --demo "$out"
+# The packages that setup.sh installs are for Debian's Python; another one of the path, as of a virtual environment, may have
+# them, too.
+python=python3
+"$python" -c "import jinja2, matplotlib" 2>/dev/null || python=/usr/bin/python3
+step "Report" "$python" scripts/report.py --demo "$out"

@@ -7,6 +7,7 @@ import random
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 from flow.base import files, rtl
@@ -16,8 +17,9 @@ from flow.synthesis import manifest
 
 
 def call(command, *arguments, environment=None):
-    """The finished process of scripts/COMMAND."""
-    words = [str(ROOT / "scripts" / command), *map(str, arguments)]
+    """The finished process of scripts/COMMAND, under the Python of the tests: that of PATH may lack packages."""
+    python = [sys.executable] if command.endswith(".py") else []
+    words = [*python, str(ROOT / "scripts" / command), *map(str, arguments)]
     return subprocess.run(
         words, capture_output=True, text=True, env={**os.environ, **(environment or {})}, stdin=subprocess.DEVNULL
     )
