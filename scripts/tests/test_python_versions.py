@@ -106,7 +106,7 @@ def test_a_co_simulation_that_fails_is_explained(program, ghdl, tmp_path):
     from flow_commands import altered_rtl
 
     edited = altered_rtl(tmp_path, "tiny", r"disparity <= (.*);", r"disparity <= not (\1);")
-    words = ["--config", "tiny", "--rtl", edited, "--out", tmp_path / "out"]
+    words = ["--config", "tiny", "--rtl", edited, "--allow-edited", "--out", tmp_path / "out"]
     process = call(python(OLDEST), "cosim.py", *words)
     assert process.returncode == 1 and "Traceback" not in process.stderr, process.stdout + process.stderr
 
