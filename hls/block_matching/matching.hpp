@@ -6,7 +6,8 @@
 
 namespace stereo::block_matching {
 
-inline constexpr const char* kPartNeedsFullWidth = "a search of only some disparities needs a map of full width";
+inline constexpr int kFarthest = 1 << 24;  ///< px: beyond any image, and far from where sums of columns would overflow
+inline constexpr const char* kPartNeedsFullWidth = "first_disparity and last_disparity need a map of full width";
 
 /// What block matching computes: docs/algorithm.md defines each option. Models take it with images of any size.
 struct Matching {
@@ -43,13 +44,15 @@ struct Matching {
                             first_disparity > last_searched());
    }
    constexpr int last_searched() const { return last_disparity < 0 ? disparities - 1 : last_disparity; }
+   /// Whether an option says which part is searched, be it all of it.
+   constexpr bool names_a_part() const { return first_disparity != 0 || last_disparity != -1; }
    constexpr bool searches_all() const { return first_disparity == 0 && last_searched() == disparities - 1; }
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
       visit("disparities", self.disparities, 1, 256, "the disparity range");
       visit("window_px", self.window_px, 1, kUnlimited, "the window side");
-      visit("min_disparity", self.min_disparity, -kUnlimited - 1, kUnlimited, "the smallest disparity");
+      visit("min_disparity", self.min_disparity, -kFarthest, kFarthest, "the smallest disparity");
       visit("pixel_bits", self.pixel_bits, 8, 12, "the number of bits of a pixel");
       visit("reference", self.reference);
       visit("cost", self.cost);
@@ -71,7 +74,7 @@ struct Matching {
 
    /// Why nothing can be matched with these options; empty when it can.
    constexpr Sentence problem() const {
-      if (!full_width && !searches_all()) return kPartNeedsFullWidth;
+      if (!full_width && names_a_part()) return kPartNeedsFullWidth;
       if (const Sentence limit = first_beyond_limits(*this); !limit.empty()) return limit;
       if (pixel_bits % 2 != 0) {
          Sentence sentence = "the number of bits of a pixel is ";

@@ -54,7 +54,7 @@ struct Matching {
    static constexpr void options(Self& self, Visitor& visit) {
       visit("disparities", self.disparities, 1, 256, "the disparity range");
       visit("window_px", self.window_px, 1, kUnlimited, "the window side");
-      visit("min_disparity", self.min_disparity, -kUnlimited - 1, kUnlimited, "the smallest disparity");
+      visit("min_disparity", self.min_disparity, -block_matching::kFarthest, block_matching::kFarthest, "the smallest disparity");
       visit("pixel_bits", self.pixel_bits, 8, 12, "the number of bits of a pixel");
       visit("reference", self.reference);
       visit("phase_scales", self.phase_scales, 1, 3, "the number of phase scales");
@@ -71,7 +71,7 @@ struct Matching {
 
    /// Why nothing can be matched with these options; empty when it can.
    constexpr Sentence problem() const {
-      if (!full_width && !block_matching().searches_all()) return block_matching::kPartNeedsFullWidth;
+      if (!full_width && block_matching().names_a_part()) return block_matching::kPartNeedsFullWidth;
       if (const Sentence limit = first_beyond_limits(*this); !limit.empty()) return limit;
       return block_matching().problem();
    }

@@ -51,7 +51,7 @@ struct Matching {
    static constexpr void options(Self& self, Visitor& visit) {
       visit("disparities", self.disparities, 2, 256, "the disparity range");
       visit("window_px", self.window_px, 1, kUnlimited, "the window side");
-      visit("min_disparity", self.min_disparity, -kUnlimited - 1, kUnlimited, "the smallest disparity");
+      visit("min_disparity", self.min_disparity, -block_matching::kFarthest, block_matching::kFarthest, "the smallest disparity");
       visit("pixel_bits", self.pixel_bits, 8, 12, "the number of bits of a pixel");
       visit("cost", self.cost);
       visit("census_width_px", self.census_width_px, 3, 9, "the census window's width");

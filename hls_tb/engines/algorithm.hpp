@@ -20,6 +20,8 @@ class Algorithm {
    /// The same with one option changed; limits are only checked when it matches. Throws std::invalid_argument with what
    /// the value should have been, or with the names of all options.
    virtual std::shared_ptr<const Algorithm> with(const std::string& option, const std::string& value) const = 0;
+   /// Why no images can be matched with these options; empty when some can.
+   virtual std::string problem() const = 0;
    /// Such as "100 disparities, window 3x3".
    virtual std::string description() const = 0;
    virtual MapGeometry map_geometry(int image_width) const = 0;
@@ -77,6 +79,7 @@ class AlgorithmOf final : public Algorithm {
       set_option(changed, option, value);
       return std::make_shared<AlgorithmOf>(changed);
    }
+   std::string problem() const override { return matching_.problem().text; }
    std::string description() const override { return of_family::description(matching_); }
    MapGeometry map_geometry(int image_width) const override { return of_family::geometry(matching_, image_width); }
    DisparityMap match_fast(const GrayImage& left, const GrayImage& right, int threads) const override {

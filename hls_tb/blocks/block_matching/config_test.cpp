@@ -163,7 +163,7 @@ TEST(BlockMatchingConfig, SaysWhereAMapOfFullWidthIsNone) {
    EXPECT_EQ(config.problem().text, std::string());
    EXPECT_TRUE(config.has_check()) << "the ports may leave any disparity out";
    config = {{.width_px = 20, .height_px = 30}, {.disparities = 10, .first_disparity = 1}, {}};
-   EXPECT_EQ(config.problem().text, std::string("a search of only some disparities needs a map of full width"));
+   EXPECT_EQ(config.problem().text, std::string("first_disparity and last_disparity need a map of full width"));
 }
 
 /// Plain core: the last window needs the rows below it, then the columns of its row that come after it.

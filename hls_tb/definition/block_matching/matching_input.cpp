@@ -11,8 +11,6 @@
 namespace stereo::block_matching {
 namespace {
 
-constexpr int kFarthest = 1 << 24;  ///< beyond any image, and far from where sums of columns would overflow
-
 void require(bool condition, const std::string& sentence) {
    if (!condition) throw std::invalid_argument(sentence);
 }
@@ -81,8 +79,7 @@ void check_input(const RasterImage<Pixel>& left, const RasterImage<Pixel>& right
    const std::string disparities = std::to_string(matching.disparities);
    require(left.width > matching.disparities,
            "the images are " + size_text(left) + " but must be wider than the disparity range " + disparities);
-   const bool near = std::abs(int64_t(matching.min_disparity)) <= kFarthest;
-   require(near && whole_columns(left.width, matching) >= 2,
+   require(whole_columns(left.width, matching) >= 2,
            "the disparity range " + disparities + " from the smallest disparity " +
                std::to_string(matching.min_disparity) + " on lies outside the images of " + size_text(left));
    require(!matching.full_width || left.width > matching.window_px,

@@ -39,7 +39,7 @@ struct Arguments {
 
 /// The pair at the size that is matched.
 template <class Pair>
-Pair sized_pair(Pair pair, const Arguments& arguments, const Configuration& configuration, const Algorithm& algorithm) {
+Pair sized_pair(Pair pair, const Arguments& arguments, const Configuration& configuration) {
    const Image& wanted = configuration.shape.image;
    if (arguments.engine == Engine::clocked || arguments.fit != Fit::none)
       pair = fit_pair(std::move(pair), wanted.width_px, wanted.height_px, arguments.fit);
@@ -47,12 +47,6 @@ Pair sized_pair(Pair pair, const Arguments& arguments, const Configuration& conf
       std::cout << "the images are " << size_text(pair.left) << ", not the "
                 << size_text(wanted.width_px, wanted.height_px) << " of " << configuration.name
                 << ": its options are applied to the whole images\n";
-   const MapGeometry map = algorithm.map_geometry(pair.left.width);
-   if (map.width < 1)
-      throw InputError(arguments.left + ": is " + std::to_string(pair.left.width) +
-                       " pixels wide but must be wider than the " + std::to_string(map.disparities) +
-                       " disparities of " + configuration.name + " from " + std::to_string(map.min_disparity) +
-                       " on; give larger images or another --config");
    return pair;
 }
 
@@ -170,7 +164,7 @@ void match(const Arguments& arguments) {
    require_settable(arguments.engine, arguments.settings);
    const auto algorithm = named_algorithm(arguments.config, arguments.settings);
    const auto match_loaded = [&](auto pair) {
-      match_pair(arguments, *algorithm, sized_pair(std::move(pair), arguments, configuration, *algorithm));
+      match_pair(arguments, *algorithm, sized_pair(std::move(pair), arguments, configuration));
    };
    if (const int bits = algorithm->pixel_bits(); bits > 8)
       match_loaded(load_deep_pair(arguments.left, arguments.right, bits));

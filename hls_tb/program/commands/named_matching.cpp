@@ -15,7 +15,12 @@ const Configuration& require_configuration(const std::string& name) {
 }
 
 std::shared_ptr<const Algorithm> named_algorithm(const std::string& config, const std::vector<std::string>& settings) {
-   return with_options(require_configuration(config).algorithm, settings);
+   auto algorithm = with_options(require_configuration(config).algorithm, settings);
+   const std::string problem = algorithm->problem();
+   if (problem.empty()) return algorithm;
+   std::string said;
+   for (const std::string& setting : settings) said += "--set " + setting + (&setting == &settings.back() ? "" : " ");
+   throw InputError((said.empty() ? "--config " + config : said) + ": " + problem);
 }
 
 const std::map<std::string, Engine>& engine_words() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/commands/options_json.hpp"
 
+#include <algorithm>
+
 #include "program/errors.hpp"
 
 namespace stereo::app {
@@ -22,12 +24,17 @@ nlohmann::json options_json(const std::vector<OptionValue>& options) {
 
 void for_each_setting(const std::vector<std::string>& settings,
                       const std::function<void(const std::string& name, const std::string& value)>& set) {
+   std::vector<std::string> names;
    for (const std::string& setting : settings) {
       const std::size_t equals = setting.find('=');
       if (equals == std::string::npos)
          throw InputError("--set " + setting + ": must be NAME=VALUE, such as window_px=9");
+      const std::string name = setting.substr(0, equals);
+      if (std::ranges::find(names, name) != names.end())
+         throw InputError("--set " + setting + ": " + name + " is set twice");
+      names.push_back(name);
       try {
-         set(setting.substr(0, equals), setting.substr(equals + 1));
+         set(name, setting.substr(equals + 1));
       } catch (const std::invalid_argument& problem) {
          throw InputError("--set " + setting + ": " + problem.what());
       }

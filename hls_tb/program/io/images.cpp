@@ -62,7 +62,7 @@ cv::Mat read_8_bit_image(const std::string& path) {
    cv::Mat mat = read_image(path, path);
    if (mat.depth() != CV_8U)
       throw InputError(path + ": has " + std::to_string(8 * mat.elemSize1()) +
-                       " bits a channel but must have 8; convert it to an 8-bit image");
+                       " bits a channel but must have 8; convert it to an 8-bit image, or take pixel_bits of 10 or 12");
    if (mat.channels() != 1 && mat.channels() != 3 && mat.channels() != 4)
       throw InputError(path + ": has " + std::to_string(mat.channels()) +
                        " channels but must be grey or in colour; convert it to a grey image");
