@@ -18,7 +18,7 @@ from flow.base.tools import ROOT, find_stereo_hls
 from flow.cosim import regression
 from flow_commands import altered_rtl, call, cosim, random_pair, refused, report
 
-WINNER = (r"(slice2_best_index_0_0 <= )slice1_best_index_0_0 when", r"\g<1>slice1_best_index_0_0 / 2 when")
+WINNER = (r"(slice2_best_index_0_0 <= )slice1_best_index_0_0;", r"\g<1>slice1_best_index_0_0 / 2;")
 ROUNDS = 12
 
 
