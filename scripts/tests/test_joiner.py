@@ -244,6 +244,8 @@ def joiner(tmp_path_factory, request):
 
 
 LINE = WIDTH + 6  # clocks
+# Bits of `faults`.
+LEFT_DROPS, RIGHT_DROPS, DIFFERS = 1, 2, 4
 
 
 @pytest.mark.parametrize("distance", [0, 1, -1, LINE, -2 * LINE - 5, 3 * LINE + 7, -3 * LINE])
@@ -327,6 +329,108 @@ def test_a_reset_begins_anew(joiner):
     seen = joiner.play(records, rng, reset_at=at)
     cameras[0][3].damage = "reset"
     assert judge(seen, cameras) is None
+
+
+def bits_of(seen):
+    return {int(bits, 2) for bits in seen.faults}
+
+
+@pytest.mark.parametrize("dead, bit", [(1, LEFT_DROPS), (0, RIGHT_DROPS)])
+def test_a_dead_camera(joiner, dead, bit):
+    """The other one fills its queue, and its bit says so; nothing leaves."""
+    rng = random.Random(8)
+    _, records = streams(rng, 0, 0)
+    records[dead] = []
+    seen = joiner.play(records, rng)
+    assert not seen.pairs and bits_of(seen) == {bit}
+    assert len(seen.faults) == FRAMES, "once a frame"
+
+
+@pytest.mark.parametrize("camera", [0, 1])
+def test_a_line_that_one_camera_lost(joiner, camera):
+    """The cameras differ, in one frame, and nobody has dropped anything."""
+    rng = random.Random(9)
+    cameras, records = streams(rng, 0, 0)
+    at = next(i for i, record in enumerate(records[camera]) if record and record[:3] == (5, 4, 0))
+    records[camera][at : at + WIDTH] = [None] * WIDTH
+    cameras[camera][5].damage = "line"
+    seen = joiner.play(records, rng)
+    assert judge(seen, cameras) is None
+    assert seen.faults == ["100"]
+
+
+# {what both cameras lose: (pairs that are left, whether the joiner ends the frame)} Whether a line is too short or too
+# long, the shell behind it says.
+ALIKE = {
+    "frame": (0, False),
+    "line": (WIDTH * (HEIGHT - 1), True),
+    "last lines": (WIDTH * (HEIGHT - 2), True),
+    "all but the first lines": (WIDTH * 2, True),
+    "pixel": (WIDTH * HEIGHT - 1, False),
+}
+
+
+def lost_alike(damage):
+    """The records of both cameras, of which frame 5 lacks the same on both sides."""
+    cameras, records = streams(random.Random(10), LINE + 3, 0)
+    lost = {
+        "frame": lambda row, column: True,
+        "line": lambda row, column: row == 4,
+        "last lines": lambda row, column: row >= HEIGHT - 2,
+        "all but the first lines": lambda row, column: row > 1,
+        "pixel": lambda row, column: (row, column) == (4, 7),
+    }[damage]
+    for record in records:
+        record[:] = [None if one and one[0] == 5 and lost(*one[1:3]) else one for one in record]
+    return cameras, records
+
+
+def judge_alike(seen, damage):
+    """What is wrong with the pairs around a frame that both cameras damaged alike."""
+    pairs, is_ended = ALIKE[damage]
+    counts, endings, last = dict.fromkeys(range(FRAMES), 0), [], None
+    for left, right, _, _ in seen.pairs:
+        if left == right == 0:
+            endings.append(last)
+            continue
+        if frame_of(left) != frame_of(right) or place_of(left) != place_of(right):
+            return "pixels of different places meet"
+        last = frame_of(left)
+        counts[last] += 1
+    if counts != {number: pairs if number == 5 else WIDTH * HEIGHT for number in range(FRAMES)}:
+        return f"frame 5 has {counts[5]} pairs"
+    if endings != [5] * is_ended:
+        return f"ended as broken: {endings}"
+    return None
+
+
+@pytest.mark.parametrize("damage", ALIKE)
+def test_frames_that_both_cameras_damage_alike(joiner, damage):
+    cameras, records = lost_alike(damage)
+    seen = joiner.play(records, random.Random(11), sink_percent=90)
+    assert judge_alike(seen, damage) is None
+    assert seen.faults == (["100"] if ALIKE[damage][1] else [])
+
+
+BIT_FAULTS = {
+    "the drop bits are exchanged": ("stereo_joiner", "right_drops & left_drops;", "left_drops & right_drops;"),
+    "a broken frame that both sent alike is not ended": (
+        "stereo_joiner",
+        "cuts <= same and starts and joined and incomplete;",
+        "cuts <= '0';",
+    ),
+}
+
+
+@pytest.mark.parametrize("fault", BIT_FAULTS)
+def test_fault_of_a_bit_is_found(ghdl, tmp_path, fault):
+    broken = Joiner(tmp_path, 8, BIT_FAULTS[fault])
+    rng = random.Random(8)
+    _, records = streams(rng, 0, 0)
+    records[1] = []
+    wrong_bits = bits_of(broken.play(records, rng)) != {LEFT_DROPS}
+    wrong_end = judge_alike(broken.play(lost_alike("line")[1], random.Random(11)), "line") is not None
+    assert wrong_bits or wrong_end
 
 
 FAULTS = {

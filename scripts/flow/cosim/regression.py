@@ -238,6 +238,8 @@ def exit_code(entries: Iterable[Entry]) -> int:
 def _counted(content: dict[str, Any]) -> str:
     marks = ", EDITED VHDL" if content.get("edited") else ""
     marks += ", simulation cached" if content.get("is_cached") else ""
+    if "coverage" in content:
+        marks += f", {len(content['coverage']['never_moved'])} register bits never moved"
     first = f"; {content['first_mismatch']}" if content["first_mismatch"] else ""
     counts = f"{content['compared']:,} of {content['expected']:,} outputs, {content['mismatches']:,} mismatches"
     return f"{counts}, {content['simulation_seconds']:.1f} s{marks}{first}"

@@ -173,8 +173,8 @@ class Run:
                     future.result()
         return self
 
-    def report(self, out: Path) -> float:
-        """Writes report.json, prints the summary; returns the score, what is killed or equivalent, in percent."""
+    def report(self, out: Path) -> int:
+        """Writes report.json, prints the summary; returns how many have survived."""
         if not self.verdicts:
             raise FlowError("no mutant compiled", EXIT_TOOL_FAILED)
         keys = {
@@ -203,4 +203,4 @@ class Run:
             f"{equivalent} proved equivalent, {survived} survived: score {score:.2f} %, {seconds:.0f} s; "
             f"{out / 'report.json'}"
         )
-        return score
+        return survived
