@@ -3,6 +3,7 @@
 leaves no half of a file."""
 
 import importlib
+import re
 import resource
 import signal
 import sys
@@ -98,8 +99,10 @@ def test_a_simulation_that_stops_early_is_no_result(ghdl, tmp_path, monkeypatch)
         return observed, clocks - 1
 
     monkeypatch.setattr(job.vectors, "read_observed", shortened)
-    with pytest.raises(FlowError, match="the simulation ran 435 of 436 clocks") as caught:
+    with pytest.raises(FlowError, match=r"the simulation ran \d+ of \d+ clocks") as caught:
         job.run_job(job.Job("tiny", *pair, out=tmp_path / "out"))
+    ran, due = map(int, re.findall(r"\d+", str(caught.value)))
+    assert ran == due - 1
     assert caught.value.exit_code == 4
 
 

@@ -43,6 +43,10 @@ def find_ghdl() -> str:
     return find_tool("ghdl", "GHDL", "on Debian: apt-get install ghdl-mcode")
 
 
+def find_nvc() -> str:
+    return find_tool("nvc", "NVC", "on Debian from 13 on: apt-get install nvc")
+
+
 def find_verilator() -> str:
     return find_tool("verilator", "VERILATOR", "on Debian: apt-get install verilator")
 
