@@ -68,8 +68,9 @@ def _values(settings: Sequence[rtl.Setting], what: str) -> str:
 
 
 def core_id(entry: manifest.Manifest) -> str:
-    """What the register `core` says: the first digits of the digest of the core's VHDL."""
-    return next(iter(entry["files"].values()))[:8]
+    """What the register `core` says: the first digits of the digest of the core's structure, which names and comments in
+    its VHDL leave as it is."""
+    return entry["structure"][:8]
 
 
 def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None = None) -> str:
