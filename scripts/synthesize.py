@@ -15,20 +15,34 @@ from flow.base.options import a_path
 from flow.base.tools import find_bambu
 from flow.shell import template
 from flow.synthesis.generate import generate
-from flow.synthesis.manifest import check_program, stale_reasons
+from flow.synthesis.manifest import check_program, freshness, refresh as keep_sources
 
 
 def check(names: Iterable[str], table: dict[str, Configuration]) -> int:
     """Says for each configuration whether its committed VHDL follows from the sources. Needs no Bambu."""
     check_program(table)
-    stale = {name: stale_reasons(name, table[name]) for name in names}
-    for name, reasons in stale.items():
-        print(f"{name}: {'stale: ' + '; '.join(reasons) if reasons else 'up to date'}")
-    again = " ".join(f"--config {name}" for name, reasons in stale.items() if reasons)
+    found = {name: freshness(name, table[name]) for name in names}
+    for name, (reasons, by_code) in found.items():
+        fresh = "up to date" + (", as clang makes the same code of the changed sources" if by_code else "")
+        print(f"{name}: {'stale: ' + '; '.join(reasons) if reasons else fresh}")
+    again = " ".join(f"--config {name}" for name, (reasons, _) in found.items() if reasons)
     if again:
         raise FlowError(
             f"the generated VHDL is not what its sources give; run scripts/synthesize.py {again}", EXIT_MISMATCH
         )
+    return EXIT_OK
+
+
+def refresh(names: Iterable[str], table: dict[str, Configuration]) -> int:
+    """Lets the manifests name the sources as they are now where clang makes the same code of them."""
+    check_program(table)
+    for name in names:
+        reasons, by_code = freshness(name, table[name])
+        if by_code and not reasons:
+            keep_sources(name, table[name])
+            print(f"{name}: refreshed, clang makes the same code of the changed sources")
+        else:
+            print(f"{name}: {'stale: ' + '; '.join(reasons) if reasons else 'up to date'}")
     return EXIT_OK
 
 
@@ -40,8 +54,14 @@ def main() -> int:
         metavar="NAME",
         help="configuration, may be repeated (default: all but planned ones)",
     )
-    parser.add_argument(
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument(
         "--check", action="store_true", help="only say whether the committed VHDL is up to date; needs no Bambu"
+    )
+    what.add_argument(
+        "--refresh",
+        action="store_true",
+        help="let manifests name the sources as they are now where clang makes the same code of them; needs no Bambu",
     )
     parser.add_argument(
         "--out", type=a_path, help="another folder than generated_rtl, one subfolder for each configuration"
@@ -53,6 +73,8 @@ def main() -> int:
         configuration(name, table)
     if options.check:
         return check(names, table)
+    if options.refresh:
+        return refresh(names, table)
     check_program(table)
     find_bambu()
     for name in names:

@@ -120,7 +120,7 @@ begin
       latency_clocks => 42,
       flush_groups => 160,
       gap_groups => 0,
-      core_id => x"a306daa7",
+      core_id => x"46fde9d1",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -123,7 +123,7 @@ begin
       latency_clocks => 78,
       flush_groups => 267,
       gap_groups => 64,
-      core_id => x"222d4242",
+      core_id => x"7b9c868b",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 12,
       lane_bits => 16)

@@ -120,7 +120,7 @@ begin
       latency_clocks => 75,
       flush_groups => 233,
       gap_groups => 0,
-      core_id => x"b31f9907",
+      core_id => x"714760ed",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

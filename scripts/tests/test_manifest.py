@@ -9,7 +9,7 @@ import pytest
 from flow.base import rtl, tools
 from flow.base.configurations import PLANNED, configuration, designs
 from flow.base.errors import FlowError
-from flow.synthesis import generate, manifest
+from flow.synthesis import generate, manifest, sources
 from flow_commands import call
 
 TABLE = designs()
@@ -70,6 +70,7 @@ def project(tmp_path, monkeypatch):
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(path.read_bytes())
     monkeypatch.setattr(manifest, "ROOT", tmp_path)
+    monkeypatch.setattr(sources, "ROOT", tmp_path)
     monkeypatch.setattr(rtl, "GENERATED_RTL", tmp_path / "generated_rtl")
     monkeypatch.setattr(rtl, "MEMORY_CELL", tmp_path / "hls" / "rtl" / "line_memory.vhd")
     manifest._included.cache_clear()
@@ -77,7 +78,7 @@ def project(tmp_path, monkeypatch):
     manifest._included.cache_clear()
 
 
-def append(path, text="\n"):
+def append(path, text="changed = 1;\n"):
     path.write_text(path.read_text() + text)
 
 
@@ -101,9 +102,10 @@ def test_a_changed_or_missing_source_makes_the_vhdl_stale(project):
     ]
 
 
-def test_only_what_the_hardware_top_includes_counts(project):
+def test_only_what_the_hardware_top_includes_counts(project, monkeypatch):
     """A new family changes nothing for the others; a header that joins does."""
     row = TABLE["tiny"]
+    monkeypatch.setattr(sources, "is_same_code", lambda *_: False)  # of an empty header it is
     (project / "hls" / "semi_local").mkdir()
     for path in ("semi_local/core.hpp", "cost/mutual_information.hpp", "winner/unused.hpp"):
         (project / "hls" / path).write_text("#pragma once\n")
@@ -237,3 +239,57 @@ def test_header_fits_the_line():
         len(line) <= 120
         for line in generate.header("x", configuration("tiny"), "PandA Bambu 2024.10 revision 683d87153").splitlines()
     )
+
+
+def test_a_comment_or_a_layout_makes_nothing_stale(project):
+    """Of C++ and of Python, in a header that every core has."""
+    header = project / "hls" / "support" / "hls_support.hpp"
+    header.write_text(header.read_text().replace("#pragma once\n", "#pragma once  // once\n/* said\n twice */\n\n"))
+    step = project / "scripts" / "flow" / "synthesis" / "lowering" / "rules.py"
+    step.write_text(f"# what it needs\n{step.read_text()}")
+    for name in ("tiny", "ambrosch2007"):
+        assert manifest.freshness(name, TABLE[name]) == manifest.Freshness([])
+
+
+def test_the_same_code_of_clang_makes_nothing_stale(project, monkeypatch):
+    """A member that nobody uses; then one that is used."""
+    if not manifest.read(rtl.folder("tiny"))["code"]:
+        pytest.fail("the manifest has no digest of clang's code")
+    try:
+        sources.find_clang()
+    except FlowError as error:
+        pytest.skip(f"SKIP: {error}")
+    row, header = TABLE["tiny"], project / "hls" / "cost" / "pixel_cost.hpp"
+    text = header.read_text()
+    if sources.code(manifest.compiler_options("tiny", row))["compiler"] != manifest.read(rtl.folder("tiny"))["code"]["compiler"]:
+        pytest.skip("SKIP: another release of clang than that of the manifests")
+    header.write_text(text.replace("namespace stereo {", "namespace stereo {\ninline constexpr int kUnused = 3;", 1))
+    assert header.read_text() != text
+    assert manifest.freshness("tiny", row) == manifest.Freshness([], by_code=True)
+    manifest.refresh("tiny", row)
+    assert manifest.freshness("tiny", row) == manifest.Freshness([])
+    cost = project / "hls" / "cost" / "sad_cost.hpp"
+    changed = cost.read_text().replace("kPairs = (kTaps - 1) / 2", "kPairs = (kTaps + 1) / 2")
+    assert changed != cost.read_text()
+    cost.write_text(changed)
+    assert manifest.freshness("tiny", row).reasons == ["hls/cost/sad_cost.hpp changed"]
+
+
+@pytest.mark.parametrize(
+    "before, after, is_same",
+    [
+        ("int a = 1;  // one\n", "int a =\n   1;", True),
+        ("#define A b\nc\n", "#define A b c\n", False),
+        ('f("//x");', 'f("//y");', False),
+        ("f('\"'); // a\n", "f('\"'); /* b */", True),
+        ("a & &b", "a && b", False),
+        ('R"(// a)" + 1', 'R"(// b)" + 1', False),
+        ("int x = 1'000; // a'b\n", "int x = 1'001; // a'b\n", False),
+    ],
+)
+def test_words_of_cpp(tmp_path, before, after, is_same):
+    digests = []
+    for name, text in (("a.hpp", before), ("b.hpp", after)):
+        (tmp_path / name).write_text(text)
+        digests.append(sources.words_digest(tmp_path / name))
+    assert (digests[0] == digests[1]) is is_same

@@ -65,7 +65,7 @@ begin
       latency_clocks => 2,
       flush_groups => 0,
       gap_groups => 0,
-      core_id => x"313b28e5",
+      core_id => x"23681508",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 3,
       flush_groups => 5,
       gap_groups => 0,
-      core_id => x"bbbf879d",
+      core_id => x"f4291bd7",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

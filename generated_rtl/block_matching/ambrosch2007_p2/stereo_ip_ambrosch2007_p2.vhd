@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 320,
       gap_groups => 0,
-      core_id => x"411ecc11",
+      core_id => x"0ffaa64c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 320,
       gap_groups => 0,
-      core_id => x"3fe3128a",
+      core_id => x"3498b773",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 2709,
       gap_groups => 1800,
-      core_id => x"4d78e67f",
+      core_id => x"32911807",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 2705,
       gap_groups => 1800,
-      core_id => x"3d8b5e9f",
+      core_id => x"d43fcc67",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 27,
       flush_groups => 3077,
       gap_groups => 1536,
-      core_id => x"932d4d19",
+      core_id => x"e8548c6a",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 24,
       flush_groups => 2563,
       gap_groups => 2560,
-      core_id => x"a08967e6",
+      core_id => x"f9128e8d",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 21,
       flush_groups => 2246,
       gap_groups => 2240,
-      core_id => x"90d4e689",
+      core_id => x"0263b654",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 26,
       flush_groups => 1922,
       gap_groups => 1920,
-      core_id => x"94c2b1e9",
+      core_id => x"f1775ffa",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

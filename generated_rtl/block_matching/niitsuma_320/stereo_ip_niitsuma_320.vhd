@@ -65,7 +65,7 @@ begin
       latency_clocks => 23,
       flush_groups => 962,
       gap_groups => 960,
-      core_id => x"e683f6fc",
+      core_id => x"b62c5ffe",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 1922,
       gap_groups => 1920,
-      core_id => x"20298b4e",
+      core_id => x"5205a6ab",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

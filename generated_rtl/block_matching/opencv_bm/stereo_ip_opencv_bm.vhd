@@ -65,7 +65,7 @@ begin
       latency_clocks => 41,
       flush_groups => 3608,
       gap_groups => 3150,
-      core_id => x"6928a5c5",
+      core_id => x"6d9edec1",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"f8d741df",
+      core_id => x"06c07817",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

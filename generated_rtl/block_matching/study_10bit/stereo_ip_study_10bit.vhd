@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"488796d6",
+      core_id => x"b1d43c83",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 10,
       lane_bits => 16)

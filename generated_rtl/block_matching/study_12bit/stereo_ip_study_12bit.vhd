@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"d00fda5c",
+      core_id => x"c4ce24a1",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 12,
       lane_bits => 16)

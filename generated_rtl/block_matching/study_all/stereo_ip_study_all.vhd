@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 1298,
       gap_groups => 0,
-      core_id => x"438ab28d",
+      core_id => x"e6d1b13e",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

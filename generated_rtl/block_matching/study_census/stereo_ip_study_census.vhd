@@ -65,7 +65,7 @@ begin
       latency_clocks => 23,
       flush_groups => 1283,
       gap_groups => 0,
-      core_id => x"e9594778",
+      core_id => x"81460aa9",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 14,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"c29f1825",
+      core_id => x"11786c8a",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

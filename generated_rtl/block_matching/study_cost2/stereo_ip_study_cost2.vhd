@@ -65,7 +65,7 @@ begin
       latency_clocks => 15,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"2e623a67",
+      core_id => x"d91242eb",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

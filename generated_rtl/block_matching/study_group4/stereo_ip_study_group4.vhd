@@ -65,7 +65,7 @@ begin
       latency_clocks => 14,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"0c9380c0",
+      core_id => x"cfe2a3b1",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 642,
       gap_groups => 0,
-      core_id => x"6af101a0",
+      core_id => x"7a15e095",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

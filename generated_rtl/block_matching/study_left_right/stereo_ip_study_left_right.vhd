@@ -65,7 +65,7 @@ begin
       latency_clocks => 20,
       flush_groups => 656,
       gap_groups => 0,
-      core_id => x"d7e5c859",
+      core_id => x"b468dc97",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

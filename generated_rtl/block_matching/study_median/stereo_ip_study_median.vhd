@@ -65,7 +65,7 @@ begin
       latency_clocks => 27,
       flush_groups => 962,
       gap_groups => 0,
-      core_id => x"eaae37fc",
+      core_id => x"a5c37531",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

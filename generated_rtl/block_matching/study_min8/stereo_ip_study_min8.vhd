@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"2da83a7e",
+      core_id => x"b4a65593",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 15,
       flush_groups => 321,
       gap_groups => 0,
-      core_id => x"494bc2bf",
+      core_id => x"88da6f6e",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

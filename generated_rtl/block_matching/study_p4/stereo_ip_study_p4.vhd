@@ -65,7 +65,7 @@ begin
       latency_clocks => 15,
       flush_groups => 321,
       gap_groups => 0,
-      core_id => x"bb299254",
+      core_id => x"5e4bc3ce",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

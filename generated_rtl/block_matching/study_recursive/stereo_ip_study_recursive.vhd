@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 641,
       gap_groups => 640,
-      core_id => x"03b10cea",
+      core_id => x"495c6d63",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 17,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"2a00f9a4",
+      core_id => x"6873d6e5",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 17,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"4be9e6e9",
+      core_id => x"8acbb2dd",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

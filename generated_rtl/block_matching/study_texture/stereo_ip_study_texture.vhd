@@ -65,7 +65,7 @@ begin
       latency_clocks => 23,
       flush_groups => 962,
       gap_groups => 0,
-      core_id => x"b3816818",
+      core_id => x"1db8fec2",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"76b3d141",
+      core_id => x"8966086d",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 2246,
       gap_groups => 2240,
-      core_id => x"0d4141c2",
+      core_id => x"f813ed9b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

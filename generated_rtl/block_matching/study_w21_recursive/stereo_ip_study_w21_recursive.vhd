@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 3209,
       gap_groups => 3200,
-      core_id => x"c27b9b4d",
+      core_id => x"44bf71e3",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

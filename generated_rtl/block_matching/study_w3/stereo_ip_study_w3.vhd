@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 320,
       gap_groups => 0,
-      core_id => x"9887e816",
+      core_id => x"3b031021",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

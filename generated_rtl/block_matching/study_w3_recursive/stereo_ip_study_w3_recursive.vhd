@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 320,
       gap_groups => 320,
-      core_id => x"6574b87a",
+      core_id => x"57faf386",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 962,
       gap_groups => 0,
-      core_id => x"a443b6fa",
+      core_id => x"3aed7d8c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 962,
       gap_groups => 960,
-      core_id => x"23a07539",
+      core_id => x"77621536",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

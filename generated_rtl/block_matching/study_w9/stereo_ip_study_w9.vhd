@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 1283,
       gap_groups => 0,
-      core_id => x"9803bd7e",
+      core_id => x"8617cca9",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

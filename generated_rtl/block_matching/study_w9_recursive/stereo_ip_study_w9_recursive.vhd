@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 1283,
       gap_groups => 1280,
-      core_id => x"376df17a",
+      core_id => x"c8855094",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

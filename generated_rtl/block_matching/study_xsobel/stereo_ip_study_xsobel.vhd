@@ -65,7 +65,7 @@ begin
       latency_clocks => 23,
       flush_groups => 962,
       gap_groups => 0,
-      core_id => x"89cb975a",
+      core_id => x"0bbe6e75",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"bf196082",
+      core_id => x"f4c6a53b",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 10,
       lane_bits => 16)

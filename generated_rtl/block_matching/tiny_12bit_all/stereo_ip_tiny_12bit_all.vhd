@@ -65,7 +65,7 @@ begin
       latency_clocks => 52,
       flush_groups => 139,
       gap_groups => 64,
-      core_id => x"222d4242",
+      core_id => x"7b9c868b",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 12,
       lane_bits => 16)

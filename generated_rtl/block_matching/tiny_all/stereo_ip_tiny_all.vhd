@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 105,
       gap_groups => 0,
-      core_id => x"b31f9907",
+      core_id => x"714760ed",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

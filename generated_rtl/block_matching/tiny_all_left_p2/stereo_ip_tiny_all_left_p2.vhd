@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 106,
       gap_groups => 0,
-      core_id => x"aa8fb8e2",
+      core_id => x"b940a254",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 105,
       gap_groups => 0,
-      core_id => x"c58f7a9b",
+      core_id => x"cb78720b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 52,
       flush_groups => 171,
       gap_groups => 96,
-      core_id => x"b40555c3",
+      core_id => x"05790930",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

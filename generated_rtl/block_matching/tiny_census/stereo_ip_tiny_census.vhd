@@ -65,7 +65,7 @@ begin
       latency_clocks => 23,
       flush_groups => 98,
       gap_groups => 0,
-      core_id => x"e9fe21db",
+      core_id => x"c5aa92cc",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

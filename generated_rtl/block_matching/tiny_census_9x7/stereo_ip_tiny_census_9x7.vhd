@@ -65,7 +65,7 @@ begin
       latency_clocks => 22,
       flush_groups => 132,
       gap_groups => 0,
-      core_id => x"f1d6d854",
+      core_id => x"340b2693",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 25,
       flush_groups => 133,
       gap_groups => 64,
-      core_id => x"7a4aa375",
+      core_id => x"55e2065c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

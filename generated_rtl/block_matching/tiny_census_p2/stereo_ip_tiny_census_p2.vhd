@@ -65,7 +65,7 @@ begin
       latency_clocks => 23,
       flush_groups => 67,
       gap_groups => 0,
-      core_id => x"d1944490",
+      core_id => x"1d361557",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 39,
       gap_groups => 0,
-      core_id => x"b1059c6a",
+      core_id => x"fbf42446",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 109,
       gap_groups => 0,
-      core_id => x"5ea64cf6",
+      core_id => x"a0e86208",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

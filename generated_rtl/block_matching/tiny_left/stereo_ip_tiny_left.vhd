@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"f4dee860",
+      core_id => x"aa57da63",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

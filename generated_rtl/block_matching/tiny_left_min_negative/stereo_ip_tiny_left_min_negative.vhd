@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"ac604499",
+      core_id => x"20e06182",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"cf2d41b4",
+      core_id => x"ec618b6c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

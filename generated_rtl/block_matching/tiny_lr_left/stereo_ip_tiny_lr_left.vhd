@@ -65,7 +65,7 @@ begin
       latency_clocks => 20,
       flush_groups => 40,
       gap_groups => 0,
-      core_id => x"53c780fd",
+      core_id => x"a7752371",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

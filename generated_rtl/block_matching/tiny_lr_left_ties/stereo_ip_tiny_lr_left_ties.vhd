@@ -65,7 +65,7 @@ begin
       latency_clocks => 20,
       flush_groups => 40,
       gap_groups => 0,
-      core_id => x"9a6bd781",
+      core_id => x"0ef7cc05",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 23,
       flush_groups => 105,
       gap_groups => 96,
-      core_id => x"53503bc2",
+      core_id => x"c40ee38e",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

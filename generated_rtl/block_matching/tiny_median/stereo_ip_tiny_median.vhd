@@ -65,7 +65,7 @@ begin
       latency_clocks => 27,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"77a88c21",
+      core_id => x"528179f2",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

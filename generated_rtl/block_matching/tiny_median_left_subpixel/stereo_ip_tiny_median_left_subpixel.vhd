@@ -65,7 +65,7 @@ begin
       latency_clocks => 38,
       flush_groups => 66,
       gap_groups => 0,
-      core_id => x"4ce5b48d",
+      core_id => x"c51034de",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 27,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"112a1301",
+      core_id => x"4048e39a",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

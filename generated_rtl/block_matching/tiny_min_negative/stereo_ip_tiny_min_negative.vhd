@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"7a8e3d4e",
+      core_id => x"184ecd77",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

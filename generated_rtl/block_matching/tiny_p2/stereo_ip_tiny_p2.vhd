@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"d08f1db2",
+      core_id => x"f779ec1b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

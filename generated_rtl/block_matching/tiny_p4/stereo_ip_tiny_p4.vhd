@@ -65,7 +65,7 @@ begin
       latency_clocks => 15,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"3a661f8d",
+      core_id => x"cddf90f4",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -66,7 +66,7 @@ begin
       latency_clocks => 23,
       flush_groups => 39,
       gap_groups => 0,
-      core_id => x"c7d8759a",
+      core_id => x"2488242e",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (0, 100, 7, 0, 0, 0, 0, 0),
       settings_start => (0, 15, 2, 0, 0, 0, 0, 0))

@@ -66,7 +66,7 @@ begin
       latency_clocks => 49,
       flush_groups => 105,
       gap_groups => 0,
-      core_id => x"9bac88a8",
+      core_id => x"a7e1c485",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (279, 100, 7, 0, 0, 0, 0, 0),
       settings_start => (30, 10, 1, 0, 0, 0, 0, 0))

@@ -66,7 +66,7 @@ begin
       latency_clocks => 49,
       flush_groups => 109,
       gap_groups => 0,
-      core_id => x"6fd8bff9",
+      core_id => x"efdf51a6",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (279, 100, 7, 0, 7, 7, 0, 0),
       settings_start => (30, 10, 1, 0, 0, 7, 0, 0))

@@ -66,7 +66,7 @@ begin
       latency_clocks => 49,
       flush_groups => 106,
       gap_groups => 0,
-      core_id => x"2d73a41a",
+      core_id => x"02fda01d",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (279, 100, 7, 0, 0, 0, 0, 0),
       settings_start => (30, 10, 1, 0, 0, 0, 0, 0))

@@ -66,7 +66,7 @@ begin
       latency_clocks => 52,
       flush_groups => 171,
       gap_groups => 96,
-      core_id => x"abbf06c0",
+      core_id => x"0c5d4c97",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (1519, 100, 7, 0, 0, 0, 0, 0),
       settings_start => (100, 10, 1, 0, 0, 0, 0, 0))

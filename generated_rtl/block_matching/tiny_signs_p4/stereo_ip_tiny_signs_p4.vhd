@@ -65,7 +65,7 @@ begin
       latency_clocks => 15,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"47d52c53",
+      core_id => x"cf8bc699",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

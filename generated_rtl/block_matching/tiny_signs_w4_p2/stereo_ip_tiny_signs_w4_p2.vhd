@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 34,
       gap_groups => 0,
-      core_id => x"0da4e3bc",
+      core_id => x"9028c787",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

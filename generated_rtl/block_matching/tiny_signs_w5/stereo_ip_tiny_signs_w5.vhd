@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"2ed72b06",
+      core_id => x"2b38c0e1",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

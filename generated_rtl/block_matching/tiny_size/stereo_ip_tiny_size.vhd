@@ -66,7 +66,7 @@ begin
       latency_clocks => 16,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"a5308897",
+      core_id => x"214c8c4c",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (0, 0, 0, 0, 0, 0, 32, 12),
       settings_start => (0, 0, 0, 0, 0, 0, 32, 12),

@@ -66,7 +66,7 @@ begin
       latency_clocks => 49,
       flush_groups => 129,
       gap_groups => 0,
-      core_id => x"7ae63d76",
+      core_id => x"00e69bf6",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (279, 100, 7, 0, 0, 0, 40, 16),
       settings_start => (30, 10, 1, 0, 0, 0, 40, 16),

@@ -66,7 +66,7 @@ begin
       latency_clocks => 34,
       flush_groups => 100,
       gap_groups => 0,
-      core_id => x"4487a304",
+      core_id => x"b15d6d49",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (0, 0, 0, 0, 0, 0, 32, 20),
       settings_start => (0, 0, 0, 0, 0, 0, 32, 20),

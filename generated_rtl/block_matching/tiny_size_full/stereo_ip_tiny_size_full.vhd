@@ -66,7 +66,7 @@ begin
       latency_clocks => 16,
       flush_groups => 39,
       gap_groups => 0,
-      core_id => x"31e580eb",
+      core_id => x"23b65b81",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (0, 0, 0, 0, 0, 0, 32, 12),
       settings_start => (0, 0, 0, 0, 0, 0, 32, 12),

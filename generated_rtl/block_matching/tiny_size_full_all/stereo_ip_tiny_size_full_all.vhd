@@ -66,7 +66,7 @@ begin
       latency_clocks => 49,
       flush_groups => 132,
       gap_groups => 0,
-      core_id => x"d60468c7",
+      core_id => x"3e845cea",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (279, 100, 7, 0, 7, 7, 40, 16),
       settings_start => (30, 10, 1, 0, 0, 7, 40, 16),

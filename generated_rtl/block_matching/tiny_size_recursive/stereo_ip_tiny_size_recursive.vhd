@@ -66,7 +66,7 @@ begin
       latency_clocks => 52,
       flush_groups => 211,
       gap_groups => 120,
-      core_id => x"10d6d806",
+      core_id => x"5bb95f5c",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (1519, 100, 7, 0, 0, 0, 40, 24),
       settings_start => (100, 10, 1, 0, 0, 0, 40, 24),

@@ -65,7 +65,7 @@ begin
       latency_clocks => 17,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"b151cf4e",
+      core_id => x"a01c1c7b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

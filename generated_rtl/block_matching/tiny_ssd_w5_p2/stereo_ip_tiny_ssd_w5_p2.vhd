@@ -65,7 +65,7 @@ begin
       latency_clocks => 17,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"3b0cea88",
+      core_id => x"ac14c6d7",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 28,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"cfc42aa3",
+      core_id => x"e1d7d988",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

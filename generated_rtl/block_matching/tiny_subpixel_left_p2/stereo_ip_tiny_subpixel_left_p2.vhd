@@ -65,7 +65,7 @@ begin
       latency_clocks => 28,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"13599a49",
+      core_id => x"26a6c68a",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

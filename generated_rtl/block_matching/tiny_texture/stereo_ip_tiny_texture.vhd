@@ -65,7 +65,7 @@ begin
       latency_clocks => 23,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"2124652e",
+      core_id => x"c7156d76",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

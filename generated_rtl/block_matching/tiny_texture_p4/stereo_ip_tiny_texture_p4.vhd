@@ -65,7 +65,7 @@ begin
       latency_clocks => 22,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"467fa7e8",
+      core_id => x"52de49e7",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

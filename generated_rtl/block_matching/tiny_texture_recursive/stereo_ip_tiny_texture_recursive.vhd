@@ -65,7 +65,7 @@ begin
       latency_clocks => 26,
       flush_groups => 131,
       gap_groups => 96,
-      core_id => x"9f81676b",
+      core_id => x"a1b646d3",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"f7580809",
+      core_id => x"c31a591a",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 18,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"52b4c9ec",
+      core_id => x"cb68350b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 18,
       flush_groups => 35,
       gap_groups => 32,
-      core_id => x"a9da3f55",
+      core_id => x"965b7f6c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 16,
       flush_groups => 0,
       gap_groups => 0,
-      core_id => x"71239029",
+      core_id => x"07e8b25c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 329,
       gap_groups => 320,
-      core_id => x"0b337582",
+      core_id => x"8d0bed60",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 32,
       gap_groups => 32,
-      core_id => x"48ad7898",
+      core_id => x"69c4396f",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

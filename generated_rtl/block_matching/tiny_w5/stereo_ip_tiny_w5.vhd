@@ -65,7 +65,7 @@ begin
       latency_clocks => 15,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"a506a0c8",
+      core_id => x"ffaf71f1",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 13,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"29a81749",
+      core_id => x"9172d072",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 14,
       flush_groups => 98,
       gap_groups => 0,
-      core_id => x"f7daef30",
+      core_id => x"3acd8915",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 98,
       gap_groups => 96,
-      core_id => x"c73e5b63",
+      core_id => x"dabca702",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

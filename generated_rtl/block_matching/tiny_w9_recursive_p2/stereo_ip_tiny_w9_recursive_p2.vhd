@@ -65,7 +65,7 @@ begin
       latency_clocks => 19,
       flush_groups => 67,
       gap_groups => 64,
-      core_id => x"9b86179c",
+      core_id => x"a78e710f",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 17,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"b2dd517b",
+      core_id => x"002f5a6c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

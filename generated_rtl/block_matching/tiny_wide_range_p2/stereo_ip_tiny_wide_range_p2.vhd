@@ -65,7 +65,7 @@ begin
       latency_clocks => 17,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"23425e54",
+      core_id => x"e0a39f11",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 23,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"c23ef44c",
+      core_id => x"3f47e03b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

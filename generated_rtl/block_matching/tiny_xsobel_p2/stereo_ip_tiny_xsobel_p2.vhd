@@ -65,7 +65,7 @@ begin
       latency_clocks => 23,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"d4e1af24",
+      core_id => x"9b42daae",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 54,
       flush_groups => 3912,
       gap_groups => 2560,
-      core_id => x"c0a7f81e",
+      core_id => x"82873884",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

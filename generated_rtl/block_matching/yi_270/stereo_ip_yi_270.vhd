@@ -65,7 +65,7 @@ begin
       latency_clocks => 20,
       flush_groups => 1083,
       gap_groups => 1080,
-      core_id => x"19e607ad",
+      core_id => x"0430180c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 59,
       flush_groups => 30612,
       gap_groups => 15360,
-      core_id => x"ea7439ae",
+      core_id => x"62f8eb3a",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 41,
       flush_groups => 3024,
       gap_groups => 1536,
-      core_id => x"61fff436",
+      core_id => x"328baed0",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 35,
       flush_groups => 3020,
       gap_groups => 1536,
-      core_id => x"05a6f17f",
+      core_id => x"818bcf2f",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 10,
       lane_bits => 16)

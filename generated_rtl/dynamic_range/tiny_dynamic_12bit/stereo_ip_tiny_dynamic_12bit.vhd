@@ -65,7 +65,7 @@ begin
       latency_clocks => 41,
       flush_groups => 3024,
       gap_groups => 1536,
-      core_id => x"a5925e8e",
+      core_id => x"8a4ea94a",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 12,
       lane_bits => 16)

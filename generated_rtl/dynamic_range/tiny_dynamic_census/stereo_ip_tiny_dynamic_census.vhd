@@ -65,7 +65,7 @@ begin
       latency_clocks => 35,
       flush_groups => 3020,
       gap_groups => 1536,
-      core_id => x"f9d1a023",
+      core_id => x"8fca8992",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

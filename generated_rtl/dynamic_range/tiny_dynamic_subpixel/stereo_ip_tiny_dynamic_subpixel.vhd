@@ -65,7 +65,7 @@ begin
       latency_clocks => 51,
       flush_groups => 3089,
       gap_groups => 1536,
-      core_id => x"5e56bae9",
+      core_id => x"bdd7c93f",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

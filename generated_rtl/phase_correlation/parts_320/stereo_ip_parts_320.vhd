@@ -65,7 +65,7 @@ begin
       latency_clocks => 44,
       flush_groups => 2567,
       gap_groups => 1280,
-      core_id => x"cc66d1c1",
+      core_id => x"e1ff10af",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 41,
       flush_groups => 245,
       gap_groups => 0,
-      core_id => x"862c2a38",
+      core_id => x"8fafe9eb",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

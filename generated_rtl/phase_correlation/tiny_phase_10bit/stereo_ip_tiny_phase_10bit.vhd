@@ -65,7 +65,7 @@ begin
       latency_clocks => 41,
       flush_groups => 245,
       gap_groups => 0,
-      core_id => x"8e223731",
+      core_id => x"b9ead1a4",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 10,
       lane_bits => 16)

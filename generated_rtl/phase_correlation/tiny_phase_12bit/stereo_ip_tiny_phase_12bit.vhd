@@ -65,7 +65,7 @@ begin
       latency_clocks => 42,
       flush_groups => 409,
       gap_groups => 0,
-      core_id => x"0b3018e9",
+      core_id => x"d6258a5d",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 12,
       lane_bits => 16)

@@ -65,7 +65,7 @@ begin
       latency_clocks => 55,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"064c44bc",
+      core_id => x"980a6283",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

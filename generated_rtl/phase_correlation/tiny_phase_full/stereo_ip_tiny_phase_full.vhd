@@ -65,7 +65,7 @@ begin
       latency_clocks => 41,
       flush_groups => 255,
       gap_groups => 0,
-      core_id => x"86d72a7b",
+      core_id => x"dc9a6ad3",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 41,
       flush_groups => 247,
       gap_groups => 0,
-      core_id => x"393d21e5",
+      core_id => x"4ace3011",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 39,
       flush_groups => 163,
       gap_groups => 0,
-      core_id => x"ea23ecc3",
+      core_id => x"8893f619",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

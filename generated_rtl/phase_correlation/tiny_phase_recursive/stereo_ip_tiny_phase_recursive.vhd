@@ -65,7 +65,7 @@ begin
       latency_clocks => 43,
       flush_groups => 286,
       gap_groups => 160,
-      core_id => x"be2f997b",
+      core_id => x"1eab72fb",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -66,7 +66,7 @@ begin
       latency_clocks => 55,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"64f9b453",
+      core_id => x"efdc1cc8",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (0, 100, 11, 0, 0, 0, 0, 0),
       settings_start => (0, 10, 1, 0, 0, 0, 0, 0))

@@ -66,7 +66,7 @@ begin
       latency_clocks => 41,
       flush_groups => 245,
       gap_groups => 0,
-      core_id => x"d492e95c",
+      core_id => x"63f6285a",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (0, 0, 0, 0, 0, 0, 40, 24),
       settings_start => (0, 0, 0, 0, 0, 0, 40, 24),

@@ -66,7 +66,7 @@ begin
       latency_clocks => 57,
       flush_groups => 257,
       gap_groups => 160,
-      core_id => x"49af1142",
+      core_id => x"5eed2bb2",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (0, 100, 11, 0, 11, 11, 40, 26),
       settings_start => (0, 10, 1, 0, 0, 11, 40, 26),

@@ -65,7 +65,7 @@ begin
       latency_clocks => 42,
       flush_groups => 409,
       gap_groups => 0,
-      core_id => x"15ff6a0a",
+      core_id => x"6322a99a",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

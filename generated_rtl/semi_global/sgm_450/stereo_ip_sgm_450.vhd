@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 2708,
       gap_groups => 0,
-      core_id => x"bb87b41e",
+      core_id => x"4fa6f86c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 52,
       flush_groups => 3209,
       gap_groups => 0,
-      core_id => x"f04a43e0",
+      core_id => x"7488d511",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 59,
       flush_groups => 226,
       gap_groups => 0,
-      core_id => x"98bcd511",
+      core_id => x"b8636a28",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 12,
       lane_bits => 16)

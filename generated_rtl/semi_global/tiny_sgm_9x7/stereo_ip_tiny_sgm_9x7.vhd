@@ -65,7 +65,7 @@ begin
       latency_clocks => 34,
       flush_groups => 249,
       gap_groups => 0,
-      core_id => x"4a36617f",
+      core_id => x"efeaefbb",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

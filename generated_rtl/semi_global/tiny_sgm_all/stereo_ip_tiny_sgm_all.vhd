@@ -65,7 +65,7 @@ begin
       latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"f3c2cb70",
+      core_id => x"326b982d",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

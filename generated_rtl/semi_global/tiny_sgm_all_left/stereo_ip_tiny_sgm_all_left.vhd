@@ -65,7 +65,7 @@ begin
       latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"2628017a",
+      core_id => x"74182055",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 31,
       flush_groups => 242,
       gap_groups => 0,
-      core_id => x"74371314",
+      core_id => x"f97f42d7",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 31,
       flush_groups => 131,
       gap_groups => 0,
-      core_id => x"9e12a8fb",
+      core_id => x"6c95475f",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 34,
       flush_groups => 226,
       gap_groups => 0,
-      core_id => x"2368a8cb",
+      core_id => x"2a51ed8b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

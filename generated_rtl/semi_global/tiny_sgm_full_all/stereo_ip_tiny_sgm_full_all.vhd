@@ -65,7 +65,7 @@ begin
       latency_clocks => 59,
       flush_groups => 267,
       gap_groups => 0,
-      core_id => x"9c56c8fa",
+      core_id => x"e7a4f933",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

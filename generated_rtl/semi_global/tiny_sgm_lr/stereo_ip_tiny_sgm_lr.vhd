@@ -65,7 +65,7 @@ begin
       latency_clocks => 38,
       flush_groups => 218,
       gap_groups => 0,
-      core_id => x"7cd4fdac",
+      core_id => x"b6d10a47",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

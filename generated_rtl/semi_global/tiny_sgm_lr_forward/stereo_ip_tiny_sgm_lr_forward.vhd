@@ -65,7 +65,7 @@ begin
       latency_clocks => 35,
       flush_groups => 142,
       gap_groups => 0,
-      core_id => x"6aa2c071",
+      core_id => x"00a303ef",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

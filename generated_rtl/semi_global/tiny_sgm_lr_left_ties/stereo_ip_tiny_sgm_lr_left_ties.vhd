@@ -65,7 +65,7 @@ begin
       latency_clocks => 38,
       flush_groups => 218,
       gap_groups => 0,
-      core_id => x"285f307e",
+      core_id => x"0efeee97",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

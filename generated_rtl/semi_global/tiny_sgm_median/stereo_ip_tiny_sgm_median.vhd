@@ -65,7 +65,7 @@ begin
       latency_clocks => 45,
       flush_groups => 248,
       gap_groups => 0,
-      core_id => x"9eb8a80b",
+      core_id => x"3308ad22",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"3435a8eb",
+      core_id => x"30df146b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

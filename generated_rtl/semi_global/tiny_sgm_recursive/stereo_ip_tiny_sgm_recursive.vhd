@@ -65,7 +65,7 @@ begin
       latency_clocks => 36,
       flush_groups => 248,
       gap_groups => 80,
-      core_id => x"579cfc48",
+      core_id => x"7aede2c3",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

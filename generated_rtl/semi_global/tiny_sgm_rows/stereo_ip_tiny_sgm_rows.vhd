@@ -65,7 +65,7 @@ begin
       latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"f4a32b7b",
+      core_id => x"c972fe72",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 27,
       flush_groups => 125,
       gap_groups => 0,
-      core_id => x"69044c3f",
+      core_id => x"6ee6e325",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -66,7 +66,7 @@ begin
       latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"ce505219",
+      core_id => x"970f21fa",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (5, 125, 11, 22, 0, 0, 0, 0),
       settings_start => (5, 3, 1, 22, 0, 0, 0, 0),

@@ -66,7 +66,7 @@ begin
       latency_clocks => 59,
       flush_groups => 267,
       gap_groups => 0,
-      core_id => x"2336e6f1",
+      core_id => x"ef29bf53",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (10, 207, 11, 40, 11, 11, 0, 0),
       settings_start => (10, 3, 1, 40, 0, 11, 0, 0))

@@ -66,7 +66,7 @@ begin
       latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"dbd84356",
+      core_id => x"0b9035df",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (0, 0, 0, 0, 0, 0, 40, 12),
       settings_start => (0, 0, 0, 0, 0, 0, 40, 12),

@@ -66,7 +66,7 @@ begin
       latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"116ed77b",
+      core_id => x"fbb1a1de",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (5, 125, 11, 22, 0, 0, 40, 20),
       settings_start => (5, 3, 1, 22, 0, 0, 40, 20),

@@ -66,7 +66,7 @@ begin
       latency_clocks => 59,
       flush_groups => 267,
       gap_groups => 0,
-      core_id => x"1455bab5",
+      core_id => x"2c34bf3d",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (5, 125, 11, 22, 11, 11, 40, 20),
       settings_start => (5, 3, 1, 22, 0, 11, 40, 20),

@@ -65,7 +65,7 @@ begin
       latency_clocks => 28,
       flush_groups => 125,
       gap_groups => 0,
-      core_id => x"0bc2f1bf",
+      core_id => x"e842c823",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

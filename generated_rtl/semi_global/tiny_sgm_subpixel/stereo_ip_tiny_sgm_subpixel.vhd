@@ -65,7 +65,7 @@ begin
       latency_clocks => 45,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"c9875a33",
+      core_id => x"30fce947",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

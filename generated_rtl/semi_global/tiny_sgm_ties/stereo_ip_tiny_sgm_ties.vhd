@@ -65,7 +65,7 @@ begin
       latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"0724b24a",
+      core_id => x"f6f975b1",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 36,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"3193724a",
+      core_id => x"77bfd026",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 32,
       flush_groups => 168,
       gap_groups => 0,
-      core_id => x"14fc4687",
+      core_id => x"a80ec903",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

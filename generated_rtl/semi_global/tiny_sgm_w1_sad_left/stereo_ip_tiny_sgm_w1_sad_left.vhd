@@ -65,7 +65,7 @@ begin
       latency_clocks => 24,
       flush_groups => 84,
       gap_groups => 0,
-      core_id => x"fa7687b4",
+      core_id => x"a49614f4",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 34,
       flush_groups => 125,
       gap_groups => 0,
-      core_id => x"cb403cea",
+      core_id => x"d320553c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 21,
       flush_groups => 122,
       gap_groups => 0,
-      core_id => x"02599444",
+      core_id => x"a9547c75",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 12,
       lane_bits => 16)

@@ -65,7 +65,7 @@ begin
       latency_clocks => 28,
       flush_groups => 204,
       gap_groups => 0,
-      core_id => x"5a90e781",
+      core_id => x"c2938679",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 28,
       flush_groups => 239,
       gap_groups => 0,
-      core_id => x"13b98cea",
+      core_id => x"08fb68a6",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

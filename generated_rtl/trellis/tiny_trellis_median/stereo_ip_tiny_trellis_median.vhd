@@ -65,7 +65,7 @@ begin
       latency_clocks => 39,
       flush_groups => 245,
       gap_groups => 0,
-      core_id => x"5f4c4bb2",
+      core_id => x"6d537c56",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 28,
       flush_groups => 204,
       gap_groups => 0,
-      core_id => x"cb1396ee",
+      core_id => x"c7ea3649",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

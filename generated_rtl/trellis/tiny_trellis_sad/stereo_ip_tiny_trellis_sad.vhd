@@ -65,7 +65,7 @@ begin
       latency_clocks => 21,
       flush_groups => 122,
       gap_groups => 0,
-      core_id => x"797f05e1",
+      core_id => x"e3d09aa2",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

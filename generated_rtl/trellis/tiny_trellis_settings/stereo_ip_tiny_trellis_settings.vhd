@@ -66,7 +66,7 @@ begin
       latency_clocks => 28,
       flush_groups => 204,
       gap_groups => 0,
-      core_id => x"a52a1825",
+      core_id => x"5c32a4e7",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (4, 7, 0, 0, 0, 0, 0, 0),
       settings_start => (4, 7, 0, 0, 0, 0, 0, 0),

@@ -66,7 +66,7 @@ begin
       latency_clocks => 39,
       flush_groups => 245,
       gap_groups => 0,
-      core_id => x"1d2763ab",
+      core_id => x"6e17b32e",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (6, 12, 0, 0, 0, 0, 40, 16),
       settings_start => (6, 12, 0, 0, 0, 0, 40, 16),

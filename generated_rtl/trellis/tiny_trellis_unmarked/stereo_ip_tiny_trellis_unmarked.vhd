@@ -65,7 +65,7 @@ begin
       latency_clocks => 28,
       flush_groups => 204,
       gap_groups => 0,
-      core_id => x"afbc084f",
+      core_id => x"e2e9f4be",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

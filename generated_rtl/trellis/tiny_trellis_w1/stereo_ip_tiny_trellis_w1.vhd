@@ -65,7 +65,7 @@ begin
       latency_clocks => 26,
       flush_groups => 165,
       gap_groups => 0,
-      core_id => x"c3d8b359",
+      core_id => x"62cd3876",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -65,7 +65,7 @@ begin
       latency_clocks => 40,
       flush_groups => 7805,
       gap_groups => 0,
-      core_id => x"445254f6",
+      core_id => x"44107d10",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -12,7 +12,7 @@ from ..base import rtl
 from ..base.configurations import Configuration, parameters_of
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_bambu, run
-from .manifest import Estimate, hardware_digests, top_options
+from .manifest import Estimate, compiler_options, hardware_digests
 
 WORK = ROOT / "build" / "synthesis"
 DEVICE = "LFE5U85F8BG756C"
@@ -48,7 +48,7 @@ def synthesize(config: str, row: Configuration) -> ToolRun:
     """Synthesises one configuration in an empty working directory, unless the last run there had the same inputs."""
     bambu = find_bambu()
     directory, kind = WORK / config, rtl.kind_of(row)
-    options = top_options(config, row["family"], row["source_folder"], kind.top, kind.macros)
+    options = compiler_options(config, row)
     options += ["--compiler=I386_CLANG16", f"--top-fname={kind.function}", *OPTIONS]
     command = shlex.join(["bambu", *options])
     version = tool_version(bambu)

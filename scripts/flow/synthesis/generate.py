@@ -12,7 +12,7 @@ from pathlib import Path
 from ..base import rtl
 from ..base.configurations import Configuration, configuration, designs, option, parameters_of
 from ..base.tools import find_stereo_hls, run
-from . import bambu, manifest
+from . import bambu, manifest, sources
 from .lowering.control import state_sequence
 from .lowering.lower import lower
 from .lowering.naming import Trace, count_named, read_trace
@@ -93,6 +93,7 @@ def _write(
             "use": row["use"],
             "parameters": parameters_of(row),
             "sources": manifest.source_digests(row),
+            "code": sources.code(manifest.compiler_options(config, row)),
             "cells": manifest.cell_digests(),
             "files": {file: manifest.digest(temporary / file)},
             "structure": structure_digest(text),

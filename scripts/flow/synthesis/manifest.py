@@ -5,24 +5,26 @@ still fits."""
 import hashlib
 import json
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from pathlib import Path
-from typing import TypedDict, cast
+from typing import NamedTuple, TypedDict, cast
 
 from ..base import files, json_files, rtl
 from ..base.configurations import Configuration, Parameters, parameters_of
 from ..base.errors import EXIT_MISMATCH, FlowError
 from ..base.tools import ROOT, find_stereo_hls, find_tool, run
+from . import sources
 from .structure import structure_digest
 
-FORMAT = "stereo-hls manifest 2"
+FORMAT = "stereo-hls manifest 3"
 KEYS = {
     "format": str,
     "configuration": str,
     "use": str,
     "parameters": dict,
     "sources": dict,
+    "code": dict,
     "cells": dict,
     "files": dict,
     "structure": str,
@@ -57,7 +59,8 @@ class Manifest(TypedDict):
     configuration: str
     use: str  # as in configurations.Configuration
     parameters: Parameters
-    sources: Digests  # of all that it was made from
+    sources: Digests  # of the words of all that it was made from
+    code: sources.Code  # that clang makes of the hardware top
     cells: Digests  # of the hand-written VHDL below it, from the project's root
     files: Digests  # of what was made
     structure: str  # structure.py: the same for VHDL that differs in names, comments and order only
@@ -70,8 +73,8 @@ def digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def _digests(paths: Iterable[Path]) -> Digests:
-    return {path.relative_to(ROOT).as_posix(): digest(path) for path in paths}
+def _digests(paths: Iterable[Path], digest_of: Callable[[Path], str] = sources.words_digest) -> Digests:
+    return {path.relative_to(ROOT).as_posix(): digest_of(path) for path in paths}
 
 
 def top_options(config: str, family: str, source_folder: str, top: str, macros: Iterable[str] = ()) -> list[str]:
@@ -87,6 +90,12 @@ def _included(source_folder: str, family: str, top: str) -> tuple[Path, ...]:
     compiler = find_tool("c++", "CXX", "on Debian: apt-get install g++")
     rule = run([compiler, *top_options("any", family, source_folder, top), "-MM"], cwd=ROOT)
     return tuple(sorted(ROOT / name for name in rule.replace("\\\n", " ").split(":", 1)[1].split()))
+
+
+def compiler_options(config: str, row: Configuration) -> list[str]:
+    """top_options of a configuration."""
+    kind = rtl.kind_of(row)
+    return top_options(config, row["family"], row["source_folder"], kind.top, kind.macros)
 
 
 def hardware_digests(row: Configuration) -> Digests:
@@ -106,7 +115,7 @@ def source_digests(row: Configuration) -> Digests:
 
 
 def cell_digests() -> Digests:
-    return _digests([rtl.MEMORY_CELL])
+    return _digests([rtl.MEMORY_CELL], digest)
 
 
 def _seal(manifest: Mapping[str, object]) -> str:
@@ -224,9 +233,24 @@ def edit_reasons(directory: Path) -> list[str]:
     return reasons
 
 
+class Freshness(NamedTuple):
+    """Whether the VHDL of a configuration follows from the sources, and is what was made."""
+
+    reasons: list[str]  # why not; empty when all is well
+    by_code: bool = False  # the words of sources differ, and clang makes the same of them
+
+
 def stale_reasons(name: str, row: Configuration) -> list[str]:
-    """Why the VHDL of a configuration no longer follows from the sources, or is not what was made; empty when all is
-    well."""
+    return freshness(name, row).reasons
+
+
+def refresh(name: str, row: Configuration) -> None:
+    """Keeps the words of the sources as they are now, of which clang makes the same as before."""
+    directory = rtl.folder(name)
+    write(directory, {**read(directory), "sources": source_digests(row)})
+
+
+def freshness(name: str, row: Configuration) -> Freshness:
     directory = rtl.folder(name)
     manifest = read(directory)
     reasons, core = [], f"{rtl.kind_of(row).entity(name)}.vhd"
@@ -235,11 +259,17 @@ def stale_reasons(name: str, row: Configuration) -> list[str]:
     reasons += edit_reasons(directory)
     if manifest["parameters"] != parameters_of(row) or manifest["use"] != row["use"]:
         reasons.append(f"its row in {row['family']}/configurations.hpp changed")
-    then, now = manifest["sources"] | manifest["cells"], source_digests(row) | cell_digests()
-    for path_text in sorted(set(now) | set(then)):
-        if now.get(path_text) != then.get(path_text):
-            change = (
-                "changed" if path_text in now and path_text in then else "is new" if path_text in now else "is gone"
-            )
-            reasons.append(f"{path_text} {change}")
-    return reasons
+    changes = _changes(manifest["sources"] | manifest["cells"], source_digests(row) | cell_digests())
+    # Pragmas of the top's interface are not in clang's code.
+    is_hardware = all(Path(path).suffix == ".hpp" for path in changes)
+    if changes and is_hardware and sources.is_same_code(manifest["code"], compiler_options(name, row)):
+        return Freshness(reasons, by_code=True)
+    return Freshness(reasons + [f"{path} {change}" for path, change in changes.items()])
+
+
+def _changes(then: Digests, now: Digests) -> dict[str, str]:
+    """{file: what has become of it}"""
+    found = {path: "is gone" for path in then if path not in now}
+    found |= {path: "is new" for path in now if path not in then}
+    found |= {path: "changed" for path in now if path in then and now[path] != then[path]}
+    return dict(sorted(found.items()))

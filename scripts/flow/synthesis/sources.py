@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whether sources still say what they said when VHDL was made of them, in two steps: the same words without comments;
+else the same intermediate code of clang, which is what Bambu's front end reads."""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import re
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
+from pathlib import Path
+from typing import TypedDict
+
+from ..base.errors import FlowError
+from ..base.tools import ROOT, find_tool, run
+
+_CPP = re.compile(
+    r"//[^\n]*|/\*.*?\*/"  # comments
+    r"|((?:u8|[uUL])?R\"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)\"|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])*'"
+    r"|\d[\w.']*|\w+|\n"
+    r"|&&|\|\||\+\+|--|<<|>>|->|::|\.\.\.|##|[-=!<>+*/%&|^]=|[^\s\w])",
+    re.DOTALL,
+)
+# Names of the file and of the compiler, which say nothing of the code.
+_NO_CODE = re.compile(r"^(; ModuleID|source_filename|!llvm\.ident|!\d+ = !\{!\"[^\"]*clang version).*\n", re.MULTILINE)
+
+
+class Code(TypedDict, total=False):
+    """What clang makes of the hardware top before it optimises anything; empty where it was not there."""
+
+    compiler: str
+    digest: str
+
+
+def words_digest(path: Path) -> str:
+    """SHA-256 of the words of a C++ or Python file: comments, blanks and docstrings do not count."""
+    return _words_digest(path.suffix, path.read_bytes())
+
+
+@lru_cache(maxsize=None)
+def _words_digest(suffix: str, content: bytes) -> str:
+    text = content.decode()
+    words = _python_words(text) if suffix == ".py" else "\0".join(_cpp_words(text))
+    return hashlib.sha256(words.encode()).hexdigest()
+
+
+def _python_words(text: str) -> str:
+    tree = ast.parse(text)
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
+            if ast.get_docstring(node, clean=False) is not None:
+                node.body = node.body[1:]
+    return ast.dump(tree)
+
+
+def _cpp_words(text: str) -> Iterable[str]:
+    """The end of a line counts behind a directive only."""
+    directive, at_start = False, True
+    for match in _CPP.finditer(text.replace("\\\n", " ")):
+        word = match[1]
+        if word == "\n":
+            if directive:
+                yield word
+            directive, at_start = False, True
+        elif word:
+            directive = directive or (at_start and word == "#")
+            at_start = False
+            yield word
+
+
+def find_clang() -> str:
+    return find_tool("clang++-16", "CLANG", "on Debian 12: apt-get install clang-16")
+
+
+def code(options: Sequence[str]) -> Code:
+    """Of the hardware top that `options` compile, in the project's root. Empty where there is no clang."""
+    try:
+        clang = find_clang()
+    except FlowError:
+        return {}
+    text = run([clang, *options, "-O0", "-S", "-emit-llvm", "-Wno-everything", "-o", "-"], cwd=ROOT)
+    return {
+        "compiler": run([clang, "--version"]).splitlines()[0],
+        "digest": hashlib.sha256(_NO_CODE.sub("", text).encode()).hexdigest(),
+    }
+
+
+def is_same_code(then: Code, options: Sequence[str]) -> bool:
+    """Whether clang makes the same of the sources as when `then` was kept; False where nobody can tell, or where they do
+    not compile."""
+    try:
+        return bool(then) and code(options) == then
+    except FlowError:
+        return False
