@@ -106,6 +106,7 @@ if [ $as_user = yes ]; then
 fi
 mkdir -p "$system$home"
 git -c safe.directory="$root" clone -q --no-hardlinks "file://$root" "$system$home/stereo_hls" || end 4 "the checkout $root cannot be cloned"
+commit=$(git -c safe.directory='*' -C "$system$home/stereo_hls" rev-parse --short HEAD)
 [ $as_user = no ] || chroot "$system" chown -R trial:trial "$home"
 
 : >"$log"
@@ -128,7 +129,7 @@ version() {
    echo "${text%%+*}"
 }
 echo
-echo "Debian $(cat "$system/etc/debian_version") ($suite), $([ $as_user = yes ] && echo "a user with sudo" || echo root), commit $(git -c safe.directory="$root" -C "$root" rev-parse --short HEAD)"
+echo "Debian $(cat "$system/etc/debian_version") ($suite), $([ $as_user = yes ] && echo "a user with sudo" || echo root), commit $commit"
 echo "GHDL $(version ghdl-mcode), Verilator $(version verilator), yosys $(version yosys), g++ $(version g++), OpenCV $(version libopencv-dev)," \
    "Python $(version python3), CMake $(version cmake)"
 printf '%s\n' "${results[@]}"

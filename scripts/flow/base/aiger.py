@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Proofs about a design: yosys makes an and-inverter graph (AIGER) of its Verilog, and yosys-abc reasons about that."""
 
+from __future__ import annotations
+
+import re
 from pathlib import Path
+from typing import NamedTuple
 
 from .tools import find_tool, find_yosys, run
 
@@ -29,3 +33,31 @@ def ask(script: str, work: Path) -> str:
     """What yosys-abc says to its commands; also in abc.log."""
     run([find_abc(), "-c", script], cwd=work, log=work / "abc.log")
     return (work / "abc.log").read_text()
+
+
+class Answer(NamedTuple):
+    """Whether an output is 0 for ever. Neither, where the proof came to no end."""
+
+    proved: bool
+    clock: str = ""  # in which it is 1, where it is refuted
+
+
+def prove(commands: str, work: Path, seconds: int | None = None) -> Answer:
+    """Whether the output of what `commands` leave behind is 0 for ever, by property directed reachability in so many
+    seconds."""
+    limit = f" -T {seconds}" if seconds else ""
+    said = ask(f"{commands}; write left.aig; pdr{limit}", work)
+    # Where nothing but a constant is left, a newer yosys-abc (that of yosys 0.52) calls it undecided.
+    left = outputs(work / "left.aig")
+    if left == [0] or "Property proved" in said:
+        return Answer(True)
+    refuted = re.search(r"asserted in frame (\d+)", said)
+    return Answer(False, "0" if left == [1] else refuted[1] if refuted else "")
+
+
+def outputs(path: Path) -> list[int]:
+    """The edges that drive the outputs of a binary AIGER file: 0 and 1 are constants."""
+    with path.open("rb") as file:
+        registers, count = (int(word) for word in file.readline().split()[3:5])
+        lines = [file.readline() for _ in range(registers + count)]
+    return [int(line) for line in lines[registers:]]

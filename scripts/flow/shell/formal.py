@@ -2,7 +2,6 @@
 """Proofs about the memory cell and the stream blocks of the shell, for all inputs and all times: `ghdl --synth`, yosys,
 and the model checker of yosys-abc (property directed reachability), which finds the invariants by itself."""
 
-import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -49,10 +48,9 @@ def prove(proof: Proof, work: Path, rtl: Path = RTL) -> tuple[str, str]:
     work.mkdir(parents=True, exist_ok=True)
     files = [rtl / f"{proof.block}.vhd", HARNESSES / "reference_queue.vhd", HARNESSES / f"{top}.vhd"]
     aiger.write(ghdl.to_verilog(files, work, top, proof.generics), top, work)
-    said = aiger.ask("read_aiger design.aig; strash; pdr", work)
-    if "Property proved" in said:
+    answer = aiger.prove("read_aiger design.aig; strash", work)
+    if answer.proved:
         return "proved", ""
-    refuted = re.search(r"asserted in frame (\d+)", said)
-    if not refuted:
+    if not answer.clock:
         raise FlowError(f"yosys-abc came to no end with {proof.name}; see {work / 'abc.log'}", EXIT_TOOL_FAILED)
-    return "refuted", refuted.group(1)
+    return "refuted", answer.clock
