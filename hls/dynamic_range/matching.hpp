@@ -81,7 +81,7 @@ struct Matching {
       if (window_disparities + kBlock > disparities)
          return "the disparity range must exceed a search window by 8 disparities or more";
       if (window_px % 2 == 0) return "the window side must be odd";
-      if (codes == Codes::phase) return coarse_phase().problem();
+      if (const Sentence phase = coarse_phase().problem(); !phase.empty()) return phase;
       return coarse_census().problem();
    }
 };

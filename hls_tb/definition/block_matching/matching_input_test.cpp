@@ -97,8 +97,8 @@ TEST(Matching, RejectsOptionsOutOfRange) {
    expect_rejected(GrayImage(300, 2), GrayImage(300, 2), {257, 3}, "disparity range is 257");
    reject({.disparities = 5, .min_disparity = 15}, "from the smallest disparity 15 on lies outside");
    reject({.disparities = 5, .min_disparity = -19}, "from the smallest disparity -19 on lies outside");
-   reject({.disparities = 5, .min_disparity = -2147483647 - 1}, "lies outside");
-   reject({.disparities = 5, .min_disparity = 2147483647}, "lies outside");
+   reject({.disparities = 5, .min_disparity = -2147483647 - 1}, "must be -16777216 ... 16777216");
+   reject({.disparities = 5, .min_disparity = 2147483647}, "must be -16777216 ... 16777216");
    reject({.disparities = 5, .census_width_px = 11}, "census window's width is 11");
    reject({.disparities = 5, .census_height_px = 9}, "census window's height is 9");
    reject({.disparities = 5, .census_width_px = 4}, "census window is 4x5");

@@ -2,6 +2,7 @@
 #include "engines/clocked/stress.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "scene/stress_pairs.hpp"
 
@@ -9,9 +10,30 @@ namespace stereo {
 namespace {
 
 constexpr int kShortFrame = 4000;        // groups; of longer ones the first rows are sent
-constexpr int kWantedClocks = 20000;     // of short frames
-constexpr int kMostRounds = 5;
-constexpr int kRowsBeyondFirst = 2;      // groups of rows of a long frame beyond those that give the first output
+constexpr int kWantedClocks = 25000;  // of a core with short frames; half as many again as the first round where it has long ones
+constexpr int kRowsBeyondFirst = 2;   // groups of rows of a long frame beyond those that give the first output
+constexpr int kLeastWildFrames = 6;   // so that each event comes
+
+/// Gives each of some things once before any comes again, in another order each time.
+template <class Thing, std::size_t Count>
+class Deck {
+  public:
+   Deck(const std::array<Thing, Count>& things, Random& random) : things_(things), random_(random) {}
+
+   Thing next() {
+      if (next_ == Count) {
+         next_ = 0;
+         for (std::size_t i = Count - 1; i > 0; --i)
+            std::swap(things_[i], things_[std::size_t(random_.below(int(i) + 1))]);
+      }
+      return things_[next_++];
+   }
+
+  private:
+   std::array<Thing, Count> things_;
+   Random& random_;
+   std::size_t next_ = Count;
+};
 
 class Stress {
   public:
@@ -22,8 +44,8 @@ class Stress {
       // What a reset leaves out shows only before the first start of frame.
       writer_.random_records(1 + random_.below(2 * size_.width_px));
       tidy_round();
-      const int wanted = is_short() ? kWantedClocks / std::max(1, int(writer_.clocks.size())) : 1;
-      for (int round = 0; round < std::clamp(wanted, 1, kMostRounds - 1); ++round) wild_round();
+      const std::size_t tidy = writer_.clocks.size();
+      wild_frames(std::max(is_short() ? std::size_t(kWantedClocks) : 0, tidy + tidy / 2));
       frame(StressClass::patchwork);
       if (is_short()) writer_.flush(core_.schedule);
       writer_.drain(core_.schedule);
@@ -72,37 +94,40 @@ class Stress {
       writer_.flush(core_.schedule);
    }
 
-   /// Each class once more, in any order, with all that may come between.
-   void wild_round() {
-      auto kinds = kStressClasses;
-      for (std::size_t i = kinds.size() - 1; i > 0; --i) std::swap(kinds[i], kinds[std::size_t(random_.below(int(i) + 1))]);
-      for (const StressClass kind : kinds) {
-         constexpr int kStalls[] = {0, 0, 5, 30, 70};
-         writer_.set_stall_percent(kStalls[random_.below(5)]);
-         if (random_.percent(25)) part_of_a_frame(kind);
-         else frame(kind);
-         between();
+   /// The classes again, in any order, with all that may come between, up to so many clocks.
+   void wild_frames(std::size_t clocks) {
+      Deck kinds(kStressClasses, random_);
+      Deck stalls(std::array{0, 0, 5, 30, 70}, random_);
+      Deck whole(std::array{true, true, false, true}, random_);
+      Deck events(std::array{Event::reset, Event::reset, Event::at_once, Event::flush, Event::gap}, random_);
+      for (int sent = 0; sent < kLeastWildFrames || writer_.clocks.size() < clocks; ++sent) {
+         writer_.set_stall_percent(stalls.next());
+         if (whole.next()) frame(kinds.next());
+         else part_of_a_frame(kinds.next());
+         then(events.next());
       }
       writer_.set_stall_percent(0);
    }
 
-   void between() {
-      switch (random_.below(6)) {
-         case 0:
+   enum class Event { reset, at_once, flush, gap };
+   void then(Event event) {
+      switch (event) {
+         case Event::reset:
             reset();
             // At times more than a frame of them: a counter that is not at rest behind the reset comes round.
             writer_.random_records(random_.below(random_.percent(20) && is_short() ? frame_groups() + 8 * size_.width_px
                                                                                    : 2 * size_.width_px));
             break;
-         case 1:
-            break;  // the next start of frame comes at once: the frame before it is a broken one
-         case 2:
+         case Event::at_once:
+            break;  // the next start of frame comes now: the frame before it is a broken one
+         case Event::flush:
             writer_.flush(core_.schedule);
             writer_.random_records(random_.below(2 * size_.width_px));
             writer_.bubbles(random_.below(2 * core_.schedule.latency_clocks));
             break;
-         default:
+         case Event::gap:
             writer_.gap(schedule());
+            break;
       }
    }
    void reset() {

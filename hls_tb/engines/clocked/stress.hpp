@@ -9,7 +9,7 @@ namespace stereo {
 
 /// The stream that is made to find faults in a core: frames of each class of stress_pairs.hpp, at first whole, at the
 /// least gap and without bubbles, then with bubbles, broken off, behind resets, behind records without a start, each
-/// with settings of its own, and of other sizes, where the core has such ports. Some 20,000 clocks for a small core. Of
+/// with settings of its own, and of other sizes, where the core has such ports. Some 25,000 clocks for a small core. Of
 /// one whose frames are long, the first rows of each.
 /// docs/cosimulation.md has its score. Other seeds give other streams.
 Stimulus make_stress_stimulus(const std::string& config_name, const CoreShape& core, uint64_t seed);

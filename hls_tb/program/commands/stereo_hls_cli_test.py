@@ -231,7 +231,7 @@ def test_wrong_traces_of_images(tmp_path, pair):
     fail(tmp_path, *out, *pair[:2], says=["--left", "--right"])
     fail(tmp_path, *out, "--first-clock", 3, says=["--first-clock", "--left"])
     fail(tmp_path, *out, "--frames", 3, says=["--frames", "--left"])
-    fail(tmp_path, *out, *pair, "--first-clock", 9999, says=["--first-clock 9999", "the images give 436 clocks"])
+    fail(tmp_path, *out, *pair, "--first-clock", 9999, says=["--first-clock 9999", "the stream has 436 clocks"])
 
 
 @pytest.mark.parametrize("config, pixels", [("tiny", 1), ("tiny_p2", 2), ("tiny_p4", 4)])

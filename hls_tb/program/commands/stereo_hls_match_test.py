@@ -239,7 +239,7 @@ def test_set_changes_options_of_the_fast_model(tmp_path, match):
     assert (tmp_path / "out" / "valid.png").exists()
     match = changed(match, "--out", tmp_path / "other")
     fail(tmp_path, *match, "--set", "window=5", says=["--set window=5", "window_px"])
-    fail(tmp_path, *match, "--set", "disparities=40", says=["l.pgm", "40 disparities"])
+    fail(tmp_path, *match, "--set", "disparities=40", says=["32x12", "wider than the disparity range 40"])
     fail(tmp_path, *match, "--engine", "clocked", "--set", "window_px=5", says=["--set window_px=5", "built in"])
 
 
@@ -374,7 +374,25 @@ def test_sixteen_bit_images(tmp_path, match):
 def test_width_not_above_the_disparity_range(tmp_path, match):
     for option, name in (("--left", "l8.pgm"), ("--right", "r8.pgm")):
         match = changed(match, option, write_image(tmp_path / name, DISPARITIES, HEIGHT))
-    fail(tmp_path, *match, says=["l8.pgm", "8 pixels wide", "8 disparities"])
+    fail(tmp_path, *match, says=["--config tiny: the images are 8x12", "wider than the disparity range 8"])
+
+
+def test_options_are_checked_before_the_images(tmp_path, match):
+    """The sentence begins with the --set that it is about."""
+    for settings, words in (
+        (["last_disparity=3"], "first_disparity and last_disparity need a map of full width"),
+        (["min_disparity=-2147483648"], "the smallest disparity is -2147483648 but must be"),
+        (["window_px=5", "window_px=7"], "window_px is set twice"),
+        (["uniqueness_percent=200"], "the uniqueness in percent is 200 but must be 0 ... 100"),
+    ):
+        options = [word for setting in settings for word in ("--set", setting)]
+        fail(tmp_path, *match, *options, says=[f"stereo_hls: --set {settings[-1]}: {words}"])
+    fail(
+        tmp_path,
+        *match,
+        *("--set", "full_width=true", "--set", "window_px=33"),
+        says=["wider than the window for a map of full width"],
+    )
 
 
 def test_crop_of_images_too_small(tmp_path, match):
