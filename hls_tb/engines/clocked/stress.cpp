@@ -10,7 +10,7 @@ namespace stereo {
 namespace {
 
 constexpr int kShortFrame = 4000;        // groups; of longer ones the first rows are sent
-constexpr int kWantedClocks = 25000;  // of a core with short frames; half as many again as the first round where it has long ones
+constexpr int kWantedClocks = 25000;  // of a core with short frames; the first round takes as many at most
 constexpr int kRowsBeyondFirst = 2;   // groups of rows of a long frame beyond those that give the first output
 constexpr int kLeastWildFrames = 6;   // so that each event comes
 
@@ -44,8 +44,7 @@ class Stress {
       // What a reset leaves out shows only before the first start of frame.
       writer_.random_records(1 + random_.below(2 * size_.width_px));
       tidy_round();
-      const std::size_t tidy = writer_.clocks.size();
-      wild_frames(std::max(is_short() ? std::size_t(kWantedClocks) : 0, tidy + tidy / 2));
+      wild_frames(is_short() ? kWantedClocks : 0);
       frame(StressClass::patchwork);
       if (is_short()) writer_.flush(core_.schedule);
       writer_.drain(core_.schedule);
@@ -83,27 +82,29 @@ class Stress {
       for (int i = 0; i < records; ++i) writer_.record(whole.clocks[std::size_t(i)]);
    }
 
-   /// Each class once, whole, as close as frames may be.
+   /// Each class once, whole, as close as frames may be; of larger frames only some classes.
    void tidy_round() {
-      bool first = true;
-      for (const StressClass kind : kStressClasses) {
-         if (!first) writer_.gap(schedule());
-         first = false;
-         frame(kind);
+      for (tidy_ = 0; tidy_ < kStressClasses.size() && writer_.clocks.size() < kWantedClocks; ++tidy_) {
+         if (tidy_ > 0) writer_.gap(schedule());
+         frame(kStressClasses[tidy_]);
       }
       writer_.flush(core_.schedule);
    }
 
-   /// The classes again, in any order, with all that may come between, up to so many clocks.
+   /// The classes that have not come yet, then all again in any order, with all that may come between, up to so many
+   /// clocks.
    void wild_frames(std::size_t clocks) {
       Deck kinds(kStressClasses, random_);
       Deck stalls(std::array{0, 0, 5, 30, 70}, random_);
       Deck whole(std::array{true, true, false, true}, random_);
       Deck events(std::array{Event::reset, Event::reset, Event::at_once, Event::flush, Event::gap}, random_);
-      for (int sent = 0; sent < kLeastWildFrames || writer_.clocks.size() < clocks; ++sent) {
+      part_of_a_frame(StressClass::patchwork);  // and the next start of frame at once
+      for (int sent = 0; sent < kLeastWildFrames || tidy_ < kStressClasses.size() || writer_.clocks.size() < clocks;
+           ++sent) {
          writer_.set_stall_percent(stalls.next());
-         if (whole.next()) frame(kinds.next());
-         else part_of_a_frame(kinds.next());
+         const StressClass kind = tidy_ < kStressClasses.size() ? kStressClasses[tidy_++] : kinds.next();
+         if (whole.next()) frame(kind);
+         else part_of_a_frame(kind);
          then(events.next());
       }
       writer_.set_stall_percent(0);
@@ -141,6 +142,7 @@ class Stress {
    Image size_;  ///< of the frames that are sent
    Random random_;
    StimulusWriter writer_;
+   std::size_t tidy_ = 0;  ///< classes that have come once
 };
 
 }  // namespace
