@@ -110,6 +110,7 @@ stereo_add_unit_tests(
   fuzz/replay_test.cpp
   program/commands/options_json_test.cpp
   program/depth/depth_test.cpp
+  program/depth/rectified_geometry_test.cpp
   program/evaluation/camera_difference_test.cpp
   program/evaluation/masks_test.cpp
   program/evaluation/measures_test.cpp

@@ -15,7 +15,7 @@ constexpr int kWidth = 64, kHeight = 48;
 constexpr std::chrono::milliseconds kLimit{500};  ///< OpenCV does not come back from some files
 
 void check(const app::RectifiedGeometry& geometry) {
-   promise(geometry.focal_px > 0 && geometry.baseline > 0, "a geometry has a focal length and a baseline");
+   promise(geometry.focal_px() > 0 && geometry.baseline() > 0, "a geometry has a focal length and a baseline");
    constexpr int kRows = 2;
    app::DisparityImage map(kWidth, kRows);
    for (int x = 0; x < kWidth; ++x) map.at(x, 0) = float(x - 8);
@@ -28,7 +28,7 @@ void check(const app::RectifiedGeometry& geometry) {
                     "a point stands somewhere");
          const cv::Mat colors(kRows, kWidth, CV_8UC1, cv::Scalar(0));
          promise(app::depth_image(points, kWidth, kRows).total() == points.size(), "each pixel has a depth");
-         promise(!app::encode_ply(points, colors).empty(), "points can be written");
+         promise(!app::encode_ply(points, colors, app::axes_of(geometry)).empty(), "points can be written");
       }
 }
 

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "program/commands/calibrated_size.hpp"
 #include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/options_json.hpp"
@@ -27,6 +28,7 @@ struct Arguments {
    std::string calibration, extrinsics, left, right, config, out;
    std::vector<std::string> settings;
    double unit_mm = 1000;
+   std::string calibrated_size;
    bool rectified = false;
    int threads = 1;
 };
@@ -42,14 +44,19 @@ struct PreparedPair {
 };
 
 PreparedPair prepare(const Arguments& arguments, int bits) {
-   const Calibration calibration = load_calibration(arguments.calibration, arguments.extrinsics);
+   const Calibration loaded = load_calibration(arguments.calibration, arguments.extrinsics);
    PreparedPair pair{read_camera_image(arguments.left, bits), read_camera_image(arguments.right, bits), bits, {}};
    require_same_size<InputError>(arguments.left, pair.left.size(), arguments.right, pair.right.size());
+   const cv::Size size = pair.left.size(), given = size_of_word(arguments.calibrated_size);
+   const Calibration calibration = fitted_calibration(loaded, size, given);
    if (arguments.rectified) {
       pair.geometry = rectified_geometry(calibration);
+      const bool known = !given.empty() || !calibration.image_size.empty();
+      std::cout << checked_principal_point(pair.geometry, size, known);
       return pair;
    }
-   const Rectification rectification = make_rectification(calibration, pair.left.cols, pair.left.rows);
+   const Rectification rectification = make_rectification(calibration, size.width, size.height);
+   std::cout << rectification.warnings;
    if (const auto offset = vertical_offset(pair.shown()))
       std::cout << "before rectification " << offset->features << " matching features lie " << offset->median_px
                 << " rows apart (median)\n";
@@ -83,8 +90,8 @@ nlohmann::json facts(const Arguments& arguments, const PreparedPair& pair, const
            {"rectified_before", arguments.rectified},
            {"width_px", pair.left.cols},
            {"height_px", pair.left.rows},
-           {"focal_px", pair.geometry.focal_px},
-           {"baseline_mm", pair.geometry.baseline * arguments.unit_mm},
+           {"focal_px", pair.geometry.focal_px()},
+           {"baseline_mm", pair.geometry.baseline() * arguments.unit_mm},
            {"depth_unit", "mm"},
            {"known_px", depths.known},
            {"nearest_mm", depths.nearest_mm},
@@ -93,9 +100,24 @@ nlohmann::json facts(const Arguments& arguments, const PreparedPair& pair, const
            {"milliseconds", milliseconds}};
 }
 
+/// A sentence where the baseline is that of no two cameras, as with T in another unit, or where all depths are too
+/// large; else nothing. `points`: of the cloud.
+std::string unit_hint(double baseline_mm, double unit_mm, int points, int known) {
+   constexpr double kShortest = 0.5, kLongest = 5000;  // mm
+   std::ostringstream text;
+   if (baseline_mm < kShortest || baseline_mm > kLongest)
+      text << "warning: a baseline of " << baseline_mm << " mm: is T in "
+           << (baseline_mm > kLongest ? "millimetres? Then give --unit-mm 1" : "metres? Then give --unit-mm 1000")
+           << "\n";
+   else if (points > 0 && known == 0)
+      text << "warning: all " << points << " points are farther than " << kLargestDepthMm
+           << " mm, which depth.png cannot hold: is the unit of T " << unit_mm << " mm, as --unit-mm says?\n";
+   return text.str();
+}
+
 std::string summary(const PreparedPair& pair, double baseline_mm, const Depths& depths) {
    std::ostringstream text;
-   text << "focal length " << pair.geometry.focal_px << " px, baseline " << baseline_mm << " mm: depth of "
+   text << "focal length " << pair.geometry.focal_px() << " px, baseline " << baseline_mm << " mm: depth of "
         << depths.known << " of " << pair.left.total() << " pixels";
    if (depths.known > 0) text << ", " << depths.nearest_mm << " ... " << depths.farthest_mm << " mm";
    text << "\n";
@@ -122,14 +144,16 @@ void depth(const Arguments& arguments) {
 
    OutputFolder out(arguments.out);
    out.add("depth.png", encode(image));
-   out.add("cloud.ply", encode_ply(points, shown_image(reference, pair.bits)));
+   out.add("cloud.ply", encode_ply(points, shown_image(reference, pair.bits), axes_of(pair.geometry)));
    out.add("preview.png", encode_overview_png(shown, map, map_geometry));
    for (const auto& [name, rectified] : {std::pair{"left.png", pair.left}, {"right.png", pair.right}}) {
       if (arguments.rectified) out.leave_out(name, {arguments.left, arguments.right});
       else out.add(name, encode(rectified));
    }
    out.add_json("depth.json", facts(arguments, pair, *algorithm, depths, milliseconds));
-   std::cout << summary(pair, pair.geometry.baseline * arguments.unit_mm, depths);
+   const auto known = std::count_if(points.begin(), points.end(), [](const Point& point) { return point.z_m != 0; });
+   std::cout << unit_hint(pair.geometry.baseline() * arguments.unit_mm, arguments.unit_mm, int(known), depths.known);
+   std::cout << summary(pair, pair.geometry.baseline() * arguments.unit_mm, depths);
    out.commit();
 }
 
@@ -151,6 +175,7 @@ void add_depth(CLI::App& app) {
    command->add_option("--unit-mm", arguments.unit_mm, "millimetres of one unit of the calibration's T; 1000: metres")
        ->check(check_positive_number)
        ->capture_default_str();
+   add_calibrated_size_option(*command, arguments.calibrated_size);
    add_threads_option(*command, arguments.threads);
    command->add_flag("--rectified", arguments.rectified, "the images are rectified already");
    command->add_option("--out", arguments.out, "folder for the results")->required();

@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 
+#include "program/commands/calibrated_size.hpp"
 #include "program/commands/options_json.hpp"
 #include "program/depth/rectification.hpp"
 #include "program/errors.hpp"
@@ -24,7 +25,7 @@ using rectification::RowsNeeded;
 using rectification::Table;
 
 struct Arguments {
-   std::string calibration, extrinsics, left, right, out;
+   std::string calibration, extrinsics, left, right, out, calibrated_size;
    int width = 0, height = 0;
    std::vector<std::string> settings;
 };
@@ -134,7 +135,7 @@ void rectify(const Arguments& arguments) {
    const bool sized = arguments.width != 0 || arguments.height != 0;
    if (arguments.left.empty() != sized)
       throw InputError("give --left and --right, or --width and --height without images");
-   const Calibration calibration = load_calibration(arguments.calibration, arguments.extrinsics);
+   const Calibration loaded = load_calibration(arguments.calibration, arguments.extrinsics);
    const Wished wish = wished(arguments.settings);
    Config config = wish.config;
    const AnyPair pair = sized ? ImagePair() : load_any_pair(arguments.left, arguments.right, config.pixel_bits);
@@ -143,7 +144,9 @@ void rectify(const Arguments& arguments) {
    config.width_px = size.width;
    config.height_px = size.height;
    require_possible(config);
+   const Calibration calibration = fitted_calibration(loaded, size, size_of_word(arguments.calibrated_size));
    const Rectification maps = make_rectification(calibration, config.width_px, config.height_px, config.grid_px);
+   std::cout << maps.warnings;
    std::vector<Camera> cameras = {camera_of("left", {maps.left_x, maps.left_y, size}, config),
                                   camera_of("right", {maps.right_x, maps.right_y, size}, config)};
    settle_rows(config.rows_above, wish.rows_above, "rows_above",
@@ -185,6 +188,7 @@ void add_rectify(CLI::App& app) {
    CLI::Option* right = command->add_option("--right", arguments.right, "right camera's image");
    CLI::Option* width = command->add_option("--width", arguments.width, "image width, where there are no images");
    CLI::Option* height = command->add_option("--height", arguments.height, "image height");
+   add_calibrated_size_option(*command, arguments.calibrated_size);
    left->needs(right);
    right->needs(left);
    width->needs(height);

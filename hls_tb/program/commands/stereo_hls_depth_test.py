@@ -151,6 +151,140 @@ def test_q_comes_before_the_cameras(tmp_path, depth):
     assert png_pixels(tmp_path / "out" / "depth.png")[60][80] == round(2000 * FOCAL * BASELINE / SHIFT)
 
 
+Q = [1.0, 0.0, 0.0, -80.0, 0.0, 1.0, 0.0, -60.0, 0.0, 0.0, 0.0, FOCAL, 0.0, 0.0, 1 / BASELINE, 0.0]
+NOTHING = dict.fromkeys(("M1", "D1", "M2", "D2", "R", "T"))
+
+
+def of_q(path, q, **others):
+    return calibration(path, Q=(q, 4), **{**NOTHING, **others})
+
+
+def cloud(tmp_path, depth, *words):
+    succeed(*depth, *words)
+    return ply_points(tmp_path / "out" / "cloud.ply")
+
+
+def test_the_scale_and_sign_of_q_say_nothing(tmp_path, depth):
+    pair = [*plane(tmp_path), "--rectified"]
+    points = cloud(tmp_path, depth, of_q(tmp_path / "q.yml", Q), *pair)
+    assert len(points) > 10000
+    for scale in (10, 0.1, -1, -0.001):
+        again = cloud(tmp_path, depth, of_q(tmp_path / "s.yml", [scale * value for value in Q]), *pair)
+        assert len(again) == len(points)
+        for there, wanted in zip(again, points):
+            assert there[3:] == wanted[3:] and there[:3] == pytest.approx(wanted[:3], rel=1e-5, abs=1e-6)
+
+
+def test_the_axes_of_q_are_those_of_the_cloud(tmp_path, depth):
+    """y up and z backward, as the sample stereo_match.py of OpenCV has it."""
+    pair = [*plane(tmp_path), "--rectified"]
+    points = cloud(tmp_path, depth, of_q(tmp_path / "q.yml", Q), *pair)
+    image = (tmp_path / "out" / "depth.png").read_bytes()
+    other = [value * (-1 if 4 <= place < 12 else 1) for place, value in enumerate(Q)]
+    for there, (x, y, z, *color) in zip(cloud(tmp_path, depth, of_q(tmp_path / "o.yml", other), *pair), points):
+        assert there == pytest.approx((x, -y, -z, *color), rel=1e-6, abs=1e-6)
+    assert (tmp_path / "out" / "depth.png").read_bytes() == image, "depth has no sign"
+    assert b"axes are those of the calibration's Q" in (tmp_path / "out" / "cloud.ply").read_bytes()[:200]
+
+
+@pytest.mark.parametrize(
+    "q, says",
+    [
+        ([Q[4 * (i % 4) + i // 4] for i in range(16)], ["Q is not that of a rectified pair", "is it transposed?"]),
+        ([*Q[:11], 0.0, *Q[12:]], ["Q lacks the focal length"]),
+        ([*Q[:14], 0.0, 1.0], ["Q lacks the focal length"]),
+        ([*Q[:14], -Q[14], 0.0], ["exchange --left and --right"]),
+        ([*Q[:11], math.nan, *Q[12:]], ["q.yml"]),
+    ],
+)
+def test_damaged_q(tmp_path, depth, q, says):
+    fail(tmp_path, *depth, of_q(tmp_path / "q.yml", q), *plane(tmp_path), "--rectified", says=says)
+
+
+def test_cameras_one_above_the_other_beside_q(tmp_path, depth):
+    p1 = [FOCAL, 0.0, 80.0, 0.0, 0.0, FOCAL, 60.0, 0.0, 0.0, 0.0, 1.0, 0.0]
+    above = [*p1[:7], -FOCAL * BASELINE, *p1[8:]]
+    yml = of_q(tmp_path / "q.yml", Q, P1=(p1, 4), P2=(above, 4))
+    fail(tmp_path, *depth, yml, *plane(tmp_path), "--rectified", says=["P1 and P2", "one above the other"])
+
+
+def with_size(path, width=WIDTH, height=HEIGHT, more=""):
+    path.write_text(path.read_text() + f"image_width: {width}\nimage_height: {height}\n{more}")
+    return path
+
+
+def test_calibrations_of_another_size(tmp_path, depth):
+    """That of images twice as large. Scaled, the plane stands where it stood."""
+    pair, names = plane(tmp_path), {"focal": 2 * FOCAL}
+    large = [2 * FOCAL, 0.0, WIDTH - 0.5, 0.0, 2 * FOCAL, HEIGHT - 0.5, 0.0, 0.0, 1.0]
+    for rectified in ([], ["--rectified"]):
+        yml = calibration(tmp_path / "l.yml", **names, M1=(large, 3), M2=(large, 3))
+        said = ["--calibrated-size", f"{2 * WIDTH}x{2 * HEIGHT}"]
+        succeed(*depth, yml, *pair, *rectified, *said)
+        assert abs(png_pixels(tmp_path / "out" / "depth.png")[60][80] - Z_MM) < 0.02 * Z_MM
+        wrong = ["--calibrated-size", f"{2 * WIDTH}x{HEIGHT}"]
+        fail(tmp_path, *depth, yml, *pair, *rectified, *wrong, says=["--calibrated-size", "no scaling"])
+        with_size(yml, 2 * WIDTH, 2 * HEIGHT)
+        says = ["images of 320x240 but these are 160x120", "--calibrated-size 320x240"]
+        fail(tmp_path, *depth, yml, *pair, *rectified, says=says)
+        succeed(*depth, yml, *pair, *rectified, *said)
+        assert abs(png_pixels(tmp_path / "out" / "depth.png")[60][80] - Z_MM) < 0.02 * Z_MM
+        other = ["--calibrated-size", f"{WIDTH}x{HEIGHT}"]
+        fail(tmp_path, *depth, yml, *pair, *rectified, *other, says=["--calibrated-size 160x120", "320x240"])
+    rectify = ["rectify", "--calibration", yml, *pair, "--out", tmp_path / "r"]
+    fail(tmp_path, *rectify, says=["320x240"])
+    succeed(*rectify, *said)
+    succeed(*depth, with_size(calibration(tmp_path / "c.yml")), *pair)
+    for word in ("640", "x480", "640x", "640x480x1", "0x480", "-640x480", "70000x480"):
+        fail(tmp_path, *depth, yml, *pair, f"--calibrated-size={word}", says=["--calibrated-size", "WIDTHxHEIGHT"])
+
+
+def test_a_principal_point_far_from_the_middle(tmp_path, depth):
+    """As that of images of half and twice the size."""
+    pair = [*plane(tmp_path), "--rectified"]
+    for x, y in ((2 * 80.0, 2 * 60.0), (79.5, 1000.0), (4 * 80.0, 60.0)):
+        q = [*Q[:3], -x, *Q[4:7], -y, *Q[8:]]
+        yml = of_q(tmp_path / "q.yml", q)
+        fail(tmp_path, *depth, yml, *pair, says=["principal point", "far from the middle of images of 160x120"])
+        out = succeed(*depth, with_size(yml), *pair)
+        assert "warning: the principal point" in out, "the file says that the images have its size"
+    quarter = [*Q[:3], -40.0, *Q[4:7], -30.0, *Q[8:]]
+    assert "warning: the principal point" in succeed(*depth, of_q(tmp_path / "q.yml", quarter), *pair)
+    assert "warning" not in succeed(*depth, of_q(tmp_path / "q.yml", Q), *pair)
+    corner = [FOCAL, 0.0, 40.0, 0.0, FOCAL, 30.0, 0.0, 0.0, 1.0]
+    yml = calibration(tmp_path / "c.yml", M1=(corner, 3), M2=(corner, 3))
+    assert "warning: the principal point of the right camera" in succeed(*depth, yml, *pair[:-1])
+    out = succeed("rectify", "--calibration", yml, *pair[:-1], "--out", tmp_path / "r", "--set", "rows_above=120")
+    assert "warning: the principal point of the left camera" in out
+
+
+@pytest.mark.parametrize("width, height", [("wide", HEIGHT), (0, HEIGHT), (WIDTH, -1), (WIDTH, 1.5)])
+def test_sizes_that_are_none(tmp_path, depth, width, height):
+    yml = with_size(calibration(tmp_path / "c.yml"), width, height)
+    fail(tmp_path, *depth, yml, *plane(tmp_path), says=["c.yml: its image_", "no number of pixels"])
+
+
+def test_lens_models_of_others(tmp_path, depth):
+    yml = with_size(calibration(tmp_path / "c.yml"), more="distortion_model: equidistant\n")
+    fail(tmp_path, *depth, yml, *plane(tmp_path), says=["c.yml", "distortion_model is equidistant"])
+    yml = with_size(calibration(tmp_path / "c.yml"), more="distortion_model: plumb_bob\n")
+    succeed(*depth, yml, *plane(tmp_path))
+
+
+def test_units_that_cannot_be(tmp_path, depth):
+    """T in millimetres with the unit of metres, and the other way round."""
+    pair = [*plane(tmp_path), "--rectified"]
+    millimetres = calibration(tmp_path / "c.yml", baseline=1000 * BASELINE)
+    out = succeed(*depth, millimetres, *pair)
+    assert "warning: a baseline of 50000 mm: is T in millimetres? Then give --unit-mm 1\n" in out
+    assert "depth of 0 of" in out
+    assert "warning" not in succeed(*depth, millimetres, *pair, "--unit-mm", 1)
+    metres = calibration(tmp_path / "c.yml")
+    assert "is T in metres? Then give --unit-mm 1000" in succeed(*depth, metres, *pair, "--unit-mm", 1)
+    far = calibration(tmp_path / "f.yml", baseline=4.0)
+    assert "points are farther than 65535 mm" in succeed(*depth, far, *pair)
+
+
 def test_turned_cameras_are_rectified(tmp_path, depth):
     turn, pair = 0.1, plane(tmp_path, 0.1)
     assert "warning: the images do not look rectified" in succeed(
@@ -170,10 +304,11 @@ def test_turned_cameras_are_rectified(tmp_path, depth):
     assert {"left.png", "right.png"} <= {p.name for p in (tmp_path / "out").iterdir()}
     rectified = ["--left", tmp_path / "out" / "left.png", "--right", tmp_path / "out" / "right.png"]
     assert "warning" not in succeed("match", "--config", "study", *rectified, "--out", tmp_path / "m")
-    # What is not rectified is said, not hidden.
-    assert "warning: the images do not look rectified" in succeed(
-        *depth, intrinsics, "--extrinsics", extrinsics, *pair, "--rectified"
-    )
+    # What is not rectified is said, not hidden: by the calibration, else by the images.
+    says = ["R turns the right camera by 5.7", "leave --rectified out"]
+    fail(tmp_path, *depth, intrinsics, "--extrinsics", extrinsics, *pair, "--rectified", says=says)
+    straight = calibration(tmp_path / "straight.yml")
+    assert "warning: the images do not look rectified" in succeed(*depth, straight, *pair, "--rectified")
 
 
 def test_match_says_nothing_of_a_rectified_pair(tmp_path):
@@ -193,6 +328,14 @@ def test_colours_reach_the_cloud(tmp_path, depth):
 
 
 IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
+CAMERA_TURNED = [FOCAL, 0.0, 0.0, 0.0, FOCAL, 0.0, WIDTH / 2, HEIGHT / 2, 1.0]
+CAMERA_SKEWED = [FOCAL, 0.5, WIDTH / 2, 0.0, FOCAL, HEIGHT / 2, 0.0, 0.0, 1.0]
+
+
+def turned(degrees):
+    """About the upright axis."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return [c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c]
 
 
 @pytest.mark.parametrize(
@@ -205,8 +348,21 @@ IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
         ({"M1": (IDENTITY[:4] + [math.nan] + IDENTITY[5:], 3)}, [], ["c.yml"]),
         ({"M2": ([200.0, 0.0, 900.0, 0.0, 200.0, 60.0, 0.0, 0.0, 1.0], 3)}, [], ["M2", "160x120"]),
         ({"M1": ([0.0] * 9, 3)}, [], ["M1", "160x120"]),
-        ({"D1": ([0.0] * 15, 15)}, [], ["matrix D1 is 1x15", "14"]),
-        ({"D1": ([0.0] * 3, 3)}, [], ["cannot be rectified"]),
+        *(
+            ({name: ([0.0] * count, columns)}, way, [f"matrix {name} is", f"{count}", "4, 5, 8, 12 or 14 coefficients"])
+            for name, way, columns in (("D1", [], 1), ("D2", ["--rectified"], 0))
+            for count in (1, 2, 3, 6, 7, 9, 10, 11, 13, 15)
+            for columns in (columns or count,)
+        ),
+        ({"M1": (CAMERA_TURNED, 3)}, ["--rectified"], ["M1 is no camera matrix", "row 3, column 1 must be 0"]),
+        ({"M1": (CAMERA_SKEWED, 3)}, [], ["M1 is no camera matrix", "row 1, column 2 must be 0"]),
+        (
+            {"T": ([-0.01, -0.1, 0.0], 1)},
+            ["--rectified"],
+            ["T puts the right camera at 0.01, 0.1, 0", "above the other"],
+        ),
+        ({"R": (turned(17), 3)}, ["--rectified"], ["R turns the right camera by 17 degrees"]),
+        ({"R": ([2.0, *IDENTITY[1:]], 3)}, ["--rectified"], ["R is no rotation"]),
         ({"R": ([2.0, *IDENTITY[1:]], 3)}, [], ["R is no rotation"]),
         ({"T": ([0.0, -0.05, 0.0], 1)}, [], ["one above the other"]),
         ({"T": ([0.05, 0.0, 0.0], 1)}, [], ["exchange --left and --right"]),

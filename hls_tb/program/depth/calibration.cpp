@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/depth/calibration.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <string_view>
 
+#include "definition/gray_image.hpp"
 #include "program/errors.hpp"
 #include "program/io/child_process.hpp"
 #include "program/io/require_file.hpp"
@@ -20,7 +22,7 @@ constexpr uintmax_t kLargestFile = 16 << 20;  ///< bytes; a calibration takes so
 struct Entry {
    const char* name;
    cv::Mat Calibration::*matrix;
-   int rows, columns;  ///< 0: a vector of up to 14
+   int rows, columns;  ///< 0: a vector of distortion coefficients
 };
 
 constexpr Entry kEntries[] = {
@@ -28,9 +30,14 @@ constexpr Entry kEntries[] = {
     {"D2", &Calibration::d2, 0, 0}, {"R", &Calibration::r, 3, 3},   {"T", &Calibration::t, 3, 1},
     {"P1", &Calibration::p1, 3, 4}, {"P2", &Calibration::p2, 3, 4}, {"Q", &Calibration::q, 4, 4}};
 
+/// Numbers of coefficients that OpenCV has a model of.
+constexpr int kDistortions[] = {4, 5, 8, 12, 14};
+
 bool fits(int rows, int columns, const Entry& entry) {
    if (entry.rows != 0) return rows == entry.rows && columns == entry.columns;
-   return (rows == 1 && columns <= 14) || (columns == 1 && rows <= 14);
+   const int count = rows * columns;
+   return (rows == 1 || columns == 1) &&
+          std::find(std::begin(kDistortions), std::end(kDistortions), count) != std::end(kDistortions);
 }
 
 bool is_finite(const cv::Mat_<double>& matrix) {
@@ -48,7 +55,7 @@ void take(Calibration& calibration, const cv::FileNode& node, const Entry& entry
    if (rows == 0 && columns == 0) return;
    if (rows < 1 || columns < 1 || !fits(rows, columns, entry))
       throw InputError(what + " is " + std::to_string(rows) + "x" + std::to_string(columns) + " but must be " +
-                       (entry.rows == 0 ? "a vector of up to 14"
+                       (entry.rows == 0 ? "a vector of 4, 5, 8, 12 or 14 coefficients"
                                         : std::to_string(entry.rows) + "x" + std::to_string(entry.columns)));
    cv::Mat matrix;
    node >> matrix;
@@ -59,22 +66,44 @@ void take(Calibration& calibration, const cv::FileNode& node, const Entry& entry
    if (!is_finite(target)) throw InputError(what + " has values that are not finite");
 }
 
+/// Pixels along a side; 0 where the file does not say it.
+int side_of(const cv::FileNode& node, const char* name, const std::string& path) {
+   if (node.empty()) return 0;
+   const int side = node.isInt() ? int(node) : 0;
+   if (side < 1) throw InputError(path + ": its " + name + " is no number of pixels");
+   return side;
+}
+
+/// Throws InputError where the coefficients are not those of cv::undistort.
+void require_known_model(const cv::FileNode& node, const std::string& path) {
+   if (!node.isString()) return;
+   const std::string model = node;
+   for (const char* const known : {"", "plumb_bob", "rational_polynomial", "radtan"})
+      if (model == known) return;
+   throw InputError(path + ": its distortion_model is " + model +
+                    ", but only plumb_bob and rational_polynomial, k1 k2 p1 p2 ..., are known");
+}
+
 Calibration read(const std::string& path, const std::string& sentence) {
    const SilentStderr silent;
    const cv::FileStorage file(path, cv::FileStorage::READ);
    if (!file.isOpened() || !file.root().isMap()) throw InputError(sentence);
    Calibration calibration;
    for (const Entry& entry : kEntries) take(calibration, file[entry.name], entry, path);
+   require_known_model(file["distortion_model"], path);
+   calibration.image_size = {side_of(file["image_width"], "image_width", path),
+                             side_of(file["image_height"], "image_height", path)};
    return calibration;
 }
 
 constexpr char kTaken = '+', kRefused = '-';
 
-/// The answer of the child: its matrices, or why there are none.
+/// The answer of the child: its size and matrices, or why there are none.
 std::string answer(const std::string& path, const std::string& sentence) {
    try {
       const Calibration calibration = read(path, sentence);
       std::string bytes(1, kTaken);
+      bytes.append(reinterpret_cast<const char*>(&calibration.image_size), sizeof(cv::Size));
       for (const Entry& entry : kEntries) {
          const cv::Mat& matrix = calibration.*entry.matrix;
          for (const int size : {matrix.rows, matrix.cols}) bytes += char(size);
@@ -86,18 +115,24 @@ std::string answer(const std::string& path, const std::string& sentence) {
    }
 }
 
-/// The calibration's matrices become those of the answer, where that has some.
-void take_answer(Calibration& calibration, std::string_view bytes) {
+/// The calibration's matrices become those of the answer, where that has some. Whether the sizes agree.
+bool take_answer(Calibration& calibration, std::string_view bytes) {
+   cv::Size size;
+   std::memcpy(&size, bytes.data(), sizeof(size));
+   bytes.remove_prefix(sizeof(size));
+   const bool agree = size.empty() || calibration.image_size.empty() || size == calibration.image_size;
+   if (!size.empty()) calibration.image_size = size;
    for (const Entry& entry : kEntries) {
       const int rows = uint8_t(bytes[0]), columns = uint8_t(bytes[1]);
       bytes.remove_prefix(2);
       if (rows == 0) continue;
       cv::Mat matrix(rows, columns, CV_64F);
-      const std::size_t size = matrix.total() * sizeof(double);
-      std::memcpy(matrix.data, bytes.data(), size);
-      bytes.remove_prefix(size);
+      const std::size_t count = matrix.total() * sizeof(double);
+      std::memcpy(matrix.data, bytes.data(), count);
+      bytes.remove_prefix(count);
       calibration.*entry.matrix = matrix;
    }
+   return agree;
 }
 
 void read_into(Calibration& calibration, const std::string& path, std::chrono::milliseconds limit) {
@@ -110,25 +145,9 @@ void read_into(Calibration& calibration, const std::string& path, std::chrono::m
    const auto found = done_by_child([&] { return answer(path, sentence); }, limit);
    if (!found || found->empty()) throw InputError(sentence);
    if (found->front() == kRefused) throw InputError(found->substr(1));
-   take_answer(calibration, std::string_view(*found).substr(1));
-}
-
-/// `name`: the matrices that it comes from.
-RectifiedGeometry checked(const RectifiedGeometry& geometry, const std::string& name) {
-   if (geometry.focal_px <= 0 || geometry.baseline == 0)
-      throw InputError("--calibration: its " + name + " lacks the focal length or the baseline of a rectified pair");
-   if (geometry.baseline < 0)
-      throw InputError(
-          "--calibration: its right camera stands to the left of the left one: exchange --left and --right, and "
-          "calibrate in that order");
-   return geometry;
-}
-
-/// `shift`: from the left camera's axis to the right one's, below 0 when that stands to the right.
-RectifiedGeometry geometry_of_cameras(const cv::Mat& left, const cv::Mat& right, double shift,
-                                      const std::string& name) {
-   const double x = left.at<double>(0, 2);
-   return checked({left.at<double>(0, 0), -shift, x, left.at<double>(1, 2), x - right.at<double>(0, 2)}, name);
+   if (!take_answer(calibration, std::string_view(*found).substr(1)))
+      throw InputError(path + ": is of images of " + size_text(calibration.image_size) +
+                       " but the first file is of another size");
 }
 
 }  // namespace
@@ -141,21 +160,39 @@ Calibration load_calibration(const std::string& path, const std::string& extrins
    return calibration;
 }
 
-RectifiedGeometry geometry_of_q(const cv::Mat& q) {
-   const auto at = [&q](int row, int column) { return q.at<double>(row, column); };
-   const double baseline = at(3, 2) == 0 ? 0 : 1 / at(3, 2);
-   return checked({at(2, 3), baseline, -at(0, 3), -at(1, 3), -at(3, 3) * baseline}, "Q");
+namespace {
+
+/// Of a pinhole camera, P or M, in place.
+void scale_camera(cv::Mat& camera, double x, double y) {
+   if (camera.empty()) return;
+   // Pixels have their middle at whole numbers.
+   const cv::Mat scaled = (cv::Mat_<double>(3, 3) << x, 0, (x - 1) / 2, 0, y, (y - 1) / 2, 0, 0, 1);
+   camera = cv::Mat(scaled * camera);  // not in place: others share the matrix
 }
 
-RectifiedGeometry rectified_geometry(const Calibration& calibration) {
-   if (!calibration.q.empty()) return geometry_of_q(calibration.q);
-   if (!calibration.p1.empty() && !calibration.p2.empty() && calibration.p2.at<double>(0, 0) != 0)
-      return geometry_of_cameras(calibration.p1, calibration.p2,
-                                 calibration.p2.at<double>(0, 3) / calibration.p2.at<double>(0, 0), "P1 and P2");
-   if (!calibration.m1.empty() && !calibration.t.empty())
-      return geometry_of_cameras(calibration.m1, calibration.m2.empty() ? calibration.m1 : calibration.m2,
-                                 calibration.t.at<double>(0, 0), "M1 and T");
-   throw InputError("--calibration: has neither Q, nor P1 and P2, nor M1 and T, of which a rectified pair needs one");
+}  // namespace
+
+Calibration fitted_calibration(const Calibration& calibration, cv::Size images, cv::Size calibrated) {
+   if (!calibrated.empty() && !calibration.image_size.empty() && calibrated != calibration.image_size)
+      throw InputError("--calibrated-size " + size_text(calibrated) + ": the calibration says " +
+                       size_text(calibration.image_size));
+   const cv::Size from = calibrated.empty() ? calibration.image_size : calibrated;
+   if (from.empty() || from == images) return calibration;
+   const std::string sizes =
+       "the cameras were calibrated with images of " + size_text(from) + " but these are " + size_text(images);
+   if (calibrated.empty())
+      throw InputError("--calibration: " + sizes + "; give images of that size, or --calibrated-size " +
+                       size_text(from) + " where these are the same images scaled");
+   if (std::abs(double(images.width) * from.height - double(images.height) * from.width) > from.width)
+      throw InputError("--calibrated-size: " + sizes + ", which no scaling makes of them");
+   const double x = double(images.width) / from.width, y = double(images.height) / from.height;
+   Calibration scaled = calibration;
+   scaled.image_size = images;
+   for (cv::Mat* const camera : {&scaled.m1, &scaled.m2, &scaled.p1, &scaled.p2}) scale_camera(*camera, x, y);
+   if (!scaled.q.empty())
+      scaled.q = cv::Mat(scaled.q * (cv::Mat_<double>(4, 4) << 1 / x, 0, 0, (1 / x - 1) / 2, 0, 1 / y, 0,
+                                     (1 / y - 1) / 2, 0, 0, 1 / x, 0, 0, 0, 0, 1));
+   return scaled;
 }
 
 }  // namespace stereo::app

@@ -10,9 +10,10 @@ namespace stereo::app {
 /// What OpenCV's stereo_calib sample writes into intrinsics.yml (M1 D1 M2 D2) and extrinsics.yml (R T R1 R2 P1 P2 Q),
 /// in double precision; what a file lacks is empty. Lengths are in the unit of T, whatever that was at the calibration.
 struct Calibration {
-   cv::Mat m1, d1, m2, d2;  ///< 3x3 camera matrices in pixels; 1 to 14 distortion coefficients, none: no distortion
+   cv::Mat m1, d1, m2, d2;  ///< 3x3 camera matrices in pixels; 4, 5, 8, 12 or 14 distortion coefficients, or none
    cv::Mat r, t;            ///< 3x3 and 3x1: a point X of the left camera is R X + T to the right one
    cv::Mat p1, p2, q;       ///< 3x4, 3x4, 4x4: of the rectified pair
+   cv::Size image_size;     ///< of the images that the cameras were calibrated with; empty: the file does not say it
 };
 
 /// Reads a YAML, XML or JSON file of OpenCV's and, where the name is not empty, a second one, whose matrices replace
@@ -21,18 +22,10 @@ struct Calibration {
 Calibration load_calibration(const std::string& path, const std::string& extrinsics_path,
                              std::chrono::milliseconds limit = std::chrono::seconds(5));
 
-/// A rectified pair in space, lengths in the calibration's unit.
-struct RectifiedGeometry {
-   double focal_px = 0;          ///< above 0
-   double baseline = 0;          ///< above 0: the right camera stands to the right
-   double cx_px = 0, cy_px = 0;  ///< principal point of the left image
-   double cx_difference_px = 0;  ///< the left principal point's column minus the right one's: the disparity at infinity
-};
-
-/// Of images that are rectified already: from Q, else from P1 and P2, else from M1, M2 and T. Throws InputError.
-RectifiedGeometry rectified_geometry(const Calibration& calibration);
-/// Of a pair whose rows agree, which Q does not say. Throws InputError unless Q has a focal length and a baseline and
-/// its right camera stands to the right.
-RectifiedGeometry geometry_of_q(const cv::Mat& q);
+/// The calibration for images of another size: `calibrated` is the size that the user gives, empty for none; else the
+/// file's counts. Without a size, or where it is that of the images, the calibration itself. Throws InputError where
+/// the file says another size than the user, where only the file says one and the images have another, and where the
+/// images are no scaled ones.
+Calibration fitted_calibration(const Calibration& calibration, cv::Size images, cv::Size calibrated);
 
 }  // namespace stereo::app

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <opencv2/core.hpp>
 
 namespace stereo::app {
 namespace {
@@ -12,23 +14,23 @@ void append(std::string& bytes, float value) {
    for (int i = 0; i < 4; ++i) bytes += char(uint8_t(word >> (8 * i)));
 }
 
-bool is_known(const Point& point) { return point.z_m > 0; }
+bool is_known(const Point& point) { return point.z_m != 0; }
 
 }  // namespace
 
 std::vector<Point> points_of(const DisparityImage& disparity, Reference reference, const RectifiedGeometry& geometry,
                              double metres_per_unit) {
-   const double baseline_m = geometry.baseline * metres_per_unit;
    std::vector<Point> points(disparity.px.size(), Point{0, 0, 0});
    auto point = points.begin();
    for (int y = 0; y < disparity.height; ++y)
       for (int x = 0; x < disparity.width; ++x, ++point) {
-         const double found = double(disparity.at(x, y)), parallax = found - geometry.cx_difference_px;
-         if (!(parallax > 0)) continue;  // also where there is no disparity
-         const double left_x = reference == Reference::left ? x : x + found;
-         const double metres_per_px = baseline_m / parallax;
-         *point = {float((left_x - geometry.cx_px) * metres_per_px), float((y - geometry.cy_px) * metres_per_px),
-                   float(geometry.focal_px * metres_per_px)};
+         const double found = double(disparity.at(x, y));
+         if (!has_disparity(disparity.at(x, y))) continue;
+         const cv::Vec4d place = geometry.q * cv::Vec4d(reference == Reference::left ? x : x + found, y, found, 1);
+         if (!(place[3] > 0)) continue;
+         const auto metres = [&](int axis) { return float(place[axis] / place[3] * metres_per_unit); };
+         const Point there{metres(0), metres(1), metres(2)};
+         if (std::isfinite(there.x_m) && std::isfinite(there.y_m) && std::isfinite(there.z_m)) *point = there;
       }
    return points;
 }
@@ -36,17 +38,20 @@ std::vector<Point> points_of(const DisparityImage& disparity, Reference referenc
 cv::Mat depth_image(const std::vector<Point>& points, int width_px, int height_px) {
    cv::Mat_<uint16_t> image(height_px, width_px);
    std::transform(points.begin(), points.end(), image.begin(), [](const Point& point) {
-      const double mm = std::round(1000 * double(point.z_m));
+      const double mm = std::round(1000 * std::abs(double(point.z_m)));
       return mm <= kLargestDepthMm ? uint16_t(mm) : uint16_t(0);
    });
    return image;
 }
 
-std::string encode_ply(const std::vector<Point>& points, const cv::Mat& colors) {
+std::string axes_of(const RectifiedGeometry& geometry) {
+   return geometry.usual_axes() ? "x to the right, y down, z forward" : "the axes are those of the calibration's Q";
+}
+
+std::string encode_ply(const std::vector<Point>& points, const cv::Mat& colors, const std::string& axes) {
    std::string bytes =
-       "ply\nformat binary_little_endian 1.0\ncomment metres, seen from the rectified left camera: x to the "
-       "right, y down, z forward\nelement vertex " +
-       std::to_string(std::count_if(points.begin(), points.end(), is_known)) +
+       "ply\nformat binary_little_endian 1.0\ncomment metres, seen from the rectified left camera: " + axes +
+       "\nelement vertex " + std::to_string(std::count_if(points.begin(), points.end(), is_known)) +
        "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar "
        "green\nproperty uchar blue\nend_header\n";
    const int channels = colors.channels();

@@ -18,7 +18,12 @@
 namespace stereo::app {
 namespace {
 
-const RectifiedGeometry kGeometry{.focal_px = 500, .baseline = 100, .cx_px = 20, .cy_px = 10, .cx_difference_px = 0};
+/// 500 px of focal length, a baseline of 100, the principal point 20,10; `infinity`: the disparity there.
+RectifiedGeometry geometry_of(double infinity = 0) {
+   return {{1, 0, 0, -20, 0, 1, 0, -10, 0, 0, 0, 500, 0, 0, 0.01, -0.01 * infinity}};
+}
+const RectifiedGeometry kGeometry = geometry_of();
+const std::string kAxes = axes_of(kGeometry);
 
 TEST(Depth, IsFocalLengthTimesBaselineOverDisparity) {
    DisparityImage disparity(40, 20, 7);
@@ -47,8 +52,7 @@ TEST(Depth, OfTheRightImageIsSeenFromTheLeftCameraToo) {
 }
 
 TEST(Depth, CountsDisparitiesFromInfinity) {
-   RectifiedGeometry geometry = kGeometry;
-   geometry.cx_difference_px = 5;
+   const RectifiedGeometry geometry = geometry_of(5);
    const cv::Mat_<uint16_t> image =
        depth_image(points_of(DisparityImage(2, 1, 7), Reference::left, geometry, 0.001), 2, 1);
    EXPECT_EQ(image(0, 0), 25000) << "500 px * 100 mm / (7 - 5) px";
@@ -59,8 +63,9 @@ TEST(Depth, CloudHoldsWhatIsKnown) {
    disparity.at(1, 0) = kNoDisparity;
    const std::vector<Point> points = points_of(disparity, Reference::left, kGeometry, 0.001);
    const cv::Mat colors = (cv::Mat_<cv::Vec3b>(1, 3) << cv::Vec3b(1, 2, 3), cv::Vec3b(4, 5, 6), cv::Vec3b(7, 8, 9));
-   const std::string ply = encode_ply(points, colors);
+   const std::string ply = encode_ply(points, colors, kAxes);
    ASSERT_EQ(ply.find("ply\nformat binary_little_endian 1.0\n"), 0u);
+   EXPECT_NE(ply.find("left camera: x to the right, y down, z forward\n"), std::string::npos);
    EXPECT_NE(ply.find("element vertex 2\n"), std::string::npos);
    const std::size_t body = ply.find("end_header\n") + 11;
    ASSERT_EQ(ply.size() - body, 2u * 15u) << "three floats and three bytes a point";
@@ -69,7 +74,7 @@ TEST(Depth, CloudHoldsWhatIsKnown) {
    EXPECT_EQ(z, 10.0F);
    EXPECT_EQ(ply.substr(body + 12, 3), "\3\2\1") << "red first";
    EXPECT_EQ(ply.substr(body + 27, 3), "\11\10\7");
-   const std::string gray = encode_ply(points, (cv::Mat_<uint8_t>(1, 3) << 50, 60, 70));
+   const std::string gray = encode_ply(points, (cv::Mat_<uint8_t>(1, 3) << 50, 60, 70), kAxes);
    EXPECT_EQ(gray.substr(gray.size() - 3), "FFF");
 }
 
@@ -123,8 +128,8 @@ TEST(Rectification, UndoesTheTurnOfTheCameras) {
    EXPECT_LT(after->median_px, 0.5);
    EXPECT_GT(after->features, 50);
    EXPECT_EQ(rectification_warning(pair), "");
-   EXPECT_NEAR(rectification.geometry.baseline, kBaseline, 1e-9);
-   EXPECT_NEAR(rectification.geometry.cx_difference_px, 0, 1e-9);
+   EXPECT_NEAR(rectification.geometry.baseline(), kBaseline, 1e-9);
+   EXPECT_NEAR(rectification.geometry.cx_difference_px(), 0, 1e-9);
 }
 
 // The distances of the scene's pixels, from the truth in the rectified frame, against those from the turned cameras.
@@ -179,45 +184,6 @@ TEST(VerticalOffset, MeasuresAShift) {
    ASSERT_TRUE(offset);
    EXPECT_NEAR(offset->median_px, 5, 0.5);
    EXPECT_NE(rectification_warning({scene.left, lower}).find("5.0 rows apart"), std::string::npos);
-}
-
-std::string sentence(const Calibration& calibration) {
-   try {
-      rectified_geometry(calibration);
-   } catch (const InputError& problem) {
-      return problem.what();
-   }
-   return "";
-}
-
-TEST(RectifiedGeometry, IsTheSameFromQAndFromProjectionsAndFromCameras) {
-   Calibration cameras, projections, q;
-   cameras.m1 = camera(500, 21, 11);
-   cameras.m2 = camera(500, 18, 11);
-   cameras.t = (cv::Mat_<double>(3, 1) << -100, 0, 0);
-   projections.p1 = (cv::Mat_<double>(3, 4) << 500, 0, 21, 0, 0, 500, 11, 0, 0, 0, 1, 0);
-   projections.p2 = (cv::Mat_<double>(3, 4) << 500, 0, 18, -50000, 0, 500, 11, 0, 0, 0, 1, 0);
-   q.q = (cv::Mat_<double>(4, 4) << 1, 0, 0, -21, 0, 1, 0, -11, 0, 0, 0, 500, 0, 0, 0.01, -0.03);
-   for (const Calibration& calibration : {cameras, projections, q}) {
-      const RectifiedGeometry geometry = rectified_geometry(calibration);
-      EXPECT_NEAR(geometry.focal_px, 500, 1e-9);
-      EXPECT_NEAR(geometry.baseline, 100, 1e-9);
-      EXPECT_NEAR(geometry.cx_px, 21, 1e-9);
-      EXPECT_NEAR(geometry.cy_px, 11, 1e-9);
-      EXPECT_NEAR(geometry.cx_difference_px, 3, 1e-9);
-   }
-}
-
-TEST(RectifiedGeometry, RefusesWhatIsNone) {
-   Calibration calibration;
-   EXPECT_NE(sentence(calibration).find("neither Q, nor"), std::string::npos);
-   calibration.m1 = camera(500, 20, 10);
-   calibration.t = (cv::Mat_<double>(3, 1) << 100, 0, 0);
-   EXPECT_NE(sentence(calibration).find("exchange --left and --right"), std::string::npos);
-   calibration.t = cv::Mat::zeros(3, 1, CV_64F);
-   EXPECT_NE(sentence(calibration).find("lacks the focal length or the baseline"), std::string::npos);
-   calibration.q = cv::Mat::zeros(4, 4, CV_64F);
-   EXPECT_NE(sentence(calibration).find("lacks the focal length or the baseline"), std::string::npos);
 }
 
 }  // namespace

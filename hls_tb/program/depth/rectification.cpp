@@ -28,12 +28,7 @@ void require_camera(const char* name, const cv::Mat& camera, int width, int heig
    if (focal <= 0 || camera.at<double>(1, 1) <= 0 || x <= 0 || x >= width || y <= 0 || y >= height)
       throw InputError("--calibration: its " + std::string(name) + " does not belong to images of " +
                        size_text(width, height) + "; give images of the size that the cameras were calibrated with");
-}
-
-void require_rotation(const cv::Mat& r) {
-   constexpr double kRounding = 1e-3;
-   if (cv::norm(r * r.t(), cv::Mat::eye(3, 3, CV_64F), cv::NORM_INF) > kRounding || cv::determinant(r) < 0)
-      throw InputError("--calibration: its R is no rotation");
+   require_camera_matrix(name, camera);
 }
 
 }  // namespace
@@ -57,6 +52,9 @@ Rectification make_rectification(const Calibration& calibration, int width_px, i
    require_rotation(calibration.r);
    const cv::Size size(width_px, height_px);
    Rectification made;
+   for (const auto& [name, camera] :
+        {std::pair{"the left camera", calibration.m1}, {"the right camera", calibration.m2}})
+      made.warnings += principal_point_warning(name, camera.at<double>(0, 2), camera.at<double>(1, 2), size);
    try {
       cv::Mat r1, r2, p1, p2, q;
       cv::stereoRectify(calibration.m1, calibration.d1, calibration.m2, calibration.d2, size, calibration.r,

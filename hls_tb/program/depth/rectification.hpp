@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "program/depth/calibration.hpp"
+#include <string>
+
+#include "program/depth/rectified_geometry.hpp"
 
 namespace stereo::app {
 
@@ -10,6 +12,7 @@ namespace stereo::app {
 struct Rectification {
    cv::Mat left_x, left_y, right_x, right_y;  ///< maps of cv::remap
    RectifiedGeometry geometry;
+   std::string warnings;  ///< sentences that end with a line feed, or nothing
 
    /// Any number of channels.
    cv::Mat left(const cv::Mat& image) const;
