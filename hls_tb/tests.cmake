@@ -117,6 +117,7 @@ stereo_add_unit_tests(
   program/evaluation/truth_test.cpp
   program/io/child_process_test.cpp
   program/io/images_test.cpp
+  program/io/npy_test.cpp
   program/io/pfm_test.cpp
   program/rectification/map_table_test.cpp
   scene/scene_test.cpp

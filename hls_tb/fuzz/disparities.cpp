@@ -27,7 +27,7 @@ bool disparities(std::string_view bytes) {
    const MemoryFile file(bytes);
    bool taken = false;
    for (const double scale : {1.0, 4.0, 1e-6, 1e-300}) try {
-         const app::DisparityImage map = app::load_disparities("--truth-left", file.path(), scale);
+         const app::DisparityImage map = app::load_disparities("--truth-left", file.path(), {.scale = scale}).image;
          taken = true;
          check_map(map);
          if (map.px.size() <= kMostPixels) evaluate(map);

@@ -21,6 +21,7 @@
 #include "program/evaluation/truth.hpp"
 #include "program/io/disparity_files.hpp"
 #include "program/io/images.hpp"
+#include "program/io/match_files.hpp"
 #include "program/io/output_folder.hpp"
 
 namespace stereo::app {
@@ -28,7 +29,8 @@ namespace {
 
 struct Arguments {
    std::string left, right, truth_left, truth_right, json;
-   double truth_scale = 1, disparity_scale = 1;
+   std::string visible_left, visible_right;
+   std::optional<double> truth_scale, disparity_scale, unknown;
    int border_px = kIgnoredBorder;
    std::vector<std::string> configs, settings, opencv, disparities, references;
    int opencv_disparities = 0, opencv_block = 0;  ///< 0: as stored
@@ -57,11 +59,26 @@ void require_size(const DisparityImage& image, const GrayImage& wanted, const st
       throw InputError(what + ": is " + size_text(image) + " but the images are " + size_text(wanted));
 }
 
-std::optional<DisparityImage> load_truth(const std::string& option, const std::string& path, double scale,
-                                         const GrayImage& image) {
+/// `visible`: an image that is 0 where pixels do not count; then 0 is a true disparity, too.
+std::optional<DisparityImage> load_truth(const std::string& side, const std::string& path, const std::string& visible,
+                                         const Arguments& arguments, const GrayImage& image) {
+   const std::string option = "--truth-" + side;
+   if (path.empty() && !visible.empty()) throw InputError("--visible-" + side + " " + visible + ": needs " + option);
    if (path.empty()) return std::nullopt;
-   DisparityImage truth = load_disparities(option, path, scale);
+   const DisparityCoding coding{arguments.truth_scale, arguments.unknown, !visible.empty()};
+   auto [truth, scale, remark] = load_disparities(option, path, coding);
+   if (!remark.empty()) std::cout << remark << '\n';
    require_size(truth, image, option + " " + path);
+   if (!visible.empty()) {
+      const GrayImage mask = load_gray(visible);
+      if (!mask.same_size(image))
+         throw InputError("--visible-" + side + " " + visible + ": is " + size_text(mask) + " but the images are " +
+                          size_text(image));
+      for (std::size_t i = 0; i < truth.px.size(); ++i)
+         if (mask.pixels[i] == 0) truth.px[i] = kNoDisparity;
+   }
+   if (std::none_of(truth.px.begin(), truth.px.end(), has_disparity))
+      throw InputError(option + " " + path + ": none of its pixels has a true disparity");
    return truth;
 }
 
@@ -84,8 +101,8 @@ GroundTruth load(const Arguments& arguments) {
    truth.shown = shown_pair(pair, truth.bits);
    truth.seen =
        std::visit([&](const auto& images) { return AnyPair(seen_by(images, arguments.cameras, truth.bits)); }, pair);
-   truth.left = load_truth("--truth-left", arguments.truth_left, arguments.truth_scale, truth.shown.left);
-   truth.right = load_truth("--truth-right", arguments.truth_right, arguments.truth_scale, truth.shown.right);
+   truth.left = load_truth("left", arguments.truth_left, arguments.visible_left, arguments, truth.shown.left);
+   truth.right = load_truth("right", arguments.truth_right, arguments.visible_right, arguments, truth.shown.right);
    const auto address = [](const std::optional<DisparityImage>& image) { return image ? &*image : nullptr; };
    if (truth.left)
       truth.left_masks =
@@ -143,13 +160,25 @@ EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& argume
    return method;
 }
 
+/// `reference`: a word of the command line; empty where match.json says it.
 EvaluatedMethod evaluate_file(const std::string& path, const std::string& reference, const Arguments& arguments,
                               const GroundTruth& truth) {
-   const DisparityImage found = load_disparities("--disparity", path, arguments.disparity_scale);
-   require_size(found, truth.shown.left, "--disparity " + path);
-   EvaluatedMethod method{path, "file", reference_words().at(reference), {{"scale", arguments.disparity_scale}}};
+   const std::string name = "--disparity " + path;
+   EvaluatedMethod method{path, "file", Reference::left};
+   const auto own = load_own_map("--disparity", path, arguments.disparity_scale);
+   LoadedDisparities found =
+       own ? LoadedDisparities{own->image, own->scale, ""}
+           : load_disparities("--disparity", path, {.scale = arguments.disparity_scale, .unknown = arguments.unknown});
+   if (!own && reference.empty())
+      throw InputError(name + ": has no match.json of this program beside it; say its --reference, left or right");
+   method.reference = reference.empty() ? own->reference : reference_words().at(reference);
+   if (own && method.reference != own->reference)
+      throw InputError("--reference " + reference + ": match.json beside " + path + " says " + word_of(own->reference));
+   require_size(found.image, truth.shown.left, name);
+   method.parameters = {{"scale", found.scale}};
    method.milliseconds = kNoDisparity;
-   score(method, found, std::nullopt, truth);
+   score(method, found.image, std::nullopt, truth);
+   if (!found.remark.empty()) method.remarks.push_back(found.remark);
    return method;
 }
 
@@ -175,9 +204,9 @@ void write_json(const std::string& path, const nlohmann::json& json) {
 }
 
 void evaluate(Arguments arguments) {
-   if (arguments.disparities.size() != arguments.references.size())
+   if (!arguments.references.empty() && arguments.disparities.size() != arguments.references.size())
       throw InputError("--disparity: each of the " + std::to_string(arguments.disparities.size()) +
-                       " files needs its own --reference left or right, in the same order");
+                       " files needs its own --reference left or right, in the same order, or none does");
    if (arguments.configs.empty() && arguments.opencv.empty() && arguments.disparities.empty())
       throw InputError("evaluate: name what to evaluate with --config, --opencv or --disparity");
    if (arguments.configs.empty() && !arguments.settings.empty())
@@ -201,7 +230,8 @@ void evaluate(Arguments arguments) {
    for (const std::string& word : arguments.opencv)
       evaluation.methods.push_back(evaluate_opencv(word, arguments, truth));
    for (std::size_t i = 0; i < arguments.disparities.size(); ++i)
-      evaluation.methods.push_back(evaluate_file(arguments.disparities[i], arguments.references[i], arguments, truth));
+      evaluation.methods.push_back(evaluate_file(
+          arguments.disparities[i], arguments.references.empty() ? "" : arguments.references[i], arguments, truth));
    std::cout << evaluation_text(evaluation);
    if (!arguments.json.empty()) write_json(arguments.json, evaluation_json(evaluation));
 }
@@ -231,12 +261,13 @@ void add_methods(CLI::App& command, Arguments& arguments) {
        .add_option("--disparity", arguments.disparities,
                    "a result of the images' size: a file as --truth-left; repeat it")
        ->allow_extra_args(false);
-   command.add_option("--reference", arguments.references, "left or right, one for each --disparity")
+   command
+       .add_option("--reference", arguments.references,
+                   "left or right, one for each --disparity; needed unless match.json stands beside each")
        ->allow_extra_args(false)
        ->check(CLI::IsMember(&reference_words()));
    command.add_option("--disparity-scale", arguments.disparity_scale, "as --truth-scale, for --disparity")
-       ->check(check_positive_number)
-       ->capture_default_str();
+       ->check(check_positive_number);
 }
 
 }  // namespace
@@ -246,12 +277,19 @@ void add_evaluate(CLI::App& app) {
    CLI::App* command = app.add_subcommand("evaluate", "measure disparity maps beside ground truth");
    command->add_option("--left", arguments.left, "left image of the rectified pair")->required();
    command->add_option("--right", arguments.right, "right image")->required();
-   command->add_option("--truth-left", arguments.truth_left,
-                       "the left image's true disparities: PFM, 8 bits (0 unknown) or 16 bits as KITTI's");
+   command->add_option(
+       "--truth-left", arguments.truth_left,
+       "the left image's true disparities: PFM, float TIFF or .npy; 8 bits or 16 bits as KITTI's (0 unknown)");
    command->add_option("--truth-right", arguments.truth_right, "the right image's");
-   command->add_option("--truth-scale", arguments.truth_scale, "grey levels a pixel of 8-bit truth")
-       ->check(check_positive_number)
-       ->capture_default_str();
+   command
+       ->add_option("--truth-scale", arguments.truth_scale,
+                    "values a pixel of the truth; default: 256 of 16 bits as KITTI's, else 1")
+       ->check(check_positive_number);
+   command->add_option("--visible-left", arguments.visible_left,
+                       "image whose left pixels count where not 0; then 0 is a true disparity, too");
+   command->add_option("--visible-right", arguments.visible_right, "the right image's");
+   command->add_option("--unknown", arguments.unknown,
+                       "a value in files of disparities that stands for none, such as -1; what is not finite does");
    command->add_option("--border", arguments.border_px, "pixels at each side of the images that do not count")
        ->check(CLI::Range(0, 10000))
        ->capture_default_str();

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
 #include "program/commands/checks.hpp"
@@ -20,6 +22,7 @@
 #include "program/evaluation/truth.hpp"
 #include "program/io/disparity_files.hpp"
 #include "program/io/images.hpp"
+#include "program/io/match_files.hpp"
 #include "program/io/output_folder.hpp"
 #include "program/io/overview.hpp"
 
@@ -30,12 +33,25 @@ struct Arguments {
    std::string config, left, right, out;
    std::vector<std::string> settings;
    std::string truth, visible;  ///< the reference image's true disparities, and what counts of them
-   double truth_scale = 1;
+   std::optional<double> truth_scale, unknown;
+   std::vector<std::string> formats;  ///< of kFormats
    Postprocessing postprocessing;
    Engine engine = Engine::fast;
    Fit fit = Fit::none;
    int threads = 1;
 };
+
+struct Format {
+   const char* file;
+   std::string (*encode)(const DisparityImage&);
+};
+/// {word of --write: what is written}
+const std::map<std::string, Format> kFormats{{"pfm", {kPfmName, encode_pfm}},
+                                             {"kitti", {kKittiName, encode_kitti_png}}};
+
+bool wants(const Arguments& arguments, const std::string& format) {
+   return std::find(arguments.formats.begin(), arguments.formats.end(), format) != arguments.formats.end();
+}
 
 /// The pair at the size that is matched.
 template <class Pair>
@@ -52,11 +68,17 @@ Pair sized_pair(Pair pair, const Arguments& arguments, const Configuration& conf
 
 std::string line_of(const std::string& remark) { return remark.empty() ? "" : remark + "\n"; }
 
-TruthScore load_and_score(const Arguments& arguments, const DisparityMap& map, const MapGeometry& geometry,
-                          const GrayImage& reference, DisparityRange range) {
+struct LoadedScore {
+   TruthScore counts;
+   double scale;  ///< of the truth
+};
+
+LoadedScore load_and_score(const Arguments& arguments, const DisparityMap& map, const MapGeometry& geometry,
+                           const GrayImage& reference, DisparityRange range) {
    // Which pixels count is said in one place: by --visible, else by the pixels of the truth that are not 0.
    const bool has_visible = !arguments.visible.empty();
-   const DisparityImage truth = load_disparities("--truth", arguments.truth, arguments.truth_scale, has_visible);
+   const auto [truth, scale, remark] =
+       load_disparities("--truth", arguments.truth, {arguments.truth_scale, arguments.unknown, has_visible});
    const GrayImage visible =
        has_visible ? load_gray(arguments.visible) : GrayImage(reference.width, reference.height, 255);
    const auto require_size = [&](const std::string& option, const auto& image) {
@@ -66,8 +88,8 @@ TruthScore load_and_score(const Arguments& arguments, const DisparityMap& map, c
    };
    require_size("--truth " + arguments.truth, truth);
    require_size("--visible " + arguments.visible, visible);
-   std::cout << line_of(range_remark(arguments.config, truth, range));
-   return score_against_truth(map, geometry, truth, visible);
+   std::cout << line_of(remark) << line_of(range_remark(arguments.config, truth, range));
+   return {score_against_truth(map, geometry, truth, visible), scale};
 }
 
 const char* fit_word(Fit fit) { return fit == Fit::crop ? "crop" : fit == Fit::resize ? "resize" : "none"; }
@@ -88,7 +110,7 @@ void add_matching(Facts& facts, const Arguments& arguments, const DisparityMap& 
    const bool fast = arguments.engine == Engine::fast;
    const MapGeometry geometry = algorithm.map_geometry(pair.left.width);
    facts.json = options_json(algorithm.options());
-   facts.json.update({{"format", "stereo-hls match 1"},
+   facts.json.update({{"format", kFactsFormat},
                       {"config", arguments.config},
                       {"engine", word_of(arguments.engine)},
                       {"left", arguments.left},
@@ -112,9 +134,10 @@ void add_matching(Facts& facts, const Arguments& arguments, const DisparityMap& 
       facts.text << "valid pixels: " << 100 * density(map) << " %\n";
 }
 
-void add_truth(Facts& facts, const Arguments& arguments, const TruthScore& truth) {
-   facts.json["truth"] = {{"disparity", arguments.truth},       {"scale", arguments.truth_scale}, {"visible", nullptr},
-                          {"tolerance_px", kBadPixelTolerance}, {"compared_px", truth.compared},  {"bad_px", truth.bad},
+void add_truth(Facts& facts, const Arguments& arguments, const LoadedScore& score) {
+   const TruthScore& truth = score.counts;
+   facts.json["truth"] = {{"disparity", arguments.truth},       {"scale", score.scale},          {"visible", nullptr},
+                          {"tolerance_px", kBadPixelTolerance}, {"compared_px", truth.compared}, {"bad_px", truth.bad},
                           {"invalid_px", truth.invalid}};
    const bool has_visible = !arguments.visible.empty();
    if (has_visible) facts.json["truth"]["visible"] = arguments.visible;
@@ -144,17 +167,24 @@ void match_pair(const Arguments& arguments, const Algorithm& algorithm, const Pa
       add_truth(facts, arguments, load_and_score(arguments, map, geometry, reference, range_of(algorithm)));
 
    OutputFolder out(arguments.out);
-   out.add("disparity.png", encode_png(map));
+   out.add(kMapName, encode_png(map));
    out.add("disparity_color.png", encode_color_png(map, geometry.disparities));
    const std::vector<std::string> inputs{arguments.left, arguments.right, arguments.truth, arguments.visible};
    if (geometry.has_check || arguments.postprocessing.rejects())
-      out.add("valid.png", encode_valid_png(map), OutputFolder::Runs::some);
-   else out.leave_out("valid.png", inputs);
+      out.add(kValidName, encode_valid_png(map), OutputFolder::Runs::some);
+   else out.leave_out(kValidName, inputs);
    if (arguments.postprocessing.wants_confidence)
       out.add("confidence.png", encode_png(*confidence), OutputFolder::Runs::some);
    else out.leave_out("confidence.png", inputs);
+   for (const auto& [word, format] : kFormats) {
+      if (!wants(arguments, word)) out.leave_out(format.file, inputs);
+      else out.add(format.file, format.encode(at_image_size(map, geometry, pair.left.width)), OutputFolder::Runs::some);
+   }
+   if (const int lost = beyond_kitti(at_image_size(map, geometry, pair.left.width));
+       wants(arguments, "kitti") && lost > 0)
+      facts.text << kKittiName << " leaves " << lost << " disparities out, which its 16 bits cannot hold\n";
    out.add("overview.png", encode_overview_png(pair, map, geometry));
-   out.add_json("match.json", facts.json);
+   out.add_json(kFactsName, facts.json);
    std::cout << facts.text.str();
    out.commit();
 }
@@ -189,12 +219,21 @@ void add_match(CLI::App& app) {
    add_postprocessing_options(*command, arguments.postprocessing);
    command->add_flag("--confidence", arguments.postprocessing.wants_confidence,
                      "also write confidence.png: 255 for the surest disparities, 0 for those without any");
+   command
+       ->add_option("--write", arguments.formats,
+                    "also the map at the size of the image: pfm (disparity.pfm, infinite where there is none) or kitti "
+                    "(disparity_kitti.png, 16 bits, 0 where there is none); repeat it")
+       ->allow_extra_args(false)
+       ->check(CLI::IsMember(&kFormats));
    CLI::Option* truth = command->add_option(
        "--truth", arguments.truth,
-       "true disparities of the reference image: count bad pixels; PFM, 8 bits (0 unknown) or 16 bits as KITTI's");
-   command->add_option("--truth-scale", arguments.truth_scale, "grey levels a pixel of 8-bit truth")
+       "true disparities of the reference image: count bad pixels; a file as --truth-left of evaluate");
+   command
+       ->add_option("--truth-scale", arguments.truth_scale,
+                    "values a pixel of the truth; default: 256 of 16 bits as KITTI's, else 1")
        ->check(check_positive_number)
-       ->capture_default_str()
+       ->needs(truth);
+   command->add_option("--unknown", arguments.unknown, "a value of the truth that stands for none, such as -1")
        ->needs(truth);
    command
        ->add_option("--visible", arguments.visible,

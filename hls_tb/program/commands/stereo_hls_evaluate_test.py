@@ -36,6 +36,37 @@ def png16(path, value, width=WIDTH, height=HEIGHT):
     return path
 
 
+def npy(path, value, width=WIDTH, height=HEIGHT):
+    """As numpy.save writes an array of float32."""
+    header = f"{{'descr': '<f4', 'fortran_order': False, 'shape': ({height}, {width}), }}".ljust(117) + "\n"
+    values = (value(x, y) for y in range(height) for x in range(width))
+    body = struct.pack(f"<{width * height}f", *values)
+    path.write_bytes(b"\x93NUMPY\1\0" + struct.pack("<H", len(header)) + header.encode() + body)
+    return path
+
+
+def float_tiff(path, value, width=WIDTH, height=HEIGHT):
+    """A grey TIFF of 32-bit floats in one strip."""
+    pixels = struct.pack(f"<{width * height}f", *(value(x, y) for y in range(height) for x in range(width)))
+    long, short, start = 4, 3, 8
+    tags = [
+        (256, long, width),
+        (257, long, height),
+        (258, short, 32),
+        (259, short, 1),
+        (262, short, 1),
+        (273, long, start),
+        (277, short, 1),
+        (278, long, height),
+        (279, long, len(pixels)),
+        (339, short, 3),
+    ]
+    entries = b"".join(struct.pack("<HHII", tag, kind, 1, number) for tag, kind, number in tags)
+    directory = struct.pack("<H", len(tags)) + entries + struct.pack("<I", 0)
+    path.write_bytes(b"II*\0" + struct.pack("<I", start + len(pixels)) + pixels + directory)
+    return path
+
+
 @pytest.fixture
 def evaluate(pair, tmp_path):
     return ["evaluate", *pair, "--border", 0, "--json", tmp_path / "e.json"]
@@ -71,23 +102,177 @@ def test_a_map_of_known_errors(tmp_path, evaluate, pair):
     assert f"{100 * 3 / known:.2f}" in out, "bad 1 with invalid pixels as bad"
 
 
-@pytest.mark.parametrize("kind", ["pfm", "pgm", "ppm", "png16"])
+@pytest.mark.parametrize("kind", ["pfm", "pgm", "ppm", "png16", "npy", "tiff"])
 def test_every_kind_of_truth_says_the_same(tmp_path, evaluate, kind):
     value = lambda x, y: 0 if (x + y) % 5 == 0 else 2 + (x + 3 * y) % 9 / 4  # noqa: E731, 0: unknown
     truth, found = tmp_path / f"truth.{kind}", pfm(tmp_path / "found.pfm", lambda x, y: 3)
     if kind == "pfm":
         pfm(truth, lambda x, y: value(x, y) or float("inf"))
+    elif kind in ("npy", "tiff"):
+        {"npy": npy, "tiff": float_tiff}[kind](truth, lambda x, y: value(x, y) or float("nan"))
     elif kind in ("pgm", "ppm"):
         write = {"pgm": gray_image, "ppm": gray_as_colour}[kind]
         write(truth, lambda x, y: round(4 * value(x, y)))
     else:
         truth = png16(tmp_path / "truth.png", lambda x, y: round(256 * value(x, y)))
+    scale = ["--truth-scale", 4] if kind in ("pgm", "ppm") else []
     _, [method] = results(
-        tmp_path, *evaluate, "--truth-left", truth, "--truth-scale", 4, "--disparity", found, "--reference", "left"
+        tmp_path, *evaluate, "--truth-left", truth, *scale, "--disparity", found, "--reference", "left"
     )
     errors = [abs(3 - value(x, y)) for x in range(WIDTH) for y in range(HEIGHT) if value(x, y) != 0]
     mask = method["masks"]["all"]
     assert mask["pixels"] == len(errors) and mask["avg_px"] == pytest.approx(sum(errors) / len(errors), abs=1e-6)
+
+
+KINDS = {"pfm": pfm, "npy": npy, "tiff": float_tiff, "png": png16, "pgm": gray_image}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("scale", [2, 16, 0.5, 100])
+def test_a_given_scale_is_used_whatever_the_file(tmp_path, evaluate, kind, scale):
+    """Of the truth and of a result; the JSON has the scale that was used."""
+    stored = KINDS[kind](tmp_path / f"s.{kind}", lambda x, y: 40)
+    plain = pfm(tmp_path / "p.pfm", lambda x, y: 40 / scale + 0.25)
+    words = ["--disparity", stored, "--reference", "left", "--disparity-scale", scale]
+    _, [method] = results(tmp_path, *evaluate, "--truth-left", plain, *words)
+    assert method["parameters"] == {"scale": scale}
+    assert method["masks"]["all"]["avg_px"] == pytest.approx(0.25, abs=1e-4)
+    words = ["--truth-scale", scale, "--disparity", plain, "--reference", "left"]
+    _, [method] = results(tmp_path, *evaluate, "--truth-left", stored, *words)
+    assert method["parameters"] == {"scale": 1}
+    assert method["masks"]["all"]["avg_px"] == pytest.approx(0.25, abs=1e-4)
+
+
+@pytest.mark.parametrize("kind, scale", [("png", 256), ("pgm", 1), ("pfm", 1), ("npy", 1), ("tiff", 1)])
+def test_the_scale_that_was_used_is_recorded(tmp_path, evaluate, kind, scale):
+    stored = KINDS[kind](tmp_path / f"s.{kind}", lambda x, y: 5 * scale)
+    truth = pfm(tmp_path / "p.pfm", lambda x, y: 5)
+    words = ["--truth-left", truth, "--disparity", stored, "--reference", "left"]
+    _, [method] = results(tmp_path, *evaluate, *words)
+    assert method["parameters"] == {"scale": scale} and method["masks"]["all"]["avg_px"] == 0
+
+
+@pytest.mark.parametrize("kind", ["pfm", "npy", "tiff"])
+@pytest.mark.parametrize("mark", [float("nan"), float("inf"), float("-inf"), -1, -9999, 1e9])
+def test_values_that_stand_for_unknown(tmp_path, evaluate, kind, mark):
+    truth = KINDS[kind](tmp_path / f"t.{kind}", lambda x, y: mark if x < 3 else 5)
+    found = pfm(tmp_path / "found.pfm", lambda x, y: 5)
+    words = ["--truth-left", truth, "--disparity", found, "--reference", "left"]
+    said = ["--unknown", mark] if abs(mark) < float("inf") else []
+    out, [method] = results(tmp_path, *evaluate, *words, *said)
+    assert method["masks"]["all"]["pixels"] == (WIDTH - 3) * HEIGHT and method["masks"]["all"]["avg_px"] == 0
+    assert "unknown" not in out
+    if mark == 1e9:
+        fail(tmp_path, *evaluate, *words, says=["0,", "is no disparity", "--unknown"])
+    elif said:
+        out, [method] = results(tmp_path, *evaluate, *words)
+        assert method["masks"]["all"]["pixels"] == WIDTH * HEIGHT
+        assert (f"{3 * HEIGHT} pixels are -1: are they unknown? Then give --unknown -1" in out) == (mark == -1)
+    # A result's, too.
+    words = ["--truth-left", found, "--disparity", truth, "--reference", "left"]
+    _, [method] = results(tmp_path, *evaluate, *words, *said)
+    assert method["masks"]["all"]["density"] == pytest.approx((WIDTH - 3) / WIDTH)
+
+
+def test_a_mask_says_which_truth_counts(tmp_path, evaluate):
+    mask = gray_image(tmp_path / "m.pgm", lambda x, y: 0 if x < 4 else 128 + x)
+    truth = gray_image(tmp_path / "t.pgm", lambda x, y: 0 if x % 2 == 0 else 9)
+    found = pfm(tmp_path / "found.pfm", lambda x, y: 0 if x % 2 == 0 else 9)
+    for side in ("left", "right"):
+        words = [f"--truth-{side}", truth, "--disparity", found, "--reference", side]
+        _, [method] = results(tmp_path, *evaluate, *words)
+        assert method["masks"]["all"]["pixels"] == WIDTH // 2 * HEIGHT, "0: unknown"
+        _, [method] = results(tmp_path, *evaluate, *words, f"--visible-{side}", mask)
+        assert method["masks"]["all"]["pixels"] == (WIDTH - 4) * HEIGHT, "0 is a disparity, too"
+        assert method["masks"]["all"]["avg_px"] == 0
+        other = {"left": "right", "right": "left"}[side]
+        fail(tmp_path, *evaluate, *words, f"--visible-{other}", mask, says=[f"needs --truth-{other}"])
+        wide = write_image(tmp_path / "w.pgm", WIDTH + 1)
+        fail(tmp_path, *evaluate, *words, f"--visible-{side}", wide, says=[f"--visible-{side}", "33x12", "32x12"])
+
+
+def own_maps(tmp_path, config, settings, write=("pfm", "kitti")):
+    """What match writes of a shifted pair, and the arguments to evaluate it."""
+    pair = shifted_pair(tmp_path, width=60, height=30)
+    images = pair[1:5]
+    written = [word for kind in write for word in ("--write", kind)]
+    out = succeed("match", "--config", config, *settings, *images, *written, "--out", tmp_path / "out")
+    names = {"disparity.png", "disparity_color.png", "overview.png", "match.json"}
+    names |= {{"pfm": "disparity.pfm", "kitti": "disparity_kitti.png"}[kind] for kind in write}
+    assert {p.name for p in (tmp_path / "out").iterdir()} - {"valid.png"} == names
+    return out, [*pair, "--border", 0]
+
+
+@pytest.mark.parametrize(
+    "config, settings",
+    [
+        ("tiny", []),
+        ("tiny", ["subpixel=true", "reference=left", "left_right_threshold=1"]),
+        ("study", ["min_disparity=2", "subpixel=true"]),
+        ("study", ["min_disparity=-3", "reference=right"]),
+        ("tiny_sgm", ["subpixel=true", "full_width=true", "left_right_threshold=0"]),
+    ],
+)
+def test_what_match_writes_is_read_back_without_options(tmp_path, config, settings):
+    """The measures of the configuration itself, from each of its files."""
+    settings = [word for setting in settings for word in ("--set", setting)]
+    _, pair = own_maps(tmp_path, config, settings)
+    files = [tmp_path / "out" / name for name in ("disparity.png", "disparity.pfm", "disparity_kitti.png")]
+    words = [word for file in files for word in ("--disparity", file)]
+    _, [core, *maps] = results(tmp_path, *pair, "--config", config, *settings, *words)
+    facts = json.loads((tmp_path / "out" / "match.json").read_text())
+    assert [m["parameters"]["scale"] for m in maps] == [facts["disparity_steps_per_px"], 1, 256]
+    assert core["masks"]["all"]["density"] > 0.3
+    for method in maps:
+        assert method["reference"] == core["reference"] and "searchable" not in method["masks"]
+        for mask, measures in method["masks"].items():
+            if method["name"].endswith("kitti.png") and ("min_disparity=-3" in settings or "tiny" in config):
+                continue  # 0 is 1/256 there, what is below 0 is lost
+            assert measures == core["masks"][mask], (method["name"], mask)
+
+
+def test_kitti_has_1_for_0_and_0_for_none(tmp_path):
+    """The truth is 0 ... 3: pixels of 0 stay known."""
+    pair = shifted_pair(tmp_path, shift=0, width=60, height=30)
+    succeed("match", "--config", "tiny", *pair[1:5], "--write", "kitti", "--out", tmp_path / "out")
+    words = ["--disparity", tmp_path / "out" / "disparity_kitti.png", "--border", 0]
+    _, [method] = results(tmp_path, *pair, *words)
+    assert method["masks"]["all"]["density"] == pytest.approx((60 - DISPARITIES) / 60)
+    assert method["masks"]["all"]["avg_px"] == pytest.approx(1 / 256)
+
+
+def test_disparities_that_kitti_cannot_hold_are_said(tmp_path):
+    """Below 0, as of exchanged images. The PFM has them."""
+    pair = shifted_pair(tmp_path, width=60, height=30)
+    exchanged = ["--left", pair[4], "--right", pair[2], "--config", "study", "--set", "min_disparity=-8"]
+    words = ["--write", "kitti", "--write", "pfm", "--out", tmp_path / "out"]
+    out = succeed("match", *exchanged, *words)
+    held = [
+        float(v) for (v,) in struct.iter_unpack("<f", (tmp_path / "out" / "disparity.pfm").read_bytes()[-4 * 1800 :])
+    ]
+    negative = sum(v < 0 for v in held)
+    assert negative > 500 and f"disparity_kitti.png leaves {negative} disparities out" in out
+
+
+def test_own_maps_that_do_not_fit_their_json(tmp_path):
+    _, pair = own_maps(tmp_path, "tiny", [], write=("pfm",))
+    own = tmp_path / "out" / "disparity.png"
+    fail(tmp_path, *pair, "--disparity", own, "--reference", "left", says=["--reference left", "says right"])
+    _, [method] = results(tmp_path, *pair, "--disparity", own, "--reference", "right", "--disparity-scale", 2)
+    assert method["parameters"] == {"scale": 2} and method["masks"]["all"]["avg_px"] == pytest.approx(1.5)
+    own.write_bytes((tmp_path / "ls.pgm").read_bytes())
+    fail(tmp_path, *pair, "--disparity", own, says=["disparity.png", "match.json"])
+    (tmp_path / "out" / "match.json").write_text('{"format": "stereo-hls match 1"}')
+    fail(tmp_path, *pair, "--disparity", own, says=["disparity.png", "--reference"])
+    fail(tmp_path, *pair, "--disparity", tmp_path / "shift.pfm", says=["shift.pfm", "--reference"])
+
+
+def test_maps_that_only_some_runs_write(tmp_path):
+    pair = own_maps(tmp_path, "tiny", [])[1]
+    own_maps(tmp_path, "tiny", [], write=("pfm",))
+    own_maps(tmp_path, "tiny", [], write=())
+    match = ["match", "--config", "tiny", *pair[1:5], "--out", tmp_path / "out"]
+    fail(tmp_path, *match, "--write", "exr", says=["--write", "exr"])
 
 
 def shifted_pair(tmp_path, shift=3, width=WIDTH, height=HEIGHT):
@@ -264,7 +449,8 @@ def test_wrong_usage(tmp_path, evaluate, arguments, says):
         (b"Pf\n60000 60000\n-1\nxxxx", "14400000000"),
         (b"Pf\n0 12\n-1\n", "width of 0"),
         (b"PF\n32 12\n-1\n", "colour"),
-        (b"Pf\n32 12\n-1\n" + struct.pack("<f", float("nan")) * 384, "0,11 is no disparity"),
+        (b"Pf\n32 12\n-1\n" + struct.pack("<f", float("nan")) * 384, "none of its pixels has a true disparity"),
+        (b"Pf\n32 12\n-1\n" + struct.pack("<f", 1e30) * 384, "is no disparity"),
     ],
 )
 def test_hostile_pfm(tmp_path, evaluate, content, says):

@@ -219,11 +219,12 @@ def test_truth_needs_no_visible_pixels(tmp_path, match, kind):
     else:
         rows = [struct.pack(f"<{WIDTH}f", *(value(x, y) or float("inf") for x in range(WIDTH))) for y in range(HEIGHT)]
         truth.write_bytes(f"Pf\n{WIDTH} {HEIGHT}\n-1\n".encode() + b"".join(reversed(rows)))
-    out = succeed(*match, "--truth", truth, "--truth-scale", 16)
+    scale = [] if kind == "pfm" else ["--truth-scale", 16]
+    out = succeed(*match, "--truth", truth, *scale)
     columns = WIDTH - DISPARITIES
     assert f"{columns} of {columns * (HEIGHT - 1)} with a true disparity (9.09 %)" in out
     facts = match_facts(tmp_path)["truth"]
-    assert facts["visible"] is None and facts["scale"] == 16
+    assert facts["visible"] is None and facts["scale"] == (1 if kind == "pfm" else 16)
     assert (facts["compared_px"], facts["bad_px"]) == (columns * (HEIGHT - 1), columns)
 
 

@@ -51,14 +51,6 @@ float float_at(std::string_view bytes, std::size_t offset, bool little_endian) {
    return std::bit_cast<float>(word);
 }
 
-float disparity_of(float value, int x, int y) {
-   if (std::isinf(value)) return kNoDisparity;
-   if (std::isnan(value) || std::abs(value) > kLargestDisparity)
-      refuse("its pixel " + std::to_string(x) + "," + std::to_string(y) +
-             " is no disparity; unknown ones are infinite");
-   return value;
-}
-
 }  // namespace
 
 DisparityImage parse_pfm(std::string_view bytes) {
@@ -76,8 +68,7 @@ DisparityImage parse_pfm(std::string_view bytes) {
    DisparityImage image(width, height);
    std::size_t offset = 0;
    for (int y = height - 1; y >= 0; --y)
-      for (int x = 0; x < width; ++x, offset += 4)
-         image.at(x, y) = disparity_of(float_at(rest, offset, scale < 0), x, y);
+      for (int x = 0; x < width; ++x, offset += 4) image.at(x, y) = float_at(rest, offset, scale < 0);
    return image;
 }
 

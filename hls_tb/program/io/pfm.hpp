@@ -12,7 +12,7 @@ inline constexpr float kLargestDisparity = 65536.0F;  ///< either side of 0; bey
 
 /// Reads a grey Portable Float Map as Middlebury's stereo benchmark writes them: "Pf", width, height, a scale whose
 /// sign gives the byte order (negative: little endian) and whose size is ignored as the benchmark ignores it, one byte
-/// of white space, then 32-bit floats from the bottom row up. Infinity: unknown. Any bytes are safe. Throws
+/// of white space, then 32-bit floats from the bottom row up, as they are stored. Any bytes are safe. Throws
 /// std::invalid_argument with one sentence, without a file name.
 DisparityImage parse_pfm(std::string_view bytes);
 
