@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from stereo_hls_program import HEIGHT, WIDTH, fail, png_size, succeed, write_image
+from stereo_hls_program import HEIGHT, WIDTH, changed, fail, png_size, succeed, write_image
 
 FRAMES = 4
 
@@ -54,6 +54,47 @@ def test_folders_to_a_folder(tmp_path, video, cameras):
     succeed(*video, "--left", tmp_path / "alone" / "l", "--right", tmp_path / "alone" / "r")
     assert names(tmp_path / "one") == ["frame_000000.png"]
     assert (tmp_path / "one" / "frame_000000.png").read_bytes() == (tmp_path / "out" / "frame_000002.png").read_bytes()
+
+
+def test_missing_frames_move_none(tmp_path, video, cameras):
+    """Different ones of each camera: the others are paired as before."""
+    succeed(*video, *cameras)
+    all_frames = [(tmp_path / "out" / name).read_bytes() for name in names(tmp_path / "out")]
+    (tmp_path / "l" / "001.pgm").unlink()
+    (tmp_path / "r" / "002.pgm").unlink()
+    out = succeed(*video, *cameras)
+    assert "warning: 1 frame of --left without a partner in --right, left out: 002.pgm\n" in out
+    assert "warning: 1 frame of --right without a partner in --left, left out: 001.pgm\n" in out
+    assert [p.read_bytes() for p in sorted((tmp_path / "out").iterdir())] == [all_frames[0], all_frames[3]]
+
+
+def test_frames_are_paired_by_their_numbers(tmp_path, video):
+    """1 ... 12 and 001 ... 012, in the order of numbers; hidden files are no frames."""
+    cameras = ["--left", folder(tmp_path, "l", 12), "--right", folder(tmp_path, "r", 12)]
+    succeed(*video, *cameras)
+    wanted = [(tmp_path / "out" / name).read_bytes() for name in names(tmp_path / "out")]
+    for number in range(12):
+        (tmp_path / "l" / f"{number:03}.pgm").rename(tmp_path / "l" / f"{number}.pgm")
+    write_image(tmp_path / "l" / "._0.pgm")
+    (tmp_path / "r" / ".hidden.pgm").write_bytes(b"no image")
+    assert "warning" not in succeed(*video, *cameras)
+    assert [(tmp_path / "out" / name).read_bytes() for name in names(tmp_path / "out")] == wanted
+    both = tmp_path / "both"
+    both.mkdir()
+    for number in range(12):
+        write_image(both / f"{number}.pgm", 2 * WIDTH, seed=number)
+    succeed(*video, "--side-by-side", both)
+    unpadded = [(tmp_path / "out" / name).read_bytes() for name in names(tmp_path / "out")]
+    for number in range(12):
+        (both / f"{number}.pgm").rename(both / f"{number:02}.pgm")
+    succeed(*video, "--side-by-side", both)
+    assert [(tmp_path / "out" / name).read_bytes() for name in names(tmp_path / "out")] == unpadded
+
+
+def test_folders_with_nothing_in_common(tmp_path, video, cameras):
+    for number in range(FRAMES):
+        (tmp_path / "r" / f"{number:03}.pgm").rename(tmp_path / "r" / f"{number + 90}.pgm")
+    fail(tmp_path, *video, *cameras, says=["--left", "--right", "no frame of one", "000.pgm and 90.pgm"])
 
 
 def test_speckles_and_confidence(tmp_path, video, cameras):
@@ -170,7 +211,9 @@ def test_a_frame_that_cannot_be_read(tmp_path, video):
 def test_frames_that_do_not_fit(tmp_path, video, cameras, sink):
     """Nothing is left of a result that was begun."""
     video[video.index("--out") + 1] = tmp_path / "made" / "deep" / sink
-    fewer = folder(tmp_path, "fewer", FRAMES - 1)
+    fewer = tmp_path / "fewer.avi"
+    short = [folder(tmp_path, "s", FRAMES - 1, width=WIDTH // 2), folder(tmp_path, "t", FRAMES - 1, width=WIDTH // 2)]
+    succeed(*changed(video, "--out", fewer), "--left", short[0], "--right", short[1], "--set", "disparities=4")
     fail(tmp_path, *video, *cameras[:3], fewer, says=["--right", f"after {FRAMES - 1} frames"])
     fail(tmp_path, *video, "--left", fewer, *cameras[2:], says=["--left", f"after {FRAMES - 1} frames"])
     fail(

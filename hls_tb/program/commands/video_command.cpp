@@ -36,7 +36,7 @@ PairSource open_pair(const Arguments& arguments, int bits) {
    if (!arguments.side_by_side.empty()) return PairSource(open_frames("--side-by-side", arguments.side_by_side, bits));
    if (arguments.left.empty() || arguments.right.empty())
       throw InputError("video: give --left and --right, or --side-by-side");
-   return {open_frames("--left", arguments.left, bits), open_frames("--right", arguments.right, bits)};
+   return open_cameras(arguments.left, arguments.right, bits);
 }
 
 cv::Mat in_color(const cv::Mat& frame) {

@@ -18,8 +18,8 @@ class FrameSource {
    virtual double frames_per_second() const { return 0; }
 };
 
-/// A folder of images, in the order of their names and with grey values of up to `bits` bits, or a video file, which
-/// has 8. Throws InputError, which names the option, when there is nothing to read.
+/// A folder of images, in the order of the numbers in their names and with grey values of up to `bits` bits, or a video
+/// file, which has 8. Throws InputError, which names the option, when there is nothing to read.
 std::unique_ptr<FrameSource> open_frames(const std::string& option, const std::string& path, int bits);
 
 struct FramePair {
@@ -44,5 +44,9 @@ class PairSource {
    std::unique_ptr<FrameSource> left_, right_;  ///< right_ is null for side by side
    int taken_ = 0;
 };
+
+/// Of --left and --right. Two folders are paired by the numbers and names of their images (frame_names.hpp), and stdout
+/// says which have no partner; others frame by frame. Throws InputError.
+PairSource open_cameras(const std::string& left, const std::string& right, int bits);
 
 }  // namespace stereo::app
