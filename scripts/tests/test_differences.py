@@ -156,6 +156,14 @@ def test_the_prover_takes_the_file_for_the_same(tmp_path):
     assert clock == 3
 
 
+def test_random_inputs_find_what_shows_and_prove_nothing(held, tmp_path):
+    need("yosys-abc", "YOSYS_ABC")
+    assert aiger.simulate("read x.aig", _written(held, tmp_path), 1) == (False, "")
+    shown = Graph(held.inputs, [2, *held.registers[1:]], held.outputs, held.gates)
+    answer = aiger.simulate("read x.aig", _written(shown, tmp_path), 1)
+    assert not answer.proved and int(answer.clock) >= 2
+
+
 @pytest.mark.parametrize("edge, answer", [(0, (True, "")), (1, (False, "0"))])
 @pytest.mark.parametrize("commands", ["strash", "scleanup; lcorr; scorr"])
 def test_a_constant_is_an_answer(tmp_path, edge, answer, commands):
@@ -163,6 +171,7 @@ def test_a_constant_is_an_answer(tmp_path, edge, answer, commands):
     need("yosys-abc", "YOSYS_ABC")
     differences.write(Graph(list(NAMES), [2 * 5, 2 * 4], [edge]), tmp_path / "graph.aig")
     assert aiger.prove(f"read graph.aig; {commands}", tmp_path, 10) == answer
+    assert aiger.simulate(f"read graph.aig; {commands}", tmp_path, 1).clock in ("", answer[1])
 
 
 @pytest.fixture(name="held")

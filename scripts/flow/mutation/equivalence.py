@@ -2,9 +2,9 @@
 """Proofs that a fault changes nothing that can be seen from outside.
 
 The design with the fault and the design without run side by side, in yosys-abc. It merges the registers that are equal
-in both (induction over all of them at once: lcorr, scorr) and proves what is left with invariants that it finds by
-itself (property directed reachability: pdr). First it tries the same with where the two may differ instead of what they
-do (differences.py), which leaves the arithmetic out.
+in both (induction over all of them at once: lcorr, scorr), runs what is left with random inputs (sim3), and proves it
+with invariants that it finds by itself (property directed reachability: pdr). First it tries the same with where the
+two may differ instead of what they do (differences.py), which leaves the arithmetic out.
 
 Assumed: registers and memories start at 0, as in an FPGA, and the first clock is one of reset. From then on every input
 is free in every clock, resets and broken streams too. Compared: all outputs in every clock, those that go with a valid
@@ -25,6 +25,7 @@ from ..synthesis import manifest
 from . import differences
 
 SECONDS = 30  # for what is left after the merging of registers
+SIMULATED_SECONDS = 3
 SHORT_SECONDS, LONG_SECONDS = 10, 200  # the same of where the versions may differ, at first and at last
 MOST_ALONE = 40  # registers of which each is proved to stay 0, where all at once are not
 VALID = {  # bit: the outputs that say something while it is '1'
@@ -103,7 +104,10 @@ def compare(original: Path, changed: Path, work: Path) -> str:
     differs = Differences(where, work) if where else None
     if differs and differs.never():
         return ""
-    answer = aiger.prove(f"miter {original} {changed}; scleanup; lcorr; scorr", work, SECONDS)
+    merged = f"miter {original} {changed}; scleanup; lcorr; scorr"
+    answer = aiger.simulate(merged, work, SIMULATED_SECONDS)
+    if not answer.clock:
+        answer = aiger.prove(merged, work, SECONDS)
     if answer.clock:
         return f"differs in clock {answer.clock}"
     is_proved = answer.proved or bool(differs and differs.never_with_lemmas())
