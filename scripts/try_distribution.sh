@@ -87,7 +87,7 @@ for name in SSL_CERT_FILE PIP_CERT REQUESTS_CA_BUNDLE CURL_CA_BUNDLE; do
       environment+=("$name=/etc/of_the_host_$name")
    fi
 done
-cp -L /etc/resolv.conf "$system/etc/resolv.conf"
+for name in resolv.conf hosts; do cp -L "/etc/$name" "$system/etc/$name"; done
 [ ! -f /etc/pip.conf ] || cp -L /etc/pip.conf "$system/etc/pip.conf"
 apt-config dump Acquire >"$system/etc/apt/apt.conf.d/99of_the_host"
 echo force-unsafe-io >"$system/etc/dpkg/dpkg.cfg.d/force-unsafe-io" # a trial need not survive a power cut
