@@ -12,6 +12,7 @@ packages=(
    make                                                      # what Verilator writes is built by it
    libopencv-dev libgtest-dev libcli11-dev nlohmann-json3-dev
    ghdl-mcode verilator yosys                                # co-simulation and proofs
+   iverilog                                                  # a simulator of four values, for a test
    python3 python3-venv python3-rich python3-jinja2                # the flow
    python3-matplotlib                                        # pictures of report.py, cosim.py and explore.py
    python3-dev python3-numpy                                 # the Python module

@@ -13,7 +13,7 @@
 --   breaks       the frame in progress (or the one that begins) turns out not to be whole
 --   error        pulses: bit 0 early end of line, 1 late end of line, 2 start of frame within a frame,
 --                3 group outside a frame
--- A frame that breaks is filled up with whatever stands at the input. What the stream still brings of it is dropped, up to
+-- A frame that breaks is filled up with the last group that came. What the stream still brings of it is dropped, up to
 -- the next start of frame, which waits until the filling is done.
 -- columns_now, row_groups_now, gap_groups_now: of a frame, up to the generics; columns and groups of rows from 2 on. They may
 -- change while there is no frame in progress, a clock or more before one begins.
@@ -112,7 +112,10 @@ begin
     if rising_edge(clock) then
       out_valid <= brings or fills;
       out_start <= begins;
-      out_data <= in_data;  -- counts with out_valid only
+      -- What fills up and flushes is the last group that came, not what an idle input shows, which may be neither 0 nor 1.
+      if in_valid = '1' then
+        out_data <= in_data;
+      end if;
 
       in_frame := brings;
       if phase = filling then

@@ -21,7 +21,7 @@ entity stream_fifo is
     in_data : in std_logic_vector(width - 1 downto 0);
     out_valid : out std_logic;
     out_ready : in std_logic;
-    out_data : out std_logic_vector(width - 1 downto 0)
+    out_data : out std_logic_vector(width - 1 downto 0) := (others => '0')
   );
 end entity;
 

@@ -34,7 +34,7 @@ end entity;
 architecture rtl of stream_register is
   type words is array (0 to 3) of std_logic_vector(data_bits - 1 downto 0);
   -- The word at the output, the one behind it, and the last one.
-  signal main_flags, next_flags, last_flags : std_logic_vector(flag_bits - 1 downto 0);
+  signal main_flags, next_flags, last_flags : std_logic_vector(flag_bits - 1 downto 0) := (others => '0');
   signal main_valid, next_valid, last_valid, accepts : std_logic := '0';
   signal data : words;
   signal write_address, read_address : unsigned(1 downto 0) := "00";
