@@ -55,6 +55,11 @@ def verilator():
 
 
 @pytest.fixture
+def nvc():
+    return need("nvc", "NVC")
+
+
+@pytest.fixture
 def yosys():
     return need("yosys", "YOSYS")
 

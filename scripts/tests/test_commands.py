@@ -105,7 +105,12 @@ def test_rows_without_any_output_are_refused(pair, nothing_written):
 
 
 @pytest.mark.parametrize(
-    "tool,variable,options", [("ghdl", "GHDL", []), ("verilator", "VERILATOR", ["--simulator", "verilator"])]
+    "tool,variable,options",
+    [
+        ("ghdl", "GHDL", []),
+        ("verilator", "VERILATOR", ["--simulator", "verilator"]),
+        ("nvc", "NVC", ["--simulator", "nvc"]),
+    ],
 )
 def test_missing_simulator(pair, nothing_written, tmp_path, tool, variable, options):
     copy = shutil.copytree(rtl.folder("tiny"), tmp_path / "rtl")

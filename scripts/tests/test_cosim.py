@@ -51,7 +51,7 @@ def test_tiny_frames_back_to_back_cost_their_pixels_and_no_clock_more(ghdl, pair
     assert result["clocks_per_frame"] == 32 * 12
 
 
-@pytest.mark.parametrize("simulator", ["ghdl", "verilator"])
+@pytest.mark.parametrize("simulator", ["ghdl", "verilator", "nvc"])
 @pytest.mark.parametrize("config,stall_percent", [("tiny", 5), ("tiny", 60), ("tiny_p2", 30), ("tiny_p4", 30)])
 def test_tiny_with_bubbles(request, pairs, tmp_path, simulator, config, stall_percent):
     request.getfixturevalue(simulator)
@@ -138,9 +138,10 @@ def test_ghdl_waveform(ghdl, pairs, tmp_path, suffix):
     assert wave.stat().st_size > 1000
 
 
-def test_verilator_waveform(verilator, pairs, tmp_path):
+@pytest.mark.parametrize("simulator", ["verilator", "nvc"])
+def test_waveform_of_another_simulator(request, pairs, tmp_path, simulator):
+    request.getfixturevalue(simulator)
     wave = tmp_path / "wave.fst"
-    passed(
-        cosim("tiny", pairs["tiny"], tmp_path, "--wave", wave, "--simulator", "verilator"), tmp_path, OUTPUTS["tiny"]
-    )
+    process = cosim("tiny", pairs["tiny"], tmp_path, "--wave", wave, "--simulator", simulator)
+    passed(process, tmp_path, OUTPUTS["tiny"])
     assert wave.stat().st_size > 1000
