@@ -5,6 +5,7 @@ import json
 import os
 import random
 import struct
+from pathlib import Path
 
 import pytest
 
@@ -394,6 +395,41 @@ def test_options_are_checked_before_the_images(tmp_path, match):
         *("--set", "full_width=true", "--set", "window_px=33"),
         says=["wider than the window for a map of full width"],
     )
+
+
+JPEG = Path(__file__).parents[2] / "fuzz" / "corpus" / "image" / "gray.jpg"
+
+
+@pytest.mark.parametrize("command", ["match", "evaluate", "depth", "rectify", "video"])
+def test_a_jpeg_that_is_broken_off(tmp_path, command):
+    """OpenCV reads it, and grey stands for what is missing."""
+    whole, cut = tmp_path / "a" / "0.jpg", tmp_path / "b" / "0.jpg"
+    for path, count in ((whole, None), (cut, -40)):
+        path.parent.mkdir()
+        path.write_bytes(JPEG.read_bytes()[:count])
+    (tmp_path / "c.yml").write_text(
+        "%YAML:1.0\n---\n"
+        + "".join(
+            f"{name}: !!opencv-matrix\n   rows: {len(data) // columns}\n   cols: {columns}\n   dt: d\n   data: {data}\n"
+            for name, data, columns in (
+                *((name, [50.0, 0.0, 18.0, 0.0, 50.0, 6.0, 0.0, 0.0, 1.0], 3) for name in ("M1", "M2")),
+                ("R", [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], 3),
+                ("T", [-0.1, 0.0, 0.0], 1),
+            )
+        )
+    )
+    more = {
+        "match": ["--config", "tiny", "--out", tmp_path / "out"],
+        "evaluate": ["--config", "tiny", "--truth-left", whole],
+        "depth": ["--config", "tiny", "--calibration", tmp_path / "c.yml", "--out", tmp_path / "out"],
+        "rectify": ["--calibration", tmp_path / "c.yml", "--out", tmp_path / "out"],
+        "video": ["--config", "tiny", "--out", tmp_path / "out"],
+    }[command]
+    of = (lambda path: path.parent) if command == "video" else lambda path: path
+    succeed(command, "--left", of(whole), "--right", of(whole), *more)
+    for left, right in ((whole, cut), (cut, whole)):
+        says = ["0.jpg: is broken off or damaged", "Premature end of JPEG file"]
+        fail(tmp_path, command, "--left", of(left), "--right", of(right), *more, says=says)
 
 
 def test_crop_of_images_too_small(tmp_path, match):

@@ -10,8 +10,9 @@
 namespace stereo::app {
 
 struct ImageCodecs {
-   /// As it is stored; empty where the file is no image. Prints and throws nothing.
-   cv::Mat (*read)(const std::string& path);
+   /// As it is stored; empty where the file is no image. Prints and throws nothing. `complaint`: what the decoder says
+   /// of an image that it has read nevertheless.
+   cv::Mat (*read)(const std::string& path, std::string& complaint);
    /// Throws std::runtime_error where it cannot be done.
    std::string (*encode_png)(const cv::Mat& image);
 };

@@ -9,10 +9,12 @@
 namespace stereo::app {
 namespace {
 
-cv::Mat read(const std::string& path) {
+cv::Mat read(const std::string& path, std::string& complaint) {
    const SilentStderr silent;
    try {
-      return cv::imread(path, cv::IMREAD_UNCHANGED);
+      cv::Mat image = cv::imread(path, cv::IMREAD_UNCHANGED);
+      complaint = silent.said();
+      return image;
    } catch (const std::exception&) {  // cv::Exception, and others that OpenCV lets through
       return {};
    }

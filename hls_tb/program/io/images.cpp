@@ -7,9 +7,11 @@
 #include <fstream>
 #include <iostream>
 #include <opencv2/imgproc.hpp>
+#include <sstream>
 
 #include "definition/pixel_range.hpp"
 #include "program/errors.hpp"
+#include "program/io/exif.hpp"
 #include "program/io/image_codecs.hpp"
 #include "program/io/opencv_images.hpp"
 #include "program/io/require_file.hpp"
@@ -41,6 +43,18 @@ bool is_gray_with_alpha(const std::string& path) {
    return file.read(head.data(), head.size()) && std::memcmp(head.data(), "\x89PNG", 4) == 0 && head[kColorType] == 4;
 }
 
+/// Of an image that was read. Throws InputError where some of it is missing; stdout says what else the decoder says.
+void heed(const std::string& name, const std::string& complaint) {
+   if (complaint.empty()) return;
+   const std::string line = complaint.substr(0, complaint.find('\n'));
+   const auto says = [&complaint](const char* words) { return complaint.find(words) != std::string::npos; };
+   // Cameras write some bytes too many between the parts of a JPEG file, which nothing is lost by.
+   const bool damaged = says("Corrupt JPEG data") && !says("extraneous bytes before marker");
+   if (damaged || says("remature end of"))
+      throw InputError(name + ": is broken off or damaged (" + line + "); give the whole image");
+   std::cout << "warning: " << name << ": " << line << '\n';
+}
+
 /// A picture of one plane of a map.
 template <class Value, class Shade>
 GrayImage gray_of(const std::vector<Value>& plane, const DisparityMap& map, Shade shade) {
@@ -53,8 +67,17 @@ GrayImage gray_of(const std::vector<Value>& plane, const DisparityMap& map, Shad
 
 cv::Mat read_image(const std::string& path, const std::string& name) {
    require_file(path, name);
-   cv::Mat mat = image_codecs().read(path);
+   std::string complaint;
+   cv::Mat mat = image_codecs().read(path, complaint);
    if (mat.empty()) throw InputError(name + ": not an image that can be read; give a PNG, PGM, JPEG, BMP or TIFF file");
+   heed(name, complaint);
+   std::ostringstream bytes;
+   bytes << std::ifstream(path, std::ios::binary).rdbuf();
+   if (const int orientation = exif_orientation(bytes.view()); orientation != 1)
+      throw InputError(name + ": its EXIF data says that it is turned or mirrored, orientation " +
+                       std::to_string(orientation) +
+                       ", but the pixels of a calibrated camera count as they are stored; give an upright image, or "
+                       "remove that tag");
    return mat;
 }
 
