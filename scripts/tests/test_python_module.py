@@ -105,6 +105,51 @@ def test_match_and_evaluate_are_those_of_the_program(module, pair, files, tmp_pa
     assert again == measures
 
 
+def test_masked_pixels_do_not_count(module):
+    """As those that are not finite, in each array."""
+    rng = np.random.default_rng(SEED)
+    truth = rng.integers(0, RANGE, (HEIGHT, WIDTH)).astype(np.float64)
+    found = truth + rng.integers(0, 3, truth.shape)
+    hidden = {name: rng.random(truth.shape) < 0.3 for name in ("disparity", "truth", "other_truth")}
+    arrays = {"disparity": found, "truth": truth, "other_truth": truth}
+    masked = {name: np.ma.masked_array(array, hidden[name]) for name, array in arrays.items()}
+    marked = {name: np.where(hidden[name], np.nan, array) for name, array in arrays.items()}
+    say = {"reference": "left", "border_px": 0}
+    wanted = module.evaluate(**marked, **say)
+    assert module.evaluate(**masked, **say) == wanted != module.evaluate(**arrays, **say)
+    assert wanted["all"]["pixels"] == (~hidden["truth"]).sum()
+    for name, array in masked.items():
+        alone = module.evaluate(**{**arrays, name: array}, **say)
+        assert alone == module.evaluate(**{**arrays, name: marked[name]}, **say), name
+    unmasked = {name: np.ma.masked_array(array) for name, array in arrays.items()}
+    assert module.evaluate(**unmasked, **say) == module.evaluate(**arrays, **say)
+    single = np.ma.masked_array(truth.astype(np.float32), hidden["truth"])
+    assert module.evaluate(found, single, **say)["all"]["pixels"] == wanted["all"]["pixels"]
+
+
+def test_images_have_no_mask(module, pair):
+    hidden = np.ma.masked_array(pair.left, pair.left > 100)
+    for left, right, name in ((hidden, pair.right, "left"), (pair.left, hidden, "right")):
+        with pytest.raises(ValueError, match=f"^{name}: has masked pixels"):
+            module.match(left, right, "tiny")
+    with pytest.raises(ValueError, match="^image: has masked pixels"):
+        module.evaluate(pair.truth_left, pair.truth_left, image=hidden, reference="left")
+    whole = module.match(np.ma.masked_array(pair.left), pair.right, "tiny")
+    assert np.array_equal(whole.steps, module.match(pair.left, pair.right, "tiny").steps)
+
+
+def test_a_map_says_itself_what_it_is(module, pair):
+    found = module.match(pair.left, pair.right, "tiny", disparities=RANGE)
+    truth = pair.truth(found.reference)
+    plain = module.evaluate(found, truth)
+    said = {"reference": found.reference, "search": list(found.search), "pixel_bits": 8}
+    assert module.evaluate(found, truth, **said) == plain
+    other = {"left": "right", "right": "left"}[found.reference]
+    for name, value in (("reference", other), ("search", (0, RANGE + 1)), ("pixel_bits", 10)):
+        with pytest.raises(ValueError, match=f"^{name}=.*: the map's is"):
+            module.evaluate(found, truth, **{name: value})
+
+
 @pytest.mark.parametrize("configuration,options", [("tiny_10bit", {}), ("tiny_sgm", {"pixel_bits": 12})])
 def test_pixels_of_more_bits(module, tmp_path, configuration, options):
     """The same scene, maps and measures as the program's. An array of uint8 is taken as it is."""

@@ -152,12 +152,13 @@ def evaluate(
     """How good a map is, by the rules of `stereo_hls evaluate`: {mask: {measure: value}}. Masks without pixels are
     absent.
 
-    disparity: what `match` found, or pixels as float [H, W]; where a value is not finite, nothing was found.
-    truth: the true disparities of the reference image in pixels, float [H, W]; not finite where unknown.
+    disparity: what `match` found, or pixels as float [H, W]; where a value is not finite or masked, nothing was found.
+    truth: the true disparities of the reference image in pixels, float [H, W]; not finite or masked where unknown.
     other_truth: those of the other image; needed for the masks "non_occluded", "searchable" and "discontinuity".
     image: the reference image, uint8 or uint16 [H, W]; needed, with other_truth, for the mask "textureless". Of more
         than 8 bits the upper 8 count.
-    reference: "left" or "right"; needed where `disparity` is an array.
+    reference: "left" or "right"; needed where `disparity` is an array. What a map says itself may be left out, and must
+        not be said otherwise: reference, search, pixel_bits.
     search: the smallest disparity and the number of them; needed for "searchable" where `disparity` is an array.
     border_px: pixels at each side of the images that do not count, 0 ... 10000.
     pixel_bits: of an image of uint16, 8 ... 16; needed where `disparity` is an array.
@@ -169,8 +170,16 @@ def evaluate(
     Raises ValueError or TypeError with one sentence.
     """
     if isinstance(disparity, DisparityMap):
-        if pixel_bits is None:
-            pixel_bits = int(disparity.options.get("pixel_bits", 8))
+        own_bits = int(disparity.options.get("pixel_bits", 8))
+        search = None if search is None else _search(search)
+        for name, given, own in (
+            ("reference", reference, disparity.reference),
+            ("search", search, disparity.search),
+            ("pixel_bits", pixel_bits, own_bits),
+        ):
+            if given is not None and given != own:
+                raise ValueError(f"{name}={given!r}: the map's is {own!r}; leave it out, or give the map's disparity")
+        pixel_bits = own_bits
         reference, search, disparity = disparity.reference, disparity.search, disparity.disparity
     if reference not in ("left", "right"):
         raise ValueError("reference: must be 'left' or 'right' where the disparities are an array")
@@ -230,7 +239,14 @@ def _plane(name: str, array: NDArray[Any]) -> None:
         raise ValueError(f"{name}: has no pixels; its shape is {array.shape}")
 
 
+def _search(value: tuple[int, int]) -> tuple[int, int]:
+    first, count = value
+    return operator.index(first), operator.index(count)
+
+
 def _grey(name: str, value: ArrayLike) -> NDArray[Any]:
+    if np.ma.is_masked(value):
+        raise ValueError(f"{name}: has masked pixels, but every pixel of an image counts; give an array without a mask")
     array = np.asarray(value)
     if array.dtype not in (np.uint8, np.uint16):
         raise TypeError(f"{name}: must be an array of uint8 or uint16 but is one of {array.dtype}")
@@ -248,12 +264,15 @@ def _shown(name: str, value: ArrayLike, pixel_bits: int | None) -> NDArray[np.ui
 
 
 def _disparities(name: str, value: ArrayLike) -> NDArray[np.float32]:
+    mask = np.ma.getmaskarray(value) if np.ma.is_masked(value) else None
     array = np.asarray(value)
     if not np.issubdtype(array.dtype, np.floating):
         raise TypeError(
             f"{name}: must be an array of floats, not finite where there is no disparity, but is one of {array.dtype}"
         )
     _plane(name, array)
+    if mask is not None:
+        array = np.where(mask, np.nan, array)
     return np.ascontiguousarray(array, dtype=np.float32)
 
 
