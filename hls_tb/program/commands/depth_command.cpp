@@ -4,12 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <sstream>
 
 #include "program/commands/calibrated_size.hpp"
 #include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/options_json.hpp"
+#include "program/commands/pair_options.hpp"
 #include "program/commands/threads_option.hpp"
 #include "program/commands/timed.hpp"
 #include "program/depth/depth.hpp"
@@ -29,6 +31,8 @@ struct Arguments {
    std::vector<std::string> settings;
    double unit_mm = 1000;
    std::string calibrated_size;
+   PlyFormat ply = PlyFormat::binary;
+   bool tiff = false;
    bool rectified = false;
    int threads = 1;
 };
@@ -93,6 +97,7 @@ nlohmann::json facts(const Arguments& arguments, const PreparedPair& pair, const
            {"focal_px", pair.geometry.focal_px()},
            {"baseline_mm", pair.geometry.baseline() * arguments.unit_mm},
            {"depth_unit", "mm"},
+           {"depth_png_mm_per_value", 1},
            {"known_px", depths.known},
            {"nearest_mm", depths.nearest_mm},
            {"farthest_mm", depths.farthest_mm},
@@ -144,7 +149,11 @@ void depth(const Arguments& arguments) {
 
    OutputFolder out(arguments.out);
    out.add("depth.png", encode(image));
-   out.add("cloud.ply", encode_ply(points, shown_image(reference, pair.bits), axes_of(pair.geometry)));
+   if (arguments.tiff)
+      out.add("depth.tiff", encode_tiff(float_depth_image(points, shown.left.width, shown.left.height)),
+              OutputFolder::Runs::some);
+   else out.leave_out("depth.tiff", {arguments.left, arguments.right});
+   out.add("cloud.ply", encode_ply(points, shown_image(reference, pair.bits), axes_of(pair.geometry), arguments.ply));
    out.add("preview.png", encode_overview_png(shown, map, map_geometry));
    for (const auto& [name, rectified] : {std::pair{"left.png", pair.left}, {"right.png", pair.right}}) {
       if (arguments.rectified) out.leave_out(name, {arguments.left, arguments.right});
@@ -177,6 +186,10 @@ void add_depth(CLI::App& app) {
        ->capture_default_str();
    add_calibrated_size_option(*command, arguments.calibrated_size);
    add_threads_option(*command, arguments.threads);
+   static const std::map<std::string, PlyFormat> kPlyFormats{{"binary", PlyFormat::binary},
+                                                             {"ascii", PlyFormat::ascii}};
+   add_choice(*command, "--ply", arguments.ply, kPlyFormats, "cloud.ply as binary (default), little endian, or ascii");
+   command->add_flag("--tiff", arguments.tiff, "also write depth.tiff: millimetres as 32-bit floats, 0: unknown");
    command->add_flag("--rectified", arguments.rectified, "the images are rectified already");
    command->add_option("--out", arguments.out, "folder for the results")->required();
    command->callback([] { depth(arguments); });

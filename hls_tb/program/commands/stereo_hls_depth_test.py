@@ -138,6 +138,33 @@ def test_a_plane_stands_where_it_stands(tmp_path, depth, reference, subpixel):
     assert red == ground()(round(u), round(v)), "the grey value of the left pixel that sees it"
 
 
+def test_depth_and_cloud_in_other_formats(tmp_path, depth):
+    """The same numbers; evaluate reads the TIFF, which knows floats."""
+    words = [calibration(tmp_path / "c.yml"), *plane(tmp_path), "--rectified", "--set", "subpixel=true"]
+    succeed(*depth, *words)
+    binary, rows = ply_points(tmp_path / "out" / "cloud.ply"), png_pixels(tmp_path / "out" / "depth.png")
+    succeed(*depth, *words, "--ply", "ascii", "--tiff")
+    header, body = (tmp_path / "out" / "cloud.ply").read_text().split("end_header\n")
+    assert header.startswith("ply\nformat ascii 1.0\n") and f"element vertex {len(binary)}\n" in header
+    texts = [line.split() for line in body.splitlines()]
+    floats = [struct.unpack("<fff", struct.pack("<fff", *map(float, line[:3]))) for line in texts]
+    assert [(*place, *map(int, line[3:])) for place, line in zip(floats, texts)] == binary
+    # As a map of its own: each value of the TIFF is that of the PNG, rounded.
+    pgm = tmp_path / "png.pgm"
+    pgm.write_bytes(
+        f"P5\n{WIDTH} {HEIGHT}\n65535\n".encode() + b"".join(v.to_bytes(2, "big") for row in rows for v in row)
+    )
+    evaluate = ["evaluate", *words[1:5], "--truth-left", pgm, "--truth-scale", 1, "--border", 0, "--reference", "left"]
+    tiff = ["--disparity", tmp_path / "out" / "depth.tiff", "--unknown", 0]
+    succeed(*evaluate, *tiff, "--json", tmp_path / "e.json")
+    measures = json.loads((tmp_path / "e.json").read_text())["methods"][0]["masks"]["all"]
+    assert measures["pixels"] == len(binary) and measures["density"] == 1
+    assert 0 < measures["avg_px"] <= 0.5 and measures["bad_0_5"]["invalid_bad"] < 0.01
+    succeed(*depth, *words)
+    assert not (tmp_path / "out" / "depth.tiff").exists(), "that of an earlier run"
+    assert json.loads((tmp_path / "out" / "depth.json").read_text())["depth_png_mm_per_value"] == 1
+
+
 def test_lengths_are_in_the_unit_of_the_calibration(tmp_path, depth):
     millimetres = calibration(tmp_path / "c.yml", baseline=1000 * BASELINE)
     succeed(*depth, millimetres, *plane(tmp_path), "--rectified", "--unit-mm", 1)

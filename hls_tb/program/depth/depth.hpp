@@ -29,10 +29,15 @@ inline constexpr int kLargestDepthMm = 65535;
 /// Depth, the size of z, in whole millimetres, 0: unknown or farther than kLargestDepthMm. CV_16U.
 cv::Mat depth_image(const std::vector<Point>& points, int width_px, int height_px);
 
-/// A point cloud as PLY, binary little endian: x, y, z in metres and red, green, blue of each point that is known.
-/// `colors`: the reference image, 8 bits, 1, 3 or 4 channels (blue first; the fourth is ignored). `axes`: for its
-/// comment.
-std::string encode_ply(const std::vector<Point>& points, const cv::Mat& colors, const std::string& axes);
+/// The same as floats, CV_32F, without a farthest one.
+cv::Mat float_depth_image(const std::vector<Point>& points, int width_px, int height_px);
+
+enum class PlyFormat { binary, ascii };
+/// A point cloud as PLY, binary little endian or text: x, y, z in metres and red, green, blue of each point that is
+/// known. `colors`: the reference image, 8 bits, 1, 3 or 4 channels (blue first; the fourth is ignored). `axes`: for
+/// its comment.
+std::string encode_ply(const std::vector<Point>& points, const cv::Mat& colors, const std::string& axes,
+                       PlyFormat format = PlyFormat::binary);
 /// Where a geometry's points stand, as words.
 std::string axes_of(const RectifiedGeometry& geometry);
 

@@ -14,7 +14,7 @@ struct ImageCodecs {
    /// of an image that it has read nevertheless.
    cv::Mat (*read)(const std::string& path, std::string& complaint);
    /// Throws std::runtime_error where it cannot be done.
-   std::string (*encode_png)(const cv::Mat& image);
+   std::string (*encode)(const cv::Mat& image, const char* ending);  ///< ".png" or ".tiff"
 };
 
 const ImageCodecs& image_codecs();

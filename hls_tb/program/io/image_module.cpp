@@ -20,13 +20,13 @@ cv::Mat read(const std::string& path, std::string& complaint) {
    }
 }
 
-std::string encode_png(const cv::Mat& image) {
+std::string encode(const cv::Mat& image, const char* ending) {
    std::vector<uint8_t> bytes;
-   if (!cv::imencode(".png", image, bytes)) throw std::runtime_error("OpenCV cannot encode a PNG image");
+   if (!cv::imencode(ending, image, bytes)) throw std::runtime_error("OpenCV cannot encode such an image");
    return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace
 }  // namespace stereo::app
 
-extern "C" const stereo::app::ImageCodecs stereo_image_module{stereo::app::read, stereo::app::encode_png};
+extern "C" const stereo::app::ImageCodecs stereo_image_module{stereo::app::read, stereo::app::encode};

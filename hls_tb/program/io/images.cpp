@@ -135,7 +135,8 @@ cv::Mat colored(const DisparityMap& map, int disparities) {
    return color;
 }
 
-std::string encode(const cv::Mat& mat) { return image_codecs().encode_png(mat); }
+std::string encode(const cv::Mat& mat) { return image_codecs().encode(mat, ".png"); }
+std::string encode_tiff(const cv::Mat& mat) { return image_codecs().encode(mat, ".tiff"); }
 
 namespace {
 

@@ -35,5 +35,7 @@ cv::Mat shown_image(const cv::Mat& mat, int bits);
 cv::Mat colored(const DisparityMap& map, int disparities);
 /// The bytes of a PNG file.
 std::string encode(const cv::Mat& mat);
+/// The same of a TIFF file.
+std::string encode_tiff(const cv::Mat& mat);
 
 }  // namespace stereo::app
