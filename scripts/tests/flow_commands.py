@@ -60,10 +60,10 @@ def random_pair(folder, config, levels, seed=1, brightest=255):
     return folder / "left.pgm", folder / "right.pgm"
 
 
-def cosim(config, pair, out, *options, environment=None):
+def cosim(config, pair, out, *options, environment=None, takes_edited=True):
     """Of the pair alone, which has known outputs; the stress stream has tests of its own."""
     options = ["--stimulus", "scene", *options]
-    if "--rtl" in options and "--allow-edited" not in options:
+    if takes_edited and "--rtl" in options and "--allow-edited" not in options:
         options.append("--allow-edited")
     words = ["--config", config, "--left", pair[0], "--right", pair[1], "--out", out, *options]
     return call("cosim.py", *words, environment=environment)

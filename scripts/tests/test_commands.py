@@ -181,15 +181,11 @@ def test_damaged_manifests(pair, tiny_rtl, nothing_written):
 def test_vhdl_edited_by_hand(pair, tiny_rtl, nothing_written):
     design = tiny_rtl / "stereo_core_tiny.vhd"
     design.write_text(design.read_text() + "-- edited\n")
-    refused(
-        cosim("tiny", pair, nothing_written, "--rtl", tiny_rtl), 2, "stereo_core_tiny.vhd differs from its manifest"
-    )
+    process = cosim("tiny", pair, nothing_written, "--rtl", tiny_rtl, takes_edited=False)
+    refused(process, 2, "stereo_core_tiny.vhd differs from its manifest")
     design.unlink()
-    refused(
-        cosim("tiny", pair, nothing_written, "--rtl", tiny_rtl),
-        2,
-        "stereo_core_tiny.vhd is named by the manifest but missing",
-    )
+    process = cosim("tiny", pair, nothing_written, "--rtl", tiny_rtl)
+    refused(process, 2, "stereo_core_tiny.vhd is named by the manifest but missing")
 
 
 def test_output_folder_that_cannot_be(pair, tmp_path):
