@@ -109,6 +109,7 @@ stereo_add_unit_tests(
   engines/fast/trellis/fast_model_test.cpp
   fuzz/replay_test.cpp
   program/commands/options_json_test.cpp
+  program/depth/benchmark_calibration_test.cpp
   program/depth/depth_test.cpp
   program/depth/rectified_geometry_test.cpp
   program/evaluation/camera_difference_test.cpp

@@ -11,8 +11,8 @@
 
 namespace stereo::fuzz {
 
-bool calibration(std::string_view bytes);  ///< OpenCV's YAML, XML or JSON of a stereo calibration
-bool disparities(std::string_view bytes);  ///< ground truth or results: PFM, 8 or 16 bits
+bool calibration(std::string_view bytes);  ///< of OpenCV or a benchmark
+bool disparities(std::string_view bytes);  ///< ground truth or results: every kind of file
 bool image(std::string_view bytes);        ///< an image of a pair
 bool pfm(std::string_view bytes);
 

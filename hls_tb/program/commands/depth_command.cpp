@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "program/commands/calibrated_size.hpp"
@@ -26,10 +27,12 @@
 namespace stereo::app {
 namespace {
 
+constexpr double kMetre = 1000;  ///< millimetres
+
 struct Arguments {
    std::string calibration, extrinsics, left, right, config, out;
    std::vector<std::string> settings;
-   double unit_mm = 1000;
+   std::optional<double> unit_mm;
    std::string calibrated_size;
    PlyFormat ply = PlyFormat::binary;
    bool tiff = false;
@@ -41,6 +44,7 @@ struct Arguments {
 struct PreparedPair {
    cv::Mat left, right;  ///< as `read_camera_image` gives them
    int bits;             ///< that it was told
+   double unit_mm;       ///< of the geometry
    RectifiedGeometry geometry;
 
    AnyPair gray() const { return gray_pair(left, right); }
@@ -48,8 +52,11 @@ struct PreparedPair {
 };
 
 PreparedPair prepare(const Arguments& arguments, int bits) {
-   const Calibration loaded = load_calibration(arguments.calibration, arguments.extrinsics);
-   PreparedPair pair{read_camera_image(arguments.left, bits), read_camera_image(arguments.right, bits), bits, {}};
+   Calibration loaded = load_calibration(arguments.calibration, arguments.extrinsics);
+   const double unit_mm = arguments.unit_mm.value_or(loaded.unit_mm > 0 ? loaded.unit_mm : kMetre);
+   if (arguments.rectified && !loaded.rectified_size.empty()) loaded.image_size = loaded.rectified_size;
+   PreparedPair pair{
+       read_camera_image(arguments.left, bits), read_camera_image(arguments.right, bits), bits, unit_mm, {}};
    require_same_size<InputError>(arguments.left, pair.left.size(), arguments.right, pair.right.size());
    const cv::Size size = pair.left.size(), given = size_of_word(arguments.calibrated_size);
    const Calibration calibration = fitted_calibration(loaded, size, given);
@@ -64,7 +71,7 @@ PreparedPair prepare(const Arguments& arguments, int bits) {
    if (const auto offset = vertical_offset(pair.shown()))
       std::cout << "before rectification " << offset->features << " matching features lie " << offset->median_px
                 << " rows apart (median)\n";
-   return {rectification.left(pair.left), rectification.right(pair.right), bits, rectification.geometry};
+   return {rectification.left(pair.left), rectification.right(pair.right), bits, unit_mm, rectification.geometry};
 }
 
 struct Depths {
@@ -95,7 +102,7 @@ nlohmann::json facts(const Arguments& arguments, const PreparedPair& pair, const
            {"width_px", pair.left.cols},
            {"height_px", pair.left.rows},
            {"focal_px", pair.geometry.focal_px()},
-           {"baseline_mm", pair.geometry.baseline() * arguments.unit_mm},
+           {"baseline_mm", pair.geometry.baseline() * pair.unit_mm},
            {"depth_unit", "mm"},
            {"depth_png_mm_per_value", 1},
            {"known_px", depths.known},
@@ -142,7 +149,7 @@ void depth(const Arguments& arguments) {
    const DisparityMap map = timed(milliseconds, [&] { return std::visit(match, gray); });
    const MapGeometry map_geometry = algorithm->map_geometry(shown.left.width);
    const std::vector<Point> points = points_of(at_image_size(map, map_geometry, shown.left.width),
-                                               map_geometry.reference, pair.geometry, arguments.unit_mm / 1000);
+                                               map_geometry.reference, pair.geometry, pair.unit_mm / kMetre);
    const cv::Mat image = depth_image(points, shown.left.width, shown.left.height);
    const Depths depths = depths_of(image);
    const cv::Mat& reference = map_geometry.reference == Reference::left ? pair.left : pair.right;
@@ -161,8 +168,8 @@ void depth(const Arguments& arguments) {
    }
    out.add_json("depth.json", facts(arguments, pair, *algorithm, depths, milliseconds));
    const auto known = std::count_if(points.begin(), points.end(), [](const Point& point) { return point.z_m != 0; });
-   std::cout << unit_hint(pair.geometry.baseline() * arguments.unit_mm, arguments.unit_mm, int(known), depths.known);
-   std::cout << summary(pair, pair.geometry.baseline() * arguments.unit_mm, depths);
+   std::cout << unit_hint(pair.geometry.baseline() * pair.unit_mm, pair.unit_mm, int(known), depths.known);
+   std::cout << summary(pair, pair.geometry.baseline() * pair.unit_mm, depths);
    out.commit();
 }
 
@@ -172,7 +179,9 @@ void add_depth(CLI::App& app) {
    static Arguments arguments;
    CLI::App* command =
        app.add_subcommand("depth", "depth in millimetres and a point cloud in metres: depth.png, cloud.ply ...");
-   command->add_option("--calibration", arguments.calibration, "OpenCV's YAML: M1 D1 M2 D2 R T, or Q with --rectified")
+   command
+       ->add_option("--calibration", arguments.calibration,
+                    "OpenCV's YAML: M1 D1 M2 D2 R T, or Q with --rectified; or calib.txt of Middlebury, ETH3D or KITTI")
        ->required();
    command->add_option("--extrinsics", arguments.extrinsics, "a second YAML file, where R and T stand apart");
    command->add_option("--left", arguments.left, "left camera's image")->required();
@@ -181,9 +190,10 @@ void add_depth(CLI::App& app) {
        ->required();
    command->add_option("--set", arguments.settings, "NAME=VALUE: another option than the configuration's")
        ->allow_extra_args(false);
-   command->add_option("--unit-mm", arguments.unit_mm, "millimetres of one unit of the calibration's T; 1000: metres")
-       ->check(check_positive_number)
-       ->capture_default_str();
+   command
+       ->add_option("--unit-mm", arguments.unit_mm,
+                    "millimetres of one unit of the calibration's T; default: as its format has it, else 1000, metres")
+       ->check(check_positive_number);
    add_calibrated_size_option(*command, arguments.calibrated_size);
    add_threads_option(*command, arguments.threads);
    static const std::map<std::string, PlyFormat> kPlyFormats{{"binary", PlyFormat::binary},

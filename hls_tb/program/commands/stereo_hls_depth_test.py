@@ -266,6 +266,33 @@ def test_calibrations_of_another_size(tmp_path, depth):
         fail(tmp_path, *depth, yml, *pair, f"--calibrated-size={word}", says=["--calibrated-size", "WIDTHxHEIGHT"])
 
 
+MIDDLEBURY = (
+    f"cam0=[{FOCAL} 0 79.5; 0 {FOCAL} 59.5; 0 0 1]\ncam1=[{FOCAL} 0 82.5; 0 {FOCAL} 59.5; 0 0 1]\ndoffs=3\n"
+    f"baseline={1000 * BASELINE}\nwidth={WIDTH}\nheight={HEIGHT}\nndisp=64\n"
+)
+
+
+def test_calibrations_of_benchmarks(tmp_path, depth):
+    """In their own units: millimetres and metres."""
+    pair = [*plane(tmp_path), "--rectified"]
+    text = tmp_path / "calib.txt"
+    text.write_text(MIDDLEBURY)
+    out = succeed(*depth, text, *pair)
+    assert "baseline 50 mm" in out and "warning" not in out
+    assert png_pixels(tmp_path / "out" / "depth.png")[60][80] == round(1000 * FOCAL * BASELINE / (SHIFT + 3))
+    fail(tmp_path, *depth, text, *pair[:-1], says=["lacks R", "--rectified"])
+    text.write_text(MIDDLEBURY.replace(f"width={WIDTH}", "width=320").replace(f"height={HEIGHT}", "height=240"))
+    fail(tmp_path, *depth, text, *pair, says=["320x240", "160x120"])
+    text.write_text(MIDDLEBURY.replace("doffs=3", "doffs=4"))
+    fail(tmp_path, *depth, text, *pair, says=["calib.txt: its doffs is 4"])
+    camera = f"{FOCAL} 0 79.5 {{}} 0 {FOCAL} 59.5 0 0 0 1 0"
+    rows = [f"P{i}: {camera.format(FOCAL * x)}\n" for i, x in enumerate((0, -1, 0.02, 0.02 - BASELINE))]
+    text.write_text("".join(rows))
+    assert "baseline 50 mm" in succeed(*depth, text, *pair)
+    assert png_pixels(tmp_path / "out" / "depth.png")[60][80] == Z_MM
+    assert "baseline 500 mm" in succeed(*depth, text, *pair, "--unit-mm", 10000), "what is given counts"
+
+
 def test_a_principal_point_far_from_the_middle(tmp_path, depth):
     """As that of images of half and twice the size."""
     pair = [*plane(tmp_path), "--rectified"]

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <opencv2/core.hpp>
+#include <sstream>
 #include <string_view>
 
 #include "definition/gray_image.hpp"
+#include "program/depth/benchmark_calibration.hpp"
 #include "program/errors.hpp"
 #include "program/io/child_process.hpp"
 #include "program/io/require_file.hpp"
@@ -85,6 +88,13 @@ void require_known_model(const cv::FileNode& node, const std::string& path) {
 }
 
 Calibration read(const std::string& path, const std::string& sentence) {
+   std::ostringstream text;
+   text << std::ifstream(path, std::ios::binary).rdbuf();
+   try {
+      if (const auto found = parse_benchmark_calibration(text.view())) return *found;
+   } catch (const InputError& problem) {
+      throw InputError(path + ": " + problem.what());
+   }
    const SilentStderr silent;
    const cv::FileStorage file(path, cv::FileStorage::READ);
    if (!file.isOpened() || !file.root().isMap()) throw InputError(sentence);
@@ -96,6 +106,12 @@ Calibration read(const std::string& path, const std::string& sentence) {
    return calibration;
 }
 
+/// What a child says before its matrices.
+struct Heading {
+   cv::Size image_size, rectified_size;
+   double unit_mm;
+};
+
 constexpr char kTaken = '+', kRefused = '-';
 
 /// The answer of the child: its size and matrices, or why there are none.
@@ -103,7 +119,8 @@ std::string answer(const std::string& path, const std::string& sentence) {
    try {
       const Calibration calibration = read(path, sentence);
       std::string bytes(1, kTaken);
-      bytes.append(reinterpret_cast<const char*>(&calibration.image_size), sizeof(cv::Size));
+      const Heading heading{calibration.image_size, calibration.rectified_size, calibration.unit_mm};
+      bytes.append(reinterpret_cast<const char*>(&heading), sizeof(heading));
       for (const Entry& entry : kEntries) {
          const cv::Mat& matrix = calibration.*entry.matrix;
          for (const int size : {matrix.rows, matrix.cols}) bytes += char(size);
@@ -117,9 +134,12 @@ std::string answer(const std::string& path, const std::string& sentence) {
 
 /// The calibration's matrices become those of the answer, where that has some. Whether the sizes agree.
 bool take_answer(Calibration& calibration, std::string_view bytes) {
-   cv::Size size;
-   std::memcpy(&size, bytes.data(), sizeof(size));
-   bytes.remove_prefix(sizeof(size));
+   Heading heading{};
+   std::memcpy(&heading, bytes.data(), sizeof(heading));
+   bytes.remove_prefix(sizeof(heading));
+   const cv::Size size = heading.image_size;
+   if (!heading.rectified_size.empty()) calibration.rectified_size = heading.rectified_size;
+   if (heading.unit_mm != 0) calibration.unit_mm = heading.unit_mm;
    const bool agree = size.empty() || calibration.image_size.empty() || size == calibration.image_size;
    if (!size.empty()) calibration.image_size = size;
    for (const Entry& entry : kEntries) {
@@ -138,8 +158,9 @@ bool take_answer(Calibration& calibration, std::string_view bytes) {
 void read_into(Calibration& calibration, const std::string& path, std::chrono::milliseconds limit) {
    std::error_code error;
    require_file(path, path);
-   const std::string sentence =
-       path + ": not a calibration that can be read; give a YAML file as OpenCV's stereo_calib writes it";
+   const std::string sentence = path +
+                                ": not a calibration that can be read; give a YAML file as OpenCV's stereo_calib "
+                                "writes it, or the calib.txt of a benchmark";
    if (std::filesystem::file_size(path, error) > kLargestFile) throw InputError(sentence);
    // OpenCV 4.6 crashes on some XML files and never comes back from some YAML files (fuzz/corpus/calibration/).
    const auto found = done_by_child([&] { return answer(path, sentence); }, limit);
