@@ -133,7 +133,9 @@ def measure(
     for title, config, settings in OURS:
         if named and title not in named:
             continue
-        words = [word for setting in (f"disparities={disparities}", *settings) for word in ("--set", setting)]
+        # Of each option the last value: rows share the options of others.
+        last = {setting.partition("=")[0]: setting for setting in (f"disparities={disparities}", *settings)}
+        words = [word for setting in last.values() for word in ("--set", setting)]
         results += [(title, m) for m in evaluate(*images, "--config", config, *words)]
     return results
 
