@@ -56,9 +56,19 @@ if [ -z "${STEREO_TRIAL:-}" ]; then
    exec 9>"$out/$suite.lock"
    flock -n 9 || end 4 "another trial of $suite runs in $out"
    [ ! -e "$out/$suite" ] || rm -rf --one-file-system -- "${out:?}/$suite"
+   # unshare itself waits whatever comes, and the first process of its own world ignores signals.
+   STEREO_TRIAL=yes "${alone[@]}" "${BASH_SOURCE[0]}" "${given[@]}" &
+   trial=$!
+   leave() {
+      kill -KILL $trial 2>/dev/null || true
+      wait $trial 2>/dev/null || true
+      [ $keep = yes ] || rm -rf --one-file-system -- "${out:?}/$suite"
+   }
+   trap leave EXIT
+   trap 'exit 130' INT
+   trap 'exit 143' TERM HUP
    code=0
-   STEREO_TRIAL=yes "${alone[@]}" "${BASH_SOURCE[0]}" "${given[@]}" || code=$?
-   [ $keep = yes ] || rm -rf --one-file-system -- "${out:?}/$suite"
+   wait $trial || code=$?
    exit $code
 fi
 
@@ -124,9 +134,9 @@ done
 # A version without Debian's own additions to it.
 version() {
    local text
-   text=$(chroot "$system" dpkg-query -W -f '${Version}' "$1" 2>/dev/null) || text="-"
-   text=${text#*:} text=${text%-*}
-   echo "${text%%+*}"
+   text=$(chroot "$system" dpkg-query -W -f '${Version}' "$1" 2>/dev/null) || true
+   text=${text#*:} text=${text%-*} text=${text%%+*}
+   echo "${text:--}"
 }
 echo
 echo "Debian $(cat "$system/etc/debian_version") ($suite), $([ $as_user = yes ] && echo "a user with sudo" || echo root), commit $commit"
