@@ -127,7 +127,7 @@ def test_register_values_are_what_the_core_shows():
     assert Subject("tiny_p2").register_values() == {
         "id": 0x53544552,
         "version": 0x00010400,
-        "core": int(next(iter(manifest.read(rtl.folder("tiny_p2"))["files"].values()))[:8], 16),
+        "core": int(manifest.read(rtl.folder("tiny_p2"))["structure"][:8], 16),
         "size": 12 << 16 | 32,
         "matching": 2 << 24 | 8,
         "map": 8 << 16 | 24,
