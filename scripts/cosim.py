@@ -174,7 +174,9 @@ def _several(options: argparse.Namespace) -> int:
         if value is not None:
             words += [f"--{name.replace('_', '-')}", str(value)]
     words += ["--watchdog", str(options.watchdog_seconds)]
-    words += [f"--{name}" for name in ("allow-edited", "coverage", "record") if getattr(options, name.replace("-", "_"))]
+    words += [
+        f"--{name}" for name in ("allow-edited", "coverage", "record") if getattr(options, name.replace("-", "_"))
+    ]
     return regression.Regression(
         regression.select(options.configs),
         options.simulator,

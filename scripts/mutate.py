@@ -14,10 +14,11 @@ from flow.mutation.judges import WORK
 from flow.mutation.run import Run
 
 
-
 def main() -> int:
     parser = ArgumentParser(prog="mutate.py", description=__doc__)
-    parser.add_argument("--config", default="tiny", metavar="NAME", help="a small configuration, or a stage (default tiny)")
+    parser.add_argument(
+        "--config", default="tiny", metavar="NAME", help="a small configuration, or a stage (default tiny)"
+    )
     parser.add_argument("--core", type=int, default=60, metavar="N", help="mutants of the generated VHDL (default 60)")
     parser.add_argument(
         "--shell", type=int, default=60, metavar="N", help="mutants of the hand-written VHDL (default 60)"

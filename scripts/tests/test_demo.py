@@ -103,7 +103,9 @@ def test_demo_ends_with_the_key_facts(tiny_demo):
     counts = [report(folder / name)["compared"] for name in COSIMS]
     said = [f"{count:,} of {count:,} outputs in {name}" for count, name in zip(counts, ("ghdl", "verilator"))]
     assert last[1].startswith(f"PASS: VHDL against C++ core, tiny: {', '.join(said)}; 0 mismatches")
-    assert counts[1] - counts[0] == 2 * 24 * 12 - 7 * 24, "two frames instead of seven rows, behind the same stress stream"
+    assert counts[1] - counts[0] == 2 * 24 * 12 - 7 * 24, (
+        "two frames instead of seven rows, behind the same stress stream"
+    )
     assert last[2].startswith("384 clocks a frame, latency 16 clocks, ") and "% bad pixels" in last[2]
     figures = manifest.read(rtl.folder("tiny"))["tool_report"]
     assert last[3] == f"{figures['memory_bits']:,} memory bits, {figures['register_bits']:,} register bits"

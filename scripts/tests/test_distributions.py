@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The demo in a fresh, minimal system of each distribution that the project names; minutes. What an own machine has and its
-list of packages has not, such as make once, shows only there."""
+"""The demo in a fresh, minimal system of each distribution that the project names; minutes. What an own machine has and
+its list of packages has not, such as make once, shows only there."""
 
 import re
 

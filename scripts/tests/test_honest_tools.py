@@ -41,9 +41,7 @@ def test_a_simulator_that_does_nothing(ghdl, tmp_path):
 @pytest.mark.parametrize("stimulus", ["stress", "scene"])
 def test_a_simulator_that_writes_only_its_last_line(ghdl, tmp_path, stimulus):
     last_line = 'echo "end $(($(wc -l < "$stimulus") - 1))" > "$observed"'
-    process = cosim_tiny(
-        tmp_path / "out", "--stimulus", stimulus, environment=stand_in(tmp_path, last_line)
-    )
+    process = cosim_tiny(tmp_path / "out", "--stimulus", stimulus, environment=stand_in(tmp_path, last_line))
     assert process.returncode == 1 and "Traceback" not in process.stderr, process.stderr
     result = report(tmp_path / "out")
     assert result["compared"] == 0 < result["mismatches"] == result["expected"]

@@ -261,7 +261,10 @@ def test_the_same_code_of_clang_makes_nothing_stale(project, monkeypatch):
         pytest.skip(f"SKIP: {error}")
     row, header = TABLE["tiny"], project / "hls" / "cost" / "pixel_cost.hpp"
     text = header.read_text()
-    if sources.code(manifest.compiler_options("tiny", row))["compiler"] != manifest.read(rtl.folder("tiny"))["code"]["compiler"]:
+    if (
+        sources.code(manifest.compiler_options("tiny", row))["compiler"]
+        != manifest.read(rtl.folder("tiny"))["code"]["compiler"]
+    ):
         pytest.skip("SKIP: another release of clang than that of the manifests")
     header.write_text(text.replace("namespace stereo {", "namespace stereo {\ninline constexpr int kUnused = 3;", 1))
     assert header.read_text() != text

@@ -7,8 +7,7 @@ import shutil
 import pytest
 
 import kits
-from flow.base import ghdl as ghdl_flow
-from flow.base import rtl
+from flow.base import ghdl as ghdl_flow, rtl
 from flow.base.errors import FlowError
 from flow.shell import design, example, template
 from flow.synthesis import manifest
@@ -66,7 +65,12 @@ FAULTS = {  # (standard that does not have it, file, text, instead)
     "a process that waits for all": ("--std=93", "stream_fifo", "process (clock)", "process (all)"),
     "a reduction": ("--std=93", "stereo_axis", "not core_in_reset(1)", "not (or core_in_reset)"),
     "an output that is read": ("--std=93", "stream_fifo", "waits = '1' and (shows", "waits = '1' and (out_valid"),
-    "an expression in a port map": ("--std=93", "stereo_axis", "start_slot => start_slot", "start_slot => not entering"),
+    "an expression in a port map": (
+        "--std=93",
+        "stereo_axis",
+        "start_slot => start_slot",
+        "start_slot => not entering",
+    ),
     "a name that VHDL-2008 reserves": ("--std=08", "stream_fifo", "leaves", "force"),
     "a part that is nowhere": ("--std=93", "stereo_axis", "entity work.stream_fifo", "entity work.stream_queue"),
 }

@@ -16,6 +16,7 @@ from flow.base.errors import FlowError
 from flow.cosim import job, report
 from flow.pages import clock_logic, features, performance
 from flow.shell import registers
+from flow.synthesis.manifest import Freshness
 from flow_commands import call, cosim, refused, scene
 
 
@@ -53,7 +54,8 @@ def test_check_refuses_and_writes_nothing(monkeypatch, tmp_path, command):
 @pytest.mark.parametrize("reasons, code", [([], 0), (["core.hpp changed"], 1)])
 def test_check_of_the_vhdl_ends_with_its_answer(monkeypatch, capsys, reasons, code):
     synthesize = importlib.import_module("synthesize")
-    monkeypatch.setattr(synthesize, "stale_reasons", lambda name, row: reasons if name == "b" else [])
+    fresh = {"b": Freshness(reasons)}
+    monkeypatch.setattr(synthesize, "freshness", lambda name, row: fresh.get(name, Freshness([])))
     monkeypatch.setattr(synthesize, "check_program", lambda table: None)
     if code == 0:
         assert synthesize.check(["a", "b"], {"a": {}, "b": {}}) == 0

@@ -77,7 +77,16 @@ def deep_pair(tmp_path_factory):
 
 
 def cosim(pair, out, *options, config=TINY):
-    return call("cosim.py", "--config", config, "--left", pair[0], "--right", pair[1], "--out", out, *options)
+    """Of the pair alone, which has known outputs."""
+    words = ["--config", config, "--left", pair[0], "--right", pair[1], "--out", out, "--stimulus", "scene"]
+    return call("cosim.py", *words, *options)
+
+
+@pytest.mark.parametrize("config", [TINY, DEEP])
+def test_the_stress_stream(ghdl, tmp_path, config):
+    process = call("cosim.py", "--config", config, "--out", tmp_path)
+    assert process.returncode == 0, process.stdout + process.stderr
+    assert report(tmp_path)["compared"] > 20 * 32 * 12
 
 
 def test_there_are_stages():

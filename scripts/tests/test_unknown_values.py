@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is not known stays where it does not count: at outputs from the reset on, in numbers while inputs are idle, and in a
-simulator of four values."""
+"""What is not known stays where it does not count: at outputs from the reset on, in numbers while inputs are idle, and
+in a simulator of four values."""
 
 import os
 import re
@@ -10,8 +10,7 @@ from pathlib import Path
 import pytest
 
 from conftest import ROOT, need, where_reachable
-from flow.base import ghdl as ghdl_flow
-from flow.base import venv
+from flow.base import ghdl as ghdl_flow, venv
 from flow.base.tools import run
 from flow.shell import design
 

@@ -295,7 +295,9 @@ def test_numbers_are_compared_by_their_difference_and_constants_are_not():
 
 def test_memories_become_the_cell():
     text = VhdlWriter(memory_design(), "-- memory", ENTITY).write()
-    assert re.search(r"m_memory : entity work\.line_memory\s+generic map \(depth => 8, width => 8, address_bits => 3\)", text)
+    assert re.search(
+        r"m_memory : entity work\.line_memory\s+generic map \(depth => 8, width => 8, address_bits => 3\)", text
+    )
     assert "m_memory_read_address <= to_unsigned(m_address, 3);" in text
     assert "m_word <=" not in text, "the cell's read register takes its place"
 

@@ -46,7 +46,7 @@ def _module(verilog: str, top: str) -> int:
 
 
 def marked(verilog: str, top: str) -> str:
-    """The same design, of which Verilator counts only what `read` looks at: all else would make it three times as slow."""
+    """The same design, of which Verilator counts only what `read` looks at: all else would take three times as long."""
     start = _module(verilog, top)
     body = verilog[start:]
     looked_at = {match[3] for match in _CHOICE.finditer(body)}
@@ -73,12 +73,14 @@ def _toggles(data: str, top: str) -> dict[str, int]:
 
 
 def _stays(verilog: str, top: str, bit: str, work: Path) -> bool:
-    """Whether a bit is proved to stay what it is from the second clock on, in which the core is out of its first reset."""
+    """Whether a bit is proved to stay what it is from the second clock on, behind the first reset."""
     start = _module(verilog, top)
     header = re.compile(rf"module {top}\s*\((.*?)\);", re.DOTALL).search(verilog, start)
     assert header is not None
     inputs = ", ".join(" ".join(port) for port in re.findall(r"(input)\s+(\[\d+:0\])?\s*(\w+)", header[1]))
-    outputs = "\n".join(f"  wire {width} {name};" for width, name in re.findall(r"output\s+(\[\d+:0\])?\s*(\w+)", header[1]))
+    outputs = "\n".join(
+        f"  wire {width} {name};" for width, name in re.findall(r"output\s+(\[\d+:0\])?\s*(\w+)", header[1])
+    )
     inputs = inputs.replace(" reset", " any_reset")
     looks = (
         "  reg [1:0] age = 0;\n  reg before = 0;\n  wire reset = any_reset | (age == 0);\n"
@@ -136,12 +138,15 @@ def summary(coverage: Coverage) -> list[str]:
     """The lines for the terminal."""
     held = len(coverage["never_moved"]) + len(coverage["cannot_move"])
     lines = [
-        f"  coverage: {coverage['register_bits'] - held:,} of {coverage['register_bits']:,} register bits took both values, "
+        f"  coverage: {coverage['register_bits'] - held:,} of {coverage['register_bits']:,} register bits took both "
+        f"values, "
         f"{len(coverage['cannot_move'])} are proved to stay as they are, {len(coverage['never_moved'])} might move"
     ]
     lines += [f"    never moved: {', '.join(coverage['never_moved'])}"] if coverage["never_moved"] else []
     one_way = coverage["never_both_ways"]
-    lines.append(f"  coverage: {coverage['branches'] - len(one_way):,} of {coverage['branches']:,} branches went both ways")
+    lines.append(
+        f"  coverage: {coverage['branches'] - len(one_way):,} of {coverage['branches']:,} branches went both ways"
+    )
     return lines + [f"    one way only: {line}" for line in one_way]
 
 

@@ -5,8 +5,8 @@ from ..shell.template import Port
 from .fill import fill
 from .subject import GENERIC, STREAM, Interface, Subject, width
 
-# Quartus takes VHDL-93 unless told otherwise, and a component of Platform Designer has no other way to tell it. The files
-# are valid as either.
+# Quartus takes VHDL-93 unless told otherwise, and a component of Platform Designer has no other way to tell it. The
+# files are valid as either.
 DIRECTIVE = "-- synthesis VHDL_INPUT_VERSION VHDL_2008\n"
 TYPES = {(STREAM, True): "axi4stream start", (STREAM, False): "axi4stream end"}
 

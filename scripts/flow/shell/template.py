@@ -68,8 +68,8 @@ def _values(settings: Sequence[rtl.Setting], what: str) -> str:
 
 
 def core_id(entry: manifest.Manifest) -> str:
-    """What the register `core` says: the first digits of the digest of the core's structure, which names and comments in
-    its VHDL leave as it is."""
+    """What the register `core` says: the first digits of the digest of the core's structure, which names and comments
+    in its VHDL leave as it is."""
     return entry["structure"][:8]
 
 

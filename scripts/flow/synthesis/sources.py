@@ -8,7 +8,7 @@ import ast
 import hashlib
 import re
 from collections.abc import Iterable, Sequence
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from typing import TypedDict
 
@@ -38,7 +38,7 @@ def words_digest(path: Path) -> str:
     return _words_digest(path.suffix, path.read_bytes())
 
 
-@lru_cache(maxsize=None)
+@cache
 def _words_digest(suffix: str, content: bytes) -> str:
     text = content.decode()
     words = _python_words(text) if suffix == ".py" else "\0".join(_cpp_words(text))
@@ -48,9 +48,9 @@ def _words_digest(suffix: str, content: bytes) -> str:
 def _python_words(text: str) -> str:
     tree = ast.parse(text)
     for node in ast.walk(tree):
-        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
-            if ast.get_docstring(node, clean=False) is not None:
-                node.body = node.body[1:]
+        is_documented = isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef))
+        if is_documented and ast.get_docstring(node, clean=False) is not None:
+            node.body = node.body[1:]
     return ast.dump(tree)
 
 
@@ -87,8 +87,8 @@ def code(options: Sequence[str]) -> Code:
 
 
 def is_same_code(then: Code, options: Sequence[str]) -> bool:
-    """Whether clang makes the same of the sources as when `then` was kept; False where nobody can tell, or where they do
-    not compile."""
+    """Whether clang makes the same of the sources as when `then` was kept; False where nobody can tell, or where they
+    do not compile."""
     try:
         return bool(then) and code(options) == then
     except FlowError:

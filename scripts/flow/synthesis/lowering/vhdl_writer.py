@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes a netlist as one architecture, valid as VHDL-93 and VHDL-2008: ports, registers, memory cells and one clocked process."""
+"""Writes a netlist as one architecture, valid as VHDL-93 and VHDL-2008: ports, registers, memory cells and one clocked
+process."""
 
 from __future__ import annotations
 
