@@ -52,12 +52,18 @@ double entry(Random& random, double low, double high) { return random.between(lo
 
 /// As people have them: any scale, axes that point the other way, principal points in different columns.
 cv::Mat random_q(Random& random) {
-   cv::Mat q = q_of(entry(random, 20, 2000), entry(random, 0.01, 500), entry(random, 10, 50), entry(random, 5, 40),
-                    entry(random, -20, 20));
+   const double focal = entry(random, 20, 2000);
+   const double baseline = entry(random, 0.01, 500);
+   const double column = entry(random, 10, 50);
+   const double row = entry(random, 5, 40);
+   const double offset = entry(random, -20, 20);
+   cv::Mat q = q_of(focal, baseline, column, row, offset);
    if (random.below(2) == 0) q.row(1) *= -1;                     // y up
    if (random.below(2) == 0) q.row(2) *= -1;                     // z backward
    if (random.below(4) == 0) q.row(1) *= entry(random, 0.5, 2);  // pixels that are not square
-   return q * std::pow(10, entry(random, -4, 4)) * (random.below(2) == 0 ? 1 : -1);
+   const double scale = std::pow(10, entry(random, -4, 4));
+   const int sign = random.below(2) == 0 ? 1 : -1;
+   return q * scale * sign;
 }
 
 /// Points of the program against those of OpenCV, and that the program's others stand nowhere before the camera.
@@ -84,7 +90,10 @@ void expect_reprojection(const cv::Mat& q, const DisparityImage& disparity, int 
 
 TEST(GeometryOfQ, CloudIsThatOfReprojectImageTo3D) {
    Random random(test::test_seed());
-   for (int round = 0; round < kRounds; ++round) expect_reprojection(random_q(random), random_disparities(random), 100);
+   for (int round = 0; round < kRounds; ++round) {
+      const cv::Mat q = random_q(random);
+      expect_reprojection(q, random_disparities(random), 100);
+   }
 }
 
 TEST(GeometryOfQ, IsTheSameWhateverItsScale) {
@@ -142,7 +151,9 @@ TEST(GeometryOfQ, DamagedOnesAreRefusedOrRight) {
       cv::Mat q = random_q(random);
       const int row = random.below(4), column = random.below(4);
       const double largest = cv::norm(q.row(row), cv::NORM_INF);
-      q.at<double>(row, column) += largest * entry(random, 0.1, 3) * (random.below(2) == 0 ? 1 : -1);
+      const double share = entry(random, 0.1, 3);
+      const int sign = random.below(2) == 0 ? 1 : -1;
+      q.at<double>(row, column) += largest * share * sign;
       if (random.below(4) == 0) q = q.t();
       if (sentence_of_q(q).empty()) expect_reprojection(q, random_disparities(random), 0);
       else ++refused;
