@@ -233,7 +233,8 @@ def test_an_interruption_ends_the_simulation(ghdl, pair, tmp_path, number):
     """Of the command alone, as `timeout` and CI services end it; a terminal's Ctrl-C reaches the simulation itself."""
     rtl, out = altered_rtl(tmp_path / "rtl", "tiny", *ENDLESS), tmp_path / "out"
     words = [ROOT / "scripts" / "cosim.py", "--config", "tiny", "--left", pair[0], "--right", pair[1]]
-    process = subprocess.Popen([*words, "--rtl", rtl, "--allow-edited", "--out", out], stderr=subprocess.PIPE, text=True)
+    words += ["--rtl", rtl, "--allow-edited", "--out", out]
+    process = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
     while not simulations_of(out):
         assert process.poll() is None
         time.sleep(0.05)

@@ -22,6 +22,7 @@ _CPP = re.compile(
     r"|&&|\|\||\+\+|--|<<|>>|->|::|\.\.\.|##|[-=!<>+*/%&|^]=|[^\s\w])",
     re.DOTALL,
 )
+_DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
 # Names of the file and of the compiler, which say nothing of the code.
 _NO_CODE = re.compile(r"^(; ModuleID|source_filename|!llvm\.ident|!\d+ = !\{!\"[^\"]*clang version).*\n", re.MULTILINE)
 
@@ -48,8 +49,7 @@ def _words_digest(suffix: str, content: bytes) -> str:
 def _python_words(text: str) -> str:
     tree = ast.parse(text)
     for node in ast.walk(tree):
-        is_documented = isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef))
-        if is_documented and ast.get_docstring(node, clean=False) is not None:
+        if isinstance(node, _DOCUMENTED) and ast.get_docstring(node, clean=False) is not None:
             node.body = node.body[1:]
     return ast.dump(tree)
 
