@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import rtl
+from flow.base import committed, rtl
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.tools import ROOT, find_tool, run
 from flow.synthesis.structure import structure_digest
@@ -45,14 +45,14 @@ def main() -> int:
     )
     options = parser.parse_args()
     earlier = cores_of(options.against)
-    names = options.config or sorted(set(earlier) & set(rtl.known_designs()))
+    names = options.config or sorted(set(earlier) & set(committed.known_designs()))
     for name in names:
         if name not in earlier:
             raise FlowError(f"{options.against} has no VHDL of '{name}'")
     changed = []
     for name in names:
         before = run([find_tool("git"), "show", f"{options.against}:{earlier[name]}"], cwd=ROOT)
-        said = verdict(before, (rtl.folder(name) / f"{rtl.entity(name)}.vhd").read_text())
+        said = verdict(before, (committed.folder(name) / f"{committed.entity(name)}.vhd").read_text())
         print(f"{name}: {said}", flush=True)
         changed += [name] if said == "another netlist" else []
     print(f"{len(names) - len(changed)} of {len(names)} cores have the netlist of {options.against}")

@@ -69,7 +69,7 @@ def main() -> int:
     )
     parser.add_argument("--simulator", choices=sorted(SIMULATORS), default="ghdl")
     parser.add_argument(
-        "--rtl", type=a_path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)"
+        "--rtl", type=a_path, help="folder with manifest.json and VHDL (default: those that are committed)"
     )
     parser.add_argument(
         "--allow-edited", action="store_true", help="take VHDL that differs from its manifest, for experiments"
@@ -136,7 +136,7 @@ def _choose_stimulus(options: argparse.Namespace) -> None:
 def _check(options: argparse.Namespace) -> None:
     if options.record and (options.rtl or options.simulator == "original" or options.stimulus or options.allow_edited):
         raise FlowError(
-            "--record keeps results of the VHDL in generated_rtl: no --rtl, --allow-edited, --stimulus, "
+            "--record keeps results of the committed VHDL: no --rtl, --allow-edited, --stimulus, "
             "no --simulator original"
         )
     for one, other in (("left", "right"), ("stimulus", "expected")):

@@ -9,7 +9,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import rtl
+from flow.base import committed
 from flow.base.errors import ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import find_ghdl
@@ -39,16 +39,22 @@ def jobs(options: Namespace) -> list[job.Job]:
             raise FlowError("--shell takes the committed VHDL, not that of --rtl")
         names = options.config
     else:
-        names = chosen(options.config, rtl.known_designs(), "configuration")
-        stages = [name for name in names if options.shell and name not in rtl.known_configurations()]
+        names = chosen(options.config, committed.known_designs(), "configuration")
+        stages = [name for name in names if options.shell and name not in committed.known_configurations()]
         if stages:
             raise FlowError(f"--shell is for matching cores; {stages[0]} is a stage and has no shell")
     made = []
     for name in names:
-        vhdl = options.rtl or rtl.folder(name)
+        vhdl = options.rtl or committed.folder(name)
         made.append(
             job.Job(
-                name, vhdl, options.out / name if options.out else vhdl, targets, seeds, options.shell, options.router
+                name,
+                vhdl,
+                options.out / name if options.out else options.rtl,
+                targets,
+                seeds,
+                options.shell,
+                options.router,
             )
         )
     return made
@@ -61,7 +67,7 @@ def main() -> int:
         action="append",
         required=True,
         metavar="NAME",
-        help="configuration, may be repeated; 'all' for each in generated_rtl",
+        help="configuration, may be repeated; 'all' for each with VHDL",
     )
     parser.add_argument(
         "--target",
@@ -82,7 +88,7 @@ def main() -> int:
         help="of nextpnr (default router1; router2 ends where that one circles, with longer clocks)",
     )
     parser.add_argument(
-        "--rtl", type=a_path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)"
+        "--rtl", type=a_path, help="folder with manifest.json and VHDL (default: those that are committed)"
     )
     parser.add_argument("--out", type=a_path, help="implementation.json goes to OUT/CONFIG (default beside the VHDL)")
     work = jobs(parser.parse_args())

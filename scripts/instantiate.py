@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import files, rtl
+from flow.base import committed, files
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path, megahertz
 from flow.kit import constraints, contents, write
@@ -17,7 +17,7 @@ from flow.synthesis import manifest
 
 def main() -> int:
     parser = ArgumentParser(prog="instantiate.py", description=__doc__)
-    parser.add_argument("--config", required=True, help="named configuration of generated_rtl/")
+    parser.add_argument("--config", required=True, help="named configuration with VHDL")
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--instance", action="store_true", help="only an instance, to be pasted")
     what.add_argument("--kit", choices=contents.TOOLS, help="a folder for this tool")
@@ -37,7 +37,7 @@ def main() -> int:
     for name, value in (("--mhz", options.mhz), ("--pad-map", options.pad_map)):
         if value:
             raise FlowError(f"{name} is for --kit")
-    entry = manifest.read(rtl.folder(options.config))
+    entry = manifest.read(committed.folder(options.config))
     make = template.user_instance if options.instance else template.entity
     text = make(options.config, entry)
     if options.out is None:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Optional
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import files, rtl
+from flow.base import committed, files
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import megahertz
 from flow.implementation.results import Configuration
@@ -39,8 +39,8 @@ def main() -> int:
 
 
 def show(name: str, mhz: Optional[float]) -> int:
-    if name not in rtl.known_configurations():
-        raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(rtl.known_configurations())}")
+    if name not in committed.known_configurations():
+        raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(committed.known_configurations())}")
     if mhz:
         print(camera.camera_table([Configuration(name, stale_is_none=True)], mhz))
         return EXIT_OK

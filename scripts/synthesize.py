@@ -1,27 +1,31 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the VHDL of configurations, of matching cores and of stages, from the C++ with Bambu, into
-generated_rtl/FAMILY/NAME/."""
+"""Makes the VHDL of configurations, of matching cores and of stages, from the C++ with Bambu: what people take into
+generated_rtl/FAMILY/NAME/, what only tests and studies need into hls_tb/evidence/FAMILY.tar.xz."""
+
+from __future__ import annotations
 
 import sys
+import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import rtl
+from flow.base import committed, rtl
 from flow.base.configurations import PLANNED, Configuration, configuration, designs
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import find_bambu
 from flow.shell import template
+from flow.synthesis import manifest
 from flow.synthesis.generate import generate
-from flow.synthesis.manifest import check_program, freshness, refresh as keep_sources
+from flow.synthesis.manifest import check_program
 
 
 def check(names: Iterable[str], table: dict[str, Configuration]) -> int:
     """Says for each configuration whether its committed VHDL follows from the sources. Needs no Bambu."""
     check_program(table)
-    found = {name: freshness(name, table[name]) for name in names}
+    found = {name: manifest.freshness(name, table[name]) for name in names}
     for name, (reasons, by_code) in found.items():
         fresh = "up to date" + (", as clang makes the same code of the changed sources" if by_code else "")
         print(f"{name}: {'stale: ' + '; '.join(reasons) if reasons else fresh}")
@@ -34,16 +38,38 @@ def check(names: Iterable[str], table: dict[str, Configuration]) -> int:
 
 
 def refresh(names: Iterable[str], table: dict[str, Configuration]) -> int:
-    """Lets the manifests name the sources as they are now where clang makes the same code of them."""
+    """Lets the manifests name the sources as they are now where clang makes the same code of them, and writes the
+    shells again that no longer follow from the manifests."""
     check_program(table)
+    changes = []
     for name in names:
-        reasons, by_code = freshness(name, table[name])
+        entry, contents, said = manifest.read(committed.folder(name)), {}, []
+        reasons, by_code = manifest.freshness(name, table[name])
         if by_code and not reasons:
-            keep_sources(name, table[name])
-            print(f"{name}: refreshed, clang makes the same code of the changed sources")
-        else:
-            print(f"{name}: {'stale: ' + '; '.join(reasons) if reasons else 'up to date'}")
+            contents[committed.MANIFEST] = manifest.text(manifest.refreshed(name, table[name]))
+            said.append("refreshed, clang makes the same code of the changed sources")
+        if not rtl.is_stage(table[name]) and not template.is_fresh(name, entry):
+            contents |= template.file(name, entry)
+            said.append("its shell is written again")
+        if contents:
+            changes.append(manifest.change(entry, contents))
+        said += [f"stale: {'; '.join(reasons)}"] if reasons else []
+        print(f"{name}: {'; '.join(said) or 'up to date'}")
+    committed.keep(changes)
     return EXIT_OK
+
+
+def make(name: str, row: Configuration, out: Path | None) -> manifest.ToolReport:
+    """The VHDL of one configuration, into OUT/NAME or to where it belongs, there with its shell."""
+    if out is not None:
+        return generate(name, out / name)["tool_report"]
+    with tempfile.TemporaryDirectory() as work:
+        folder = Path(work) / name
+        entry = generate(name, folder)
+        contents = {path.name: path.read_text() for path in folder.iterdir()}
+        contents |= {} if rtl.is_stage(row) else template.file(name, entry)
+        committed.keep([manifest.change(entry, contents)])
+    return entry["tool_report"]
 
 
 def main() -> int:
@@ -61,10 +87,13 @@ def main() -> int:
     what.add_argument(
         "--refresh",
         action="store_true",
-        help="let manifests name the sources as they are now where clang makes the same code of them; needs no Bambu",
+        help="let manifests name the sources as they are now where clang makes the same code of them, and write shells "
+        "again that do not follow from them; needs no Bambu",
     )
     parser.add_argument(
-        "--out", type=a_path, help="another folder than generated_rtl, one subfolder for each configuration"
+        "--out",
+        type=a_path,
+        help="a folder of one's own, one subfolder for each configuration; changes nothing that is committed",
     )
     options = parser.parse_args()
     table = designs()
@@ -78,9 +107,7 @@ def main() -> int:
     check_program(table)
     find_bambu()
     for name in names:
-        report = generate(name, out=options.out / name if options.out else None)["tool_report"]
-        if options.out is None and not rtl.is_stage(table[name]):
-            template.write(name)
+        report = make(name, table[name], options.out)
         print(
             f"{name}: {report['states']} states ({report['loop_states']} in the loop), "
             f"{report['registers']} registers ({report['registers_named']} named as in C++), "

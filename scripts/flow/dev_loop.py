@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from .base import rtl
+from .base import committed
 from .base.configurations import Configuration, configuration, designs
 from .base.errors import FlowError
 from .base.tools import ROOT, Word, find_bambu, find_ghdl, find_verilator, run
@@ -45,7 +45,7 @@ class DevLoop:
         self.build = WORK / "native"
         if not self.header.is_file():
             raise FlowError(f"there is no hls/{header}")
-        rtl.folder(config)
+        committed.folder(config)
         os.environ["STEREO_HLS"] = str(self.build / "stereo_hls")  # for the commands called below
 
     def run(self, done: Callable[[Timing], object]) -> float:

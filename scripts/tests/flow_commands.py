@@ -11,7 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from flow.base import files, rtl
+from flow.base import committed, files
 from flow.base.configurations import configuration, designs
 from flow.base.errors import FlowError
 from flow.base.tools import ROOT, find_stereo_hls
@@ -86,8 +86,8 @@ def report(out):
 def altered_rtl(folder, config, pattern, replacement):
     """A copy of the committed VHDL with the first place that matches changed, and a manifest that fits the change."""
     target = Path(folder) / config
-    shutil.copytree(rtl.folder(config), target)
-    design = target / f"{rtl.entity(config)}.vhd"
+    shutil.copytree(committed.folder(config), target)
+    design = target / f"{committed.entity(config)}.vhd"
     text, count = re.subn(pattern, replacement, design.read_text(), count=1, flags=re.MULTILINE)
     assert count == 1, f"the VHDL of {config} has no '{pattern}'"
     design.write_text(text)

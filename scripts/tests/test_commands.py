@@ -8,7 +8,7 @@ import subprocess
 
 import pytest
 
-from flow.base import rtl
+from flow.base import committed
 from flow.base.tools import ROOT
 from flow.synthesis import manifest
 from flow_commands import call, cosim, refused, scene
@@ -30,7 +30,7 @@ def nothing_written(tmp_path):
 @pytest.fixture
 def tiny_rtl(tmp_path):
     """A copy of the committed VHDL of tiny to damage."""
-    return shutil.copytree(rtl.folder("tiny"), tmp_path / "rtl")
+    return shutil.copytree(committed.folder("tiny"), tmp_path / "rtl")
 
 
 def test_help_names_the_exit_codes():
@@ -113,7 +113,7 @@ def test_rows_without_any_output_are_refused(pair, nothing_written):
     ],
 )
 def test_missing_simulator(pair, nothing_written, tmp_path, tool, variable, options):
-    copy = shutil.copytree(rtl.folder("tiny"), tmp_path / "rtl")
+    copy = shutil.copytree(committed.folder("tiny"), tmp_path / "rtl")
     design = copy / "stereo_core_tiny.vhd"
     design.write_text(design.read_text() + "-- so that nothing built before fits\n")
     entry = manifest.read(copy)

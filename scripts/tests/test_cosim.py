@@ -6,7 +6,7 @@ import xml.etree.ElementTree as xml
 
 import pytest
 
-from flow.base import rtl
+from flow.base import committed
 from flow.base.configurations import configuration
 from flow.cosim import record as cosim_record
 from flow.pages import quality
@@ -96,7 +96,7 @@ def test_two_whole_frames(ghdl, verilator, pairs, tmp_path, simulator):
 @pytest.mark.parametrize("config", ["ambrosch2007_p2", "ambrosch2007_p4"])
 def test_two_whole_frames_are_recorded(config):
     """Of the VHDL that is here, else there is no record; two frames and the latency, no clock more."""
-    runs = cosim_record.read(rtl.folder(config), manifest.read(rtl.folder(config)))
+    runs = cosim_record.read(committed.folder(config), manifest.read(committed.folder(config)))
     for simulator in ("ghdl", "verilator"):
         run = runs.get(simulator)
         assert run, f"run scripts/cosim.py --config {config} --frames 2 --simulator {simulator} --record"
@@ -118,7 +118,7 @@ def test_vhdl_that_has_moved_is_analysed_again(ghdl, pairs, tmp_path):
     """GHDL opens the files that it has analysed when it runs them."""
     for place in ("here", "there"):
         moved = tmp_path / place / "tiny_p2"
-        shutil.copytree(rtl.folder("tiny_p2"), moved)
+        shutil.copytree(committed.folder("tiny_p2"), moved)
         passed(
             cosim("tiny_p2", pairs["tiny_p2"], tmp_path / "out", "--rtl", moved), tmp_path / "out", OUTPUTS["tiny_p2"]
         )

@@ -7,7 +7,7 @@ import shutil
 
 import pytest
 
-from flow.base import rtl
+from flow.base import committed
 from flow.base.errors import FlowError
 from flow.cosim import record
 from flow.pages import performance
@@ -31,10 +31,10 @@ REPORT = {
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    shutil.copytree(rtl.folder("tiny"), tmp_path / "block_matching" / "tiny")
+    shutil.copytree(committed.folder("tiny"), tmp_path / "block_matching" / "tiny")
     copy = tmp_path / "block_matching" / "tiny"
     (copy / "implementation.json").unlink(missing_ok=True)
-    monkeypatch.setattr(rtl, "GENERATED_RTL", tmp_path)
+    monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path)
     return copy
 
 
@@ -82,7 +82,7 @@ def test_the_page_shows_them(folder, monkeypatch):
     assert (shown["compared in GHDL"], shown["compared in Verilator"]) == ("168 of 168, 0 differ", performance.UNKNOWN)
 
 
-@pytest.mark.parametrize("options", [["--rtl", rtl.folder("tiny")], ["--simulator", "original"], ["--broken", 3]])
+@pytest.mark.parametrize("options", [["--rtl", committed.folder("tiny")], ["--simulator", "original"], ["--broken", 3]])
 def test_only_results_of_the_committed_vhdl_are_recorded(options):
     refused(
         call("cosim.py", "--config", "tiny", "--left", "l.png", "--right", "r.png", "--record", *options), 2, "--record"

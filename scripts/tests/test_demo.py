@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from conftest import need
-from flow.base import rtl
+from flow.base import committed
 from flow.base.tools import ROOT, find_stereo_hls
 from flow.synthesis import manifest
 from flow_commands import call, random_pair, refused, report, scene
@@ -65,7 +65,7 @@ def check_page(folder, text):
         interval = entry["initiation_interval"]
         assert f"{interval['min']} / {interval['avg']:.2f} / {interval['max']}" in text
     match = json.loads((folder / "match" / "match.json").read_text())
-    facts = manifest.read(rtl.folder(match["config"]))
+    facts = manifest.read(committed.folder(match["config"]))
     assert f"{facts['tool_report']['memory_bits']:,}" in text and facts["tool"] in text
     assert "153,120" in text and "884,736" in text
 
@@ -107,7 +107,7 @@ def test_demo_ends_with_the_key_facts(tiny_demo):
         "two frames instead of seven rows, behind the same stress stream"
     )
     assert last[2].startswith("384 clocks a frame, latency 16 clocks, ") and "% bad pixels" in last[2]
-    figures = manifest.read(rtl.folder("tiny"))["tool_report"]
+    figures = manifest.read(committed.folder("tiny"))["tool_report"]
     assert last[3] == f"{figures['memory_bits']:,} memory bits, {figures['register_bits']:,} register bits"
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from flow.base import rtl
+from flow.base import committed, rtl
 from flow.base.errors import FlowError
 from flow.base.ghdl import to_verilog
 from flow.base.tools import find_yosys, run
@@ -126,7 +126,7 @@ def logic_only(netlist: dict[str, Any]) -> dict[str, Any]:
 def test_a_whole_core_is_proven_equal(ghdl: str, tmp_path: Path) -> None:
     """The committed `tiny`. Registers and memories are the same before and after, so the logic between them decides."""
     entity = rtl.core_entity("tiny")
-    verilog = to_verilog([rtl.MEMORY_CELL, rtl.folder("tiny") / f"{entity}.vhd"], tmp_path, entity)
+    verilog = to_verilog([rtl.MEMORY_CELL, committed.folder("tiny") / f"{entity}.vhd"], tmp_path, entity)
     (tmp_path / "top.v").write_text(re.sub(rf"\bmodule {entity}\b", "module top", verilog))
     commands = "read_verilog top.v; hierarchy -top top; proc; flatten; opt -full; synth_ecp5 -abc9 -top top"
     run([find_yosys(), "-p", f"{commands}; write_json top.json"], cwd=tmp_path, log=tmp_path / "synthesis.log")

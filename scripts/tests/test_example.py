@@ -4,7 +4,7 @@
 import os
 
 from conftest import where_reachable
-from flow.base import rtl
+from flow.base import committed
 from flow.implementation import nextpnr
 from flow.synthesis import manifest
 from flow_commands import call
@@ -16,5 +16,5 @@ def test_example_meets_its_clock(ghdl, yosys, tmp_path):
     assert process.returncode == 0, process.stdout + process.stderr
     # Fewer flip-flops than registers in the core would be an example that was optimised away.
     flip_flops = int(process.stdout.rpartition(" LUT sites, ")[2].split()[0])
-    assert flip_flops > 0.95 * manifest.read(rtl.folder("tiny"))["tool_report"]["register_bits"]
+    assert flip_flops > 0.95 * manifest.read(committed.folder("tiny"))["tool_report"]["register_bits"]
     assert os.path.getsize(tmp_path / "example" / "example.bit") > 100_000

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from flow.base import rtl
+from flow.base import committed
 from flow.base.configurations import configurations
 from flow.base.tools import find_stereo_hls
 from flow.implementation import figures, results
@@ -106,7 +106,7 @@ def test_committed_results():
 
 def test_switches_are_options_of_the_study_family():
     for switch, name in {**explore.SWITCHES, **explore.COSTS}.items():
-        assert manifest.read(rtl.folder(name))["use"] == "study"
+        assert manifest.read(committed.folder(name))["use"] == "study"
         found = Study().options_of(name)
         assert set(found) <= set(hardware_cost.OPTIONS) and (found or name == "study"), switch
 

@@ -5,7 +5,7 @@ import shutil
 
 import pytest
 
-from flow.base import rtl
+from flow.base import committed, files
 from flow.base.configurations import configurations, designs
 from flow.implementation import record
 from flow.pages import features
@@ -41,13 +41,13 @@ def test_every_study_configuration_stands_on_the_page():
 @pytest.fixture
 def folders(tmp_path, monkeypatch):
     """The manifests of two configurations, with results of our making."""
-    tiny, family = manifest.read(rtl.folder("tiny")), tmp_path / "block_matching"
+    tiny, family = manifest.read(committed.folder("tiny")), tmp_path / "block_matching"
     for name, luts in (("study", 5000), ("study_lr", 6500)):
         (family / name).mkdir(parents=True)
         entry = tiny | {"configuration": name}
         manifest.write(family / name, entry)
-        record.merge(family / name, entry, "ecp5", {**AREA, "luts": luts})
-    monkeypatch.setattr(rtl, "GENERATED_RTL", tmp_path)
+        files.write(family / name / record.FILE, record.merged(family / name, entry, "ecp5", {**AREA, "luts": luts}))
+    monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path)
     monkeypatch.setattr(
         features,
         "OPTIONS",
@@ -72,7 +72,7 @@ def test_the_page_of_a_missing_result_is_refused(folders):
 def test_deeper_pixels_stand_beside_those_of_8_bits(monkeypatch):
     monkeypatch.setattr(features, "DEEPER", [("tiny", "tiny_10bit"), ("tiny", "tiny_of_no_folder")])
     [line] = rows(features.pixel_bits_table())[1:]
-    narrow, deep = (manifest.read(rtl.folder(name))["tool_report"] for name in ("tiny", "tiny_10bit"))
+    narrow, deep = (manifest.read(committed.folder(name))["tool_report"] for name in ("tiny", "tiny_10bit"))
     for kind in ("register_bits", "memory_bits"):
         share = f"{100 * (deep[kind] / narrow[kind] - 1):+.1f} %"
         assert f"| {deep[kind]:,} | {narrow[kind]:,} | {share} |" in line

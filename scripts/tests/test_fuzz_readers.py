@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from conftest import SEED
-from flow.base import rtl
+from flow.base import committed
 from flow.base.errors import FlowError
 from flow.cosim import checker, record as cosim_record, vectors
 from flow.implementation import record as implementation
@@ -153,9 +153,9 @@ def use_demo(folder, name):
 TARGETS = {"match.json": "match/match.json", "cosim.json": "cosim-verilator/report.json"}
 
 
-def committed(name):
+def committed_text(name):
     """A file of the committed VHDL of tiny, short enough to be damaged everywhere."""
-    content = json.loads((rtl.folder("tiny") / name).read_text())
+    content = json.loads((committed.folder("tiny") / name).read_text())
     if "sources" in content:
         content["sources"] = dict(list(content["sources"].items())[:2])
     return content
@@ -168,8 +168,8 @@ TEXTS = [
     ("observation.txt", OBSERVATION, use_observation),
 ]
 OBJECTS = [
-    ("manifest.json", committed("manifest.json"), use_manifest),
-    ("implementation.json", committed("implementation.json"), use_implementation),
+    ("manifest.json", committed_text("manifest.json"), use_manifest),
+    ("implementation.json", committed_text("implementation.json"), use_implementation),
     ("cosimulation.json", COSIM_RECORD, use_cosim_record),
     ("match.json", MATCH, use_demo),
     ("cosim.json", COSIM, use_demo),
@@ -182,7 +182,7 @@ def refusal(name, content, use):
     """None when the bytes were taken, else the sentence."""
     with tempfile.TemporaryDirectory(prefix="stereo-fuzz-") as folder:
         folder = Path(folder)
-        for path in (rtl.folder("tiny")).glob("*.vhd"):
+        for path in committed.folder("tiny").glob("*.vhd"):
             (folder / path.name).symlink_to(path)
         (folder / name).write_bytes(content)
         try:

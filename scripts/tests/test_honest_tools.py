@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from flow.base import rtl
+from flow.base import committed, rtl
 from flow.base.tools import find_ghdl
 from flow.cosim.job import _simulations
 from flow.synthesis import manifest
@@ -88,7 +88,7 @@ def test_a_damaged_simulation_is_built_again(request, tmp_path, simulator, damag
 def copy_of(folder, edit):
     """The VHDL of tiny, edited."""
     folder.mkdir()
-    for path in rtl.folder("tiny").iterdir():
+    for path in committed.folder("tiny").iterdir():
         (folder / path.name).write_bytes(path.read_bytes())
     core = folder / "stereo_core_tiny.vhd"
     core.write_text(edit(core.read_text()))

@@ -7,14 +7,14 @@ import shutil
 import pytest
 
 import implementation_stand_ins as stand_ins
-from flow.base import rtl, venv
+from flow.base import committed, rtl, venv
 from flow.base.errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, FlowError
 from flow.base.tools import ROOT
 from flow.implementation import nextpnr, targets, yosys
 from flow.synthesis import manifest
 from flow_commands import altered_rtl, call, refused
 
-TINY = rtl.folder("tiny").relative_to(ROOT)
+TINY = committed.folder("tiny").relative_to(ROOT)
 
 
 @pytest.fixture
@@ -27,7 +27,7 @@ def build(tmp_path, monkeypatch):
     """Each test has its own flow, so that stand-ins leave nothing in the project's build folder."""
     project = tmp_path / "project"
     shutil.copytree(ROOT / "scripts", project / "scripts", ignore=shutil.ignore_patterns("__pycache__"))
-    shutil.copytree(rtl.folder("tiny"), project / TINY)
+    shutil.copytree(committed.folder("tiny"), project / TINY)
     (project / TINY / "implementation.json").unlink(missing_ok=True)
     shutil.copytree(rtl.HAND_WRITTEN, project / "hls" / "rtl")
     monkeypatch.setattr("flow_commands.ROOT", project)

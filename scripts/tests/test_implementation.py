@@ -4,7 +4,7 @@
 import pytest
 
 from conftest import where_reachable
-from flow.base import rtl
+from flow.base import committed
 from flow.base.tools import run
 from flow.implementation import figures, nextpnr, record, yosys
 from flow.implementation.results import Configuration
@@ -13,7 +13,7 @@ from flow.pages.published import SYSTEMS
 from flow.synthesis import manifest
 from flow_commands import call
 
-CONFIGURATIONS = [name for name in rtl.known_designs() if record.read(rtl.folder(name))]
+CONFIGURATIONS = [name for name in committed.known_designs() if record.read(committed.folder(name))]
 PAPER_ALUTS = 15_616  # Ambrosch et al. 2007
 MOST_MEMORY_BITS = 81_920  # of the paper's 884,736; most of them signs of differences
 LEAST_MHZ = {"ambrosch2007": 130, "ambrosch2007_p2": 110, "ambrosch2007_p4": 130, "rectify_vga": 120}
@@ -22,9 +22,9 @@ NOT_ROUTED = {(name, "ecp5") for name in ("census_450_full", "sgm_1280", "vga_64
 WIDER = [(pixels, target) for pixels in (2, 4) for target in FAMILIES]
 
 
-def committed(name, target=None):
+def result_of(name, target=None):
     """The committed result of a configuration, or of one of its targets."""
-    result = record.read(rtl.folder(name))
+    result = record.read(committed.folder(name))
     return result["targets"][target] if target else result
 
 
@@ -33,27 +33,27 @@ def test_what_the_repository_says_of_itself_is_implemented():
     one."""
     wanted = {(name, family) for name in manifest.with_use("paper", "tiny") for family in FAMILIES}
     wanted |= {(name, "ecp5") for name in manifest.with_use("study", "system")}
-    wanted |= {(name, "ecp5") for name in rtl.known_designs() if name not in rtl.known_configurations()}
+    wanted |= {(name, "ecp5") for name in committed.known_designs() if name not in committed.known_configurations()}
     assert {(name, target) for name, target in wanted if not has(name, target)} == NOT_ROUTED
 
 
 def has(name, target):
-    result = record.read(rtl.folder(name))
+    result = record.read(committed.folder(name))
     return result is not None and target in result["targets"]
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_results_are_of_the_committed_vhdl(name):
-    result, entry = committed(name), manifest.read(rtl.folder(name))
+    result, entry = result_of(name), manifest.read(committed.folder(name))
     assert result["configuration"] == name
     assert record.is_fresh(result, entry), f"results are of other VHDL; run scripts/implement.py --config {name}"
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_line_memories_are_ram(name):
-    for target, result in committed(name)["targets"].items():
+    for target, result in result_of(name)["targets"].items():
         assert result["memory_in_flip_flops"] is False, f"{name} on {target}: a line memory became flip-flops"
-        declared = manifest.read(rtl.folder(name))["tool_report"]["memory_bits"]
+        declared = manifest.read(committed.folder(name))["tool_report"]["memory_bits"]
         assert 0.9 * declared <= result["memory_bits"] <= declared, (
             "bits that never change may fall away, as those above a small D"
         )
@@ -63,24 +63,24 @@ def test_line_memories_are_ram(name):
 def test_flip_flops_are_about_the_registers(name):
     """More would be memory in flip-flops; fewer, a core that was optimised away. Block RAMs have output registers of
     their own, up to 36 bits each."""
-    register_bits = manifest.read(rtl.folder(name))["tool_report"]["register_bits"]
-    for target, result in committed(name)["targets"].items():
+    register_bits = manifest.read(committed.folder(name))["tool_report"]["register_bits"]
+    for target, result in result_of(name)["targets"].items():
         in_rams = 36 * result["block_rams"]
         assert 0.8 * register_bits - in_rams <= result["ffs"] <= 1.1 * register_bits + 300, f"{name} on {target}"
 
 
 def test_fewer_aluts_than_the_paper():
-    assert committed("ambrosch2007", "cyclonev")["aluts"] <= PAPER_ALUTS
+    assert result_of("ambrosch2007", "cyclonev")["aluts"] <= PAPER_ALUTS
 
 
 def test_memory_bits():
-    for target, result in committed("ambrosch2007")["targets"].items():
+    for target, result in result_of("ambrosch2007")["targets"].items():
         assert result["memory_bits"] <= MOST_MEMORY_BITS, target
 
 
 @pytest.mark.parametrize("name", [name for name in LEAST_MHZ if (name, "ecp5") not in NOT_ROUTED])
 def test_routed_clock(name):
-    result = committed(name, "ecp5")
+    result = result_of(name, "ecp5")
     assert len(result["seeds"]) >= (3 if name == "ambrosch2007" else 1)
     assert result["fmax_mhz"]["median"] >= LEAST_MHZ[name]
 
@@ -90,10 +90,10 @@ def test_published_frame_rates_are_reached():
     reached = {}
     for system in SYSTEMS:
         name = system.configuration
-        if name not in rtl.known_configurations() or not system.frames_per_second:
+        if name not in committed.known_configurations() or not system.frames_per_second:
             continue
         clock = Configuration(name).clock()
-        assert clock or "does_not_fit" in committed(name, "ecp5"), name
+        assert clock or "does_not_fit" in result_of(name, "ecp5"), name
         if clock:
             reached[name] = clock["frames_per_second"] / system.frames_per_second
     assert len(reached) >= 8
@@ -104,7 +104,7 @@ def test_published_frame_rates_are_reached():
     "pixels, target", [one for one in WIDER if (f"ambrosch2007_p{one[0]}", one[1]) not in NOT_ROUTED]
 )
 def test_wider_input_shares_logic(pixels, target):
-    wide, narrow = (committed(name, target) for name in (f"ambrosch2007_p{pixels}", "ambrosch2007"))
+    wide, narrow = (result_of(name, target) for name in (f"ambrosch2007_p{pixels}", "ambrosch2007"))
     assert figures.lut_count(wide) < pixels * figures.lut_count(narrow)
 
 
@@ -143,7 +143,7 @@ def test_a_netlist_below_the_temporary_folder_is_routed(tmp_path, monkeypatch, f
 
 
 def check_tiny(folder, target, *options):
-    folder, expected = folder / "größte Fläche", committed("tiny", target)
+    folder, expected = folder / "größte Fläche", result_of("tiny", target)
     process = call("implement.py", "--config", "tiny", "--target", target, "--out", folder, *options)
     if process.returncode == 3:
         pytest.skip(f"SKIP: {process.stderr.strip()}")

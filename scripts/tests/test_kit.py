@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import kits
-from flow.base import rtl
+from flow.base import committed
 from flow.base.errors import FlowError
 from flow.base.tools import ROOT
 from flow.kit import access, contents, ipxact, quartus, write
@@ -73,7 +73,7 @@ def check_component(files, config):
         Path(name) for name in files[contents.ORDER].split()
     ]
     assert all(Path(name) in files for name in texts(component, ".//x:file/x:name"))
-    known = registers.description_of(rtl.folder(config).parent.name)
+    known = registers.description_of(committed.folder(config).parent.name)
     assert texts(component, ".//x:register/x:name") == [entry["name"] for entry in known]
     for entry, element in zip(known, component.findall(".//x:register", SPACE)):
         fields = access.fields(entry)
@@ -82,7 +82,7 @@ def check_component(files, config):
         assert int(texts(element, "x:addressOffset")[0].replace("'h", ""), 16) == entry["offset"]
 
 
-@pytest.mark.parametrize("config", rtl.known_configurations())
+@pytest.mark.parametrize("config", committed.known_configurations())
 def test_every_configuration_has_its_kits(config):
     for kit in kits.KITS:
         files = contents.of(kit, config, 100)
@@ -127,7 +127,7 @@ def test_register_values_are_what_the_core_shows():
     assert Subject("tiny_p2").register_values() == {
         "id": 0x53544552,
         "version": 0x00010400,
-        "core": int(manifest.read(rtl.folder("tiny_p2"))["structure"][:8], 16),
+        "core": int(manifest.read(committed.folder("tiny_p2"))["structure"][:8], 16),
         "size": 12 << 16 | 32,
         "matching": 2 << 24 | 8,
         "map": 8 << 16 | 24,
@@ -215,11 +215,11 @@ def test_leaves_nothing_when_it_breaks_off(tmp_path, monkeypatch):
 
 
 def test_refuses_a_manifest_without_a_size(tmp_path, monkeypatch):
-    entry = manifest.read(rtl.folder("tiny"))
+    entry = manifest.read(committed.folder("tiny"))
     del entry["parameters"]["width_px"], entry["parameters"]["gap_groups"]
     (tmp_path / "family" / "tiny").mkdir(parents=True)
     manifest.write(tmp_path / "family" / "tiny", entry)
-    monkeypatch.setattr(rtl, "GENERATED_RTL", tmp_path)
+    monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path)
     with pytest.raises(FlowError, match="manifest of 'tiny' says no width_px, gap_groups"):
         contents.of("vivado", "tiny", 100)
 
@@ -227,9 +227,9 @@ def test_refuses_a_manifest_without_a_size(tmp_path, monkeypatch):
 def test_refuses_vhdl_that_was_edited(tmp_path, monkeypatch):
     folder = tmp_path / "family" / "tiny"
     folder.mkdir(parents=True)
-    for path in rtl.folder("tiny").iterdir():
+    for path in committed.folder("tiny").iterdir():
         (folder / path.name).write_text(path.read_text() + ("\n" if path.name == "stereo_core_tiny.vhd" else ""))
-    monkeypatch.setattr(rtl, "GENERATED_RTL", tmp_path)
+    monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path)
     with pytest.raises(FlowError, match="differs from its manifest"):
         contents.of("vivado", "tiny", 100)
 

@@ -7,7 +7,7 @@ import pytest
 
 import kits
 from conftest import where_reachable
-from flow.base import rtl, venv
+from flow.base import committed, venv
 from flow.base.tools import ROOT
 from flow.kit import ipxact
 from flow.kit.subject import Subject
@@ -44,7 +44,7 @@ def validate():
 
 def test_every_component_is_valid(validate, tmp_path):
     files = []
-    for config in rtl.known_configurations():
+    for config in committed.known_configurations():
         files.append(tmp_path / f"{config}.xml")
         subject = Subject(config)
         files[-1].write_text(ipxact.component(subject, subject.sources, []))

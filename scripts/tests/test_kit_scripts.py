@@ -9,7 +9,7 @@ import pytest
 import kits
 import vendor_commands
 from conftest import need
-from flow.base import rtl
+from flow.base import committed
 from flow.shell import registers
 
 CONFIGURATIONS = ["tiny", "tiny_p4", "tiny_sgm", "example"]
@@ -63,7 +63,7 @@ def check_vivado(kit):
     assert f"<ipxact:range>{span}</ipxact:range>" in component
     assert int(span) > max(register["offset"] for register in registers.description())
     names = [call[0] for call in arguments(found, "ipx::add_register")]
-    known = registers.description_of(rtl.folder(kit.config).parent.name)
+    known = registers.description_of(committed.folder(kit.config).parent.name)
     assert names == [register["name"] for register in known]
     assert arguments(found, "ipx::remove_memory_map"), "what Vivado guessed stays"
     fields = sum(len(register.get("fields", [0])) for register in known)

@@ -6,7 +6,7 @@ import os
 
 import pytest
 
-from flow.base import rtl, tools
+from flow.base import committed, rtl, tools
 from flow.base.configurations import PLANNED, configuration, designs
 from flow.base.errors import FlowError
 from flow.synthesis import generate, manifest, sources
@@ -24,14 +24,14 @@ def test_generated_vhdl_is_up_to_date(name):
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_generated_vhdl_is_what_the_manifest_says(name):
-    folder = rtl.folder(name)
+    folder = committed.folder(name)
     assert folder.parent.name == TABLE[name]["family"]
-    assert manifest.core_files(name) == [rtl.MEMORY_CELL, folder / f"{rtl.entity(name)}.vhd"], "compile order"
+    assert manifest.core_files(name) == [rtl.MEMORY_CELL, folder / f"{committed.entity(name)}.vhd"], "compile order"
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_generated_vhdl_says_where_it_came_from(name):
-    head = (rtl.folder(name) / f"{rtl.entity(name)}.vhd").read_text()[:800]
+    head = (committed.folder(name) / f"{committed.entity(name)}.vhd").read_text()[:800]
     for words in (
         "SPDX-License-Identifier: Apache-2.0",
         f"configuration {name}",
@@ -43,12 +43,12 @@ def test_generated_vhdl_says_where_it_came_from(name):
 
 
 def test_every_folder_is_a_configuration():
-    assert {path.name for path in rtl.GENERATED_RTL.glob("*/*")} == set(CONFIGURATIONS)
+    assert {path.name for path in committed.GENERATED_RTL.glob("*/*")} == set(CONFIGURATIONS)
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_nothing_of_the_tools_library_is_committed(name):
-    for path in rtl.folder(name).iterdir():
+    for path in committed.folder(name).iterdir():
         text = path.read_text().lower()
         for word in ("politecnico", "lgpl", "panda_pkg", "_expr_fu", "mux_gate", "lesser general"):
             assert word not in text, f"{path.name} has '{word}'"
@@ -71,7 +71,7 @@ def project(tmp_path, monkeypatch):
             target.write_bytes(path.read_bytes())
     monkeypatch.setattr(manifest, "ROOT", tmp_path)
     monkeypatch.setattr(sources, "ROOT", tmp_path)
-    monkeypatch.setattr(rtl, "GENERATED_RTL", tmp_path / "generated_rtl")
+    monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path / "generated_rtl")
     monkeypatch.setattr(rtl, "MEMORY_CELL", tmp_path / "hls" / "rtl" / "line_memory.vhd")
     manifest._included.cache_clear()
     yield tmp_path
@@ -253,7 +253,7 @@ def test_a_comment_or_a_layout_makes_nothing_stale(project):
 
 def test_the_same_code_of_clang_makes_nothing_stale(project, monkeypatch):
     """A member that nobody uses; then one that is used."""
-    if not manifest.read(rtl.folder("tiny"))["code"]:
+    if not manifest.read(committed.folder("tiny"))["code"]:
         pytest.fail("the manifest has no digest of clang's code")
     try:
         sources.find_clang()
@@ -263,13 +263,13 @@ def test_the_same_code_of_clang_makes_nothing_stale(project, monkeypatch):
     text = header.read_text()
     if (
         sources.code(manifest.compiler_options("tiny", row))["compiler"]
-        != manifest.read(rtl.folder("tiny"))["code"]["compiler"]
+        != manifest.read(committed.folder("tiny"))["code"]["compiler"]
     ):
         pytest.skip("SKIP: another release of clang than that of the manifests")
     header.write_text(text.replace("namespace stereo {", "namespace stereo {\ninline constexpr int kUnused = 3;", 1))
     assert header.read_text() != text
     assert manifest.freshness("tiny", row) == manifest.Freshness([], by_code=True)
-    manifest.refresh("tiny", row)
+    manifest.write(committed.folder("tiny"), manifest.refreshed("tiny", row))
     assert manifest.freshness("tiny", row) == manifest.Freshness([])
     cost = project / "hls" / "cost" / "sad_cost.hpp"
     changed = cost.read_text().replace("kPairs = (kTaps - 1) / 2", "kPairs = (kTaps + 1) / 2")

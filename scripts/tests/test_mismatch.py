@@ -10,7 +10,7 @@ import pytest
 
 from browser import look
 from conftest import need
-from flow.base import rtl
+from flow.base import committed
 from flow.base.configurations import configuration
 from flow.base.tools import find_stereo_hls
 from flow.cosim import frame_maps, job, mismatch, registers, waveform
@@ -160,7 +160,7 @@ def tmp_trace(out, begin, end):
 
 
 def test_registers_that_the_vhdl_resets():
-    text = (rtl.folder("tiny") / "stereo_core_tiny.vhd").read_text()
+    text = (committed.folder("tiny") / "stereo_core_tiny.vhd").read_text()
     assert {"raster_place_group", "slice2_best_tag_valid"} <= registers.reset_in(text)
     assert "slice2_best_index_0_0" not in registers.reset_in(text) and registers.reset_in("") == set()
 

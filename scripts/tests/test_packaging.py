@@ -11,7 +11,7 @@ from functools import partial
 import pytest
 
 from conftest import where_reachable
-from flow.base import rtl
+from flow.base import committed, rtl
 from flow.base.ghdl import STANDARD
 from flow.base.tools import ROOT
 from flow.shell import cocotb_runs, design, example, template
@@ -32,9 +32,9 @@ def ghdl_run(ghdl, folder, files, top):
 CONFIGURATIONS = ["tiny", "tiny_p2", "tiny_p4", "tiny_all_recursive", "example_p2_delayed", "ambrosch2007"]
 
 
-@pytest.mark.parametrize("config", rtl.known_configurations())
+@pytest.mark.parametrize("config", committed.known_configurations())
 def test_committed_wrapper_follows_from_the_manifest(config):
-    assert template.path(config).read_text() == template.entity(config, manifest.read(rtl.folder(config)))
+    assert template.path(config).read_text() == template.entity(config, manifest.read(committed.folder(config)))
 
 
 def test_command_prints_the_committed_wrapper():
@@ -52,7 +52,7 @@ def two_cores(configs):
     """A design with two configurations, each with its streams tied off."""
     instances = []
     for config in configs:
-        entry = manifest.read(rtl.folder(config))
+        entry = manifest.read(committed.folder(config))
         ports = template.ports(design.generics(entry), rtl.pixel_bits_of(entry["parameters"]))
         tied = {
             port.name: "open" if port.direction == "out" else "(others => '0')" if "vector" in port.kind else "'0'"
@@ -74,7 +74,7 @@ def test_two_configurations_stand_in_one_library(ghdl, tmp_path, configs):
 @pytest.mark.parametrize("generic", rtl.GENERICS)
 def test_a_wrong_generic_stops_elaboration(ghdl, tmp_path, config, generic):
     """A core that is not what its user says of it: a wrapper of another configuration, or of another version."""
-    values = design.generics(manifest.read(rtl.folder(config)))
+    values = design.generics(manifest.read(committed.folder(config)))
     wrong, entity = values[generic] + 1, rtl.core_entity(config)
     step = partial(subprocess.run, cwd=tmp_path, capture_output=True, text=True)
     assert step([ghdl, "-a", STANDARD, *manifest.core_files(config)]).returncode == 0
@@ -109,7 +109,7 @@ def test_unknown_configuration():
 def test_example_has_the_sizes_of_its_core():
     text = (example.FOLDER / "example_top.vhd").read_text()
     constants = dict(re.findall(r"constant (\w+) : \w+ := (\d+);", text))
-    values = design.generics(manifest.read(rtl.folder(example.CONFIG)))
+    values = design.generics(manifest.read(committed.folder(example.CONFIG)))
     sizes = [name for name in values if name in constants]
     assert len(sizes) >= 3 and all(int(constants[name]) == values[name] for name in sizes)
     assert f"entity work.{rtl.ip_entity(example.CONFIG)}" in text

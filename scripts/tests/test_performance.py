@@ -7,7 +7,7 @@ import shutil
 
 import pytest
 
-from flow.base import files, rtl
+from flow.base import committed, files
 from flow.base.errors import FlowError
 from flow.implementation import record as implementation
 from flow.implementation.results import Configuration
@@ -30,9 +30,9 @@ ECP5 = {
 @pytest.fixture
 def folders(tmp_path, monkeypatch):
     """A copy of tiny's folder alone, for performance.py to read."""
-    shutil.copytree(rtl.folder("tiny"), tmp_path / "block_matching" / "tiny")
+    shutil.copytree(committed.folder("tiny"), tmp_path / "block_matching" / "tiny")
     (tmp_path / "block_matching" / "tiny" / "implementation.json").unlink(missing_ok=True)
-    monkeypatch.setattr(rtl, "GENERATED_RTL", tmp_path)
+    monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path)
     return tmp_path / "block_matching"
 
 

@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-from flow.base import facts, places, rtl
+from flow.base import committed, facts, places
 from flow.base.errors import FlowError
 from flow.base.tools import ROOT, find_stereo_hls
 
@@ -27,7 +27,7 @@ def program():
 
 def tree(folder):
     """What a co-simulation of `tiny` reads of the project."""
-    for name in (*NEEDED, rtl.folder("tiny").relative_to(ROOT)):
+    for name in (*NEEDED, committed.folder("tiny").relative_to(ROOT)):
         source = ROOT / name
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (shutil.copytree if source.is_dir() else shutil.copy)(source, folder / name)

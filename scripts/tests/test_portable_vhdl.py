@@ -7,7 +7,7 @@ import shutil
 import pytest
 
 import kits
-from flow.base import ghdl as ghdl_flow, rtl
+from flow.base import committed, ghdl as ghdl_flow, rtl
 from flow.base.errors import FlowError
 from flow.shell import design, example, template
 from flow.synthesis import manifest
@@ -19,21 +19,21 @@ EXAMPLE_FILES = [example.FOLDER / f"{name}.vhd" for name in example.SOURCES]
 
 def user_files():
     """In compile order, each once."""
-    cores = [file for name in rtl.known_designs() for file in manifest.core_files(name)]
-    shells = [template.path(name) for name in rtl.known_configurations()]
+    cores = [file for name in committed.known_designs() for file in manifest.core_files(name)]
+    shells = [template.path(name) for name in committed.known_configurations()]
     cameras = [file for system in systems.SYSTEMS.values() for file in systems.own_files(system)]
     return list(dict.fromkeys([*cores, *design.shell_files(), *shells, *cameras, *EXAMPLE_FILES]))
 
 
 def user_tops():
     """All that stands on its own: the other files are parts of these."""
-    cores = [rtl.entity(name) for name in rtl.known_designs()]
-    shells = [rtl.ip_entity(name) for name in rtl.known_configurations()]
+    cores = [committed.entity(name) for name in committed.known_designs()]
+    shells = [rtl.ip_entity(name) for name in committed.known_configurations()]
     return [*cores, *shells, *(system.entity for system in systems.SYSTEMS.values()), "stereo_joiner", "example_top"]
 
 
 def test_no_file_is_forgotten():
-    folders = (rtl.GENERATED_RTL, rtl.HAND_WRITTEN, systems.FOLDER, example.FOLDER)
+    folders = (committed.GENERATED_RTL, rtl.HAND_WRITTEN, systems.FOLDER, example.FOLDER)
     there = {file for folder in folders for file in folder.rglob("*.vhd") if not file.name.startswith("tb_")}
     assert there == set(user_files())
 
@@ -42,7 +42,7 @@ def test_no_file_is_forgotten():
 def test_every_file_compiles_and_every_design_elaborates(ghdl, tmp_path, standard):
     ghdl_flow.analyse(user_files(), tmp_path, standard=standard)
     tops = user_tops()
-    assert len(tops) > 2 * len(rtl.known_configurations())
+    assert len(tops) > 2 * len(committed.known_configurations())
     for top in tops:
         ghdl_flow.elaborate(tmp_path, top, standard)
 

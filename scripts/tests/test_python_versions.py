@@ -12,7 +12,7 @@ import pytest
 
 import flow
 from conftest import where_reachable
-from flow.base import rtl, venv
+from flow.base import committed, venv
 from flow.base.errors import FlowError
 from flow.base.tools import ROOT, find_stereo_hls
 from flow_commands import refused
@@ -83,7 +83,7 @@ def test_a_kit_is_the_same(tmp_path, kit):
 
 def test_the_committed_wrapper():
     process = call(python(OLDEST), "instantiate.py", "--config", "tiny")
-    assert process.returncode == 0 and process.stdout == (rtl.folder("tiny") / "stereo_ip_tiny.vhd").read_text()
+    assert process.returncode == 0 and process.stdout == (committed.folder("tiny") / "stereo_ip_tiny.vhd").read_text()
 
 
 @pytest.fixture

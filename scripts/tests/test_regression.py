@@ -12,7 +12,7 @@ import xml.etree.ElementTree as xml
 
 import pytest
 
-from flow.base import rtl
+from flow.base import committed
 from flow.base.errors import FlowError
 from flow.base.tools import ROOT, find_stereo_hls
 from flow.cosim import regression
@@ -32,7 +32,7 @@ def test_a_good_and_a_faulty_core_at_once(ghdl, pair, tmp_path):
     faulty = altered_rtl(tmp_path / "rtl", "tiny", *WINNER)
     command = [str(ROOT / "scripts" / "cosim.py"), "--config", "tiny", "--left", pair[0], "--right", pair[1]]
     for number in range(ROUNDS):
-        for folder in (faulty, rtl.folder("tiny")):  # so that both are built again
+        for folder in (faulty, committed.folder("tiny")):  # so that both are built again
             design = folder / "stereo_core_tiny.vhd"
             copy = shutil.copytree(folder, tmp_path / f"{number}-{folder.parent.name}" / "tiny")
             (copy / design.name).write_text(design.read_text() + f"-- {number}\n")
@@ -188,8 +188,8 @@ def test_a_damaged_summary_is_refused(stand_ins):
 
 
 def test_the_inputs_that_count(ghdl, tmp_path, monkeypatch):
-    shutil.copytree(rtl.folder("tiny"), tmp_path / "rtl" / "block_matching" / "tiny")
-    monkeypatch.setattr(rtl, "GENERATED_RTL", tmp_path / "rtl")
+    shutil.copytree(committed.folder("tiny"), tmp_path / "rtl" / "block_matching" / "tiny")
+    monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path / "rtl")
     image = tmp_path / "left.pgm"
     image.write_text("1")
 
@@ -213,7 +213,7 @@ def test_the_inputs_that_count(ghdl, tmp_path, monkeypatch):
 
 
 def test_names_and_patterns():
-    made = rtl.known_designs()
+    made = committed.known_designs()
     assert regression.select(["tiny_p2", "tiny", "tiny_p2"]) == ["tiny_p2", "tiny"]
     assert regression.select(["all"]) == made
     assert regression.select(["tiny_p?"]) == ["tiny_p2", "tiny_p4"]
@@ -260,7 +260,7 @@ def test_a_report_names_its_surroundings(ghdl, pair, tmp_path):
 
 
 def test_edited_vhdl_is_marked(ghdl, pair, tmp_path):
-    copy = shutil.copytree(rtl.folder("tiny"), tmp_path / "tiny")
+    copy = shutil.copytree(committed.folder("tiny"), tmp_path / "tiny")
     design = copy / "stereo_core_tiny.vhd"
     design.write_text(design.read_text() + "-- tried out\n")
     process = cosim("tiny", pair, tmp_path / "out", "--rtl", copy, "--allow-edited")
@@ -293,12 +293,12 @@ def test_vectors_of_ones_own(ghdl, pair, tmp_path):
 
 
 def test_vhdl_of_another_configuration(pair, tmp_path):
-    process = cosim("tiny_p2", pair, tmp_path / "out", "--rtl", rtl.folder("tiny"))
+    process = cosim("tiny_p2", pair, tmp_path / "out", "--rtl", committed.folder("tiny"))
     refused(process, 2, "is the VHDL of tiny, not of tiny_p2")
 
 
 def test_a_relative_folder_of_vhdl(ghdl, pair, tmp_path):
-    copy = shutil.copytree(rtl.folder("tiny"), tmp_path / "copy")
+    copy = shutil.copytree(committed.folder("tiny"), tmp_path / "copy")
     words = [str(ROOT / "scripts" / "cosim.py"), "--config", "tiny", "--left", pair[0], "--right", pair[1]]
     words += ["--rtl", copy.name, "--out", "out"]
     process = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True)

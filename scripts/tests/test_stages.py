@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 
-from flow.base import rtl
+from flow.base import committed, rtl
 from flow.base.configurations import configurations, designs
 from flow.base.errors import FlowError
 from flow.base.ghdl import STANDARD
@@ -91,8 +91,8 @@ def test_the_stress_stream(ghdl, tmp_path, config):
 
 def test_there_are_stages():
     assert STAGES == ["rectify_tiny", "rectify_tiny_12bit", "rectify_vga"]
-    assert {rtl.folder(name).parent.name for name in STAGES} == set(rtl.STAGES)
-    assert not set(STAGES) & set(rtl.known_configurations()) and set(STAGES) < set(rtl.known_designs())
+    assert {committed.folder(name).parent.name for name in STAGES} == set(rtl.STAGES)
+    assert not set(STAGES) & set(committed.known_configurations()) and set(STAGES) < set(committed.known_designs())
     assert set(STAGES) < set(regression.select(["all"]))
 
 
@@ -175,7 +175,7 @@ def test_damaged_stimulus(tmp_path, line):
 def test_a_wrong_generic_stops_elaboration(ghdl, tmp_path, generic):
     step, value = [ghdl, "-a", STANDARD, *map(str, manifest.core_files(TINY))], designs()[TINY][generic]
     assert subprocess.run(step, cwd=tmp_path).returncode == 0
-    step = [ghdl, "-r", STANDARD, rtl.entity(TINY), f"-g{generic}={value + 1}"]
+    step = [ghdl, "-r", STANDARD, committed.entity(TINY), f"-g{generic}={value + 1}"]
     process = subprocess.run(step, cwd=tmp_path, capture_output=True, text=True)
     assert process.returncode != 0
     assert f"{generic} is {value + 1} but this core has {value}" in process.stdout + process.stderr

@@ -5,11 +5,11 @@ import re
 
 import pytest
 
-from flow.base import rtl
+from flow.base import committed, rtl
 from flow.synthesis.structure import structure_digest
 from flow_commands import call, refused
 
-TINY = (rtl.folder("tiny") / f"{rtl.core_entity('tiny')}.vhd").read_text()
+TINY = (committed.folder("tiny") / f"{rtl.core_entity('tiny')}.vhd").read_text()
 
 
 def names():

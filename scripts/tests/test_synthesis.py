@@ -4,7 +4,7 @@
 import pytest
 
 from conftest import need
-from flow.base import rtl
+from flow.base import committed
 from flow.base.configurations import designs
 from flow.synthesis import manifest
 from flow_commands import call, cosim, random_pair, report
@@ -28,13 +28,13 @@ def regenerated(tmp_path_factory):
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_regenerating_gives_the_committed_files(regenerated, name):
-    committed, new = rtl.folder(name), regenerated / name
-    if manifest.read(committed)["tool"] != manifest.read(new)["tool"]:
-        pytest.skip(f"SKIP: {manifest.read(committed)['tool']} is not installed, {manifest.read(new)['tool']} is")
+    old, new = committed.folder(name), regenerated / name
+    if manifest.read(old)["tool"] != manifest.read(new)["tool"]:
+        pytest.skip(f"SKIP: {manifest.read(old)['tool']} is not installed, {manifest.read(new)['tool']} is")
     made = sorted(new.iterdir())
-    assert [path.name for path in made] == ["manifest.json", f"{rtl.entity(name)}.vhd"]
+    assert [path.name for path in made] == ["manifest.json", f"{committed.entity(name)}.vhd"]
     for path in made:
-        assert path.read_bytes() == (committed / path.name).read_bytes(), f"{path.name} differs"
+        assert path.read_bytes() == (old / path.name).read_bytes(), f"{path.name} differs"
 
 
 def test_twice_gives_the_same_digest(regenerated, tmp_path):

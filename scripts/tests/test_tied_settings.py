@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from conftest import where_reachable
-from flow.base import ghdl as ghdl_flow, rtl
+from flow.base import committed, ghdl as ghdl_flow, rtl
 from flow.base.configurations import designs
 from flow.base.tools import run
 from flow.implementation import yosys as yosys_flow
@@ -36,8 +36,8 @@ PAIRS = [
 
 def design(config, work):
     """(Verilog of the core, its entity)"""
-    entity = rtl.entity(config)
-    return ghdl_flow.to_verilog(manifest.vhdl_files(rtl.folder(config)), work, entity), entity
+    entity = committed.entity(config)
+    return ghdl_flow.to_verilog(manifest.vhdl_files(committed.folder(config)), work, entity), entity
 
 
 def with_top(verilog, entity, tied=()):

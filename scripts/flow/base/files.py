@@ -32,6 +32,11 @@ def write(path: Path, content: str | bytes) -> None:
             temporary.unlink(missing_ok=True)
 
 
+def shown(path: Path) -> str:
+    """As it is told to people: from the project's root where it lies below it."""
+    return path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else str(path)
+
+
 def pgm(width: int, height: int, pixels: bytes) -> bytes:
     """A grey image as a file."""
     return b"P5 %d %d 255\n" % (width, height) + pixels
@@ -61,7 +66,7 @@ def update(texts: Mapping[Path, str], check: bool, command: str) -> int:
         return _says(old) == _says(new) if check else old == new
 
     stale = [path for path, text in texts.items() if not path.is_file() or not same(path.read_text(), text)]
-    names = {path: path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else str(path) for path in texts}
+    names = {path: shown(path) for path in texts}
     if check and stale:
         raise FlowError(f"not up to date: {', '.join(names[path] for path in stale)}; run {command}", EXIT_MISMATCH)
     for path, text in texts.items():

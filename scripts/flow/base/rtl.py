@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the VHDL of each configuration stands, generated_rtl/FAMILY/NAME/, what its entities are called, and the ports
-of each kind of design: a matching core of any family, or a stage in front of it."""
+"""The entity and the ports of each kind of design: a matching core of any family, or a stage in front of it."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any, NamedTuple, cast
 
-from .errors import FlowError
 from .tools import ROOT
 
-GENERATED_RTL = ROOT / "generated_rtl"
 HAND_WRITTEN = ROOT / "hls" / "rtl"
 MEMORY_CELL = HAND_WRITTEN / "line_memory.vhd"  # of all cores
 
@@ -210,11 +206,6 @@ def core_entity(config: str) -> str:
     return CORE.entity(config)
 
 
-def entity(config: str) -> str:
-    """Of a core or a stage whose VHDL was made."""
-    return STAGES.get(folder(config).parent.name, CORE).entity(config)
-
-
 def ip_entity(config: str) -> str:
     """The core between AXI4-Streams."""
     return f"stereo_ip_{config}"
@@ -232,21 +223,3 @@ def port_bits(port: Port, pixels: int, disparity_bits: int) -> int:
     if port.bits is not None:
         return port.bits
     return 1 if port.lane_bits is None else (port.lane_bits or disparity_bits) * pixels
-
-
-def known_designs() -> list[str]:
-    """The folders with a manifest: of matching cores and of stages."""
-    return sorted(path.parent.name for path in GENERATED_RTL.glob("*/*/manifest.json"))
-
-
-def known_configurations() -> list[str]:
-    """Those of matching cores."""
-    return [name for name in known_designs() if folder(name).parent.name not in STAGES]
-
-
-def folder(config: str) -> Path:
-    """generated_rtl/FAMILY/NAME of a configuration whose VHDL was made."""
-    found = [path.parent for path in GENERATED_RTL.glob(f"*/{config}/manifest.json")]
-    if len(found) != 1:
-        raise FlowError(f"no generated VHDL for '{config}'; run scripts/synthesize.py --config {config}")
-    return found[0]

@@ -10,7 +10,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from ..base import files, locks, progress, rtl
+from ..base import committed, files, locks, progress, rtl
 from ..base.configurations import Parameters, configuration, designs
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.facts import facts
@@ -42,7 +42,7 @@ class Job:
     seed: int = 1
     fit: str = "none"
     simulator: str = "ghdl"
-    rtl: Path | None = None  # default: generated_rtl/FAMILY/CONFIG
+    rtl: Path | None = None  # default: that of the committed VHDL
     allow_edited: bool = False  # VHDL that differs from its manifest
     out: Path | None = None  # default: build/cosim/CONFIG-SIMULATOR
     wave: Path | None = None
@@ -281,7 +281,7 @@ def _vhdl_files(job: Job, parameters: Parameters) -> tuple[list[Path], list[str]
         if rtl.is_stage(parameters):
             raise FlowError(f"--simulator original is for matching cores; {job.config} is a stage")
         return original_files(job.config), []
-    folder = job.rtl.resolve() if job.rtl else rtl.folder(job.config)
+    folder = job.rtl.resolve() if job.rtl else committed.folder(job.config)
     entry = manifest.read(folder)
     if entry["configuration"] != job.config:
         raise FlowError(f"--rtl {job.rtl} is the VHDL of {entry['configuration']}, not of {job.config}")

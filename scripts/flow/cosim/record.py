@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""generated_rtl/FAMILY/NAME/cosimulation.json: what the co-simulations of that VHDL gave, for the pages."""
+"""cosimulation.json beside the VHDL of a configuration: what its co-simulations gave, for the pages."""
 
 import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TypedDict, get_type_hints
 
-from ..base import files, json_files, rtl
+from ..base import committed, json_files
 from ..synthesis import manifest
 from .report import Report
 
@@ -31,12 +31,13 @@ _KEPT = get_type_hints(Run)
 
 def keep(report: Report) -> None:
     """Adds a report of job.run_job; the last one of each simulator stays."""
-    directory = rtl.folder(report["config"])
+    directory = committed.folder(report["config"])
     entry = manifest.read(directory)
     runs: dict[str, Mapping[str, object]] = {**read(directory, entry)}
     runs[report["simulator"]] = {key: value for key, value in report.items() if key in _KEPT}
     content = {"format": FORMAT, "configuration": report["config"], "design": manifest.design(entry), "runs": runs}
-    files.write(directory / FILE, json.dumps(content, indent=2, sort_keys=True) + "\n")
+    text = json.dumps(content, indent=2, sort_keys=True) + "\n"
+    committed.keep([manifest.change(entry, {FILE: text})])
 
 
 def read(directory: Path, entry: manifest.Manifest) -> dict[str, Run]:

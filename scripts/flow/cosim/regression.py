@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
-from ..base import facts, files, json_files, locks, rtl
+from ..base import committed, facts, files, json_files, locks, rtl
 from ..base.configurations import designs
 from ..base.errors import EXIT_INTERRUPTED, EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_stereo_hls
@@ -38,7 +38,7 @@ def is_pattern(word: str) -> bool:
 
 def select(words: Iterable[str]) -> list[str]:
     """The configurations that names and patterns mean, each once. Patterns are of those whose VHDL was made."""
-    table, made = designs(), rtl.known_designs()
+    table, made = designs(), committed.known_designs()
     chosen: list[str] = []
     for word in words:
         found = fnmatch.filter(made, "*" if word == ALL else word) if is_pattern(word) else [word]
@@ -173,8 +173,8 @@ class Regression:
         flow = ROOT / "scripts" / "flow"
         folders = (BENCH, flow / "cosim", flow / "base")
         sources = [path for folder in folders for path in sorted(folder.iterdir()) if path.is_file()]
-        design = [path for path in sorted(rtl.folder(config).iterdir()) if path.suffix in (".vhd", ".vhdl")]
-        design.append(rtl.folder(config) / "manifest.json")
+        design = [path for path in sorted(committed.folder(config).iterdir()) if path.suffix in (".vhd", ".vhdl")]
+        design.append(committed.folder(config) / "manifest.json")
         key = hashlib.sha256(repr((config, list(self.options), SIMULATORS[self.simulator].tools())).encode())
         modules = sorted(program.parent.glob(f"{program.name}_*.so"))  # what it loads, as the readers of images
         for path in [program, *modules, core, rtl.MEMORY_CELL, *design, *sources, *self.inputs]:

@@ -2,6 +2,8 @@
 """Implementation: VHDL to area on each FPGA family and, where a router is free, to a clock; into
 implementation.json."""
 
+from __future__ import annotations
+
 import json
 import re
 import shutil
@@ -9,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..base import ghdl, progress, rtl
+from ..base import committed, files, ghdl, progress, rtl
 from ..base.configurations import Parameters
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from ..base.tools import ROOT
@@ -36,7 +38,7 @@ class Design:
 class Job:
     config: str
     vhdl: Path  # folder with manifest.json and VHDL
-    out: Path  # folder for implementation.json
+    out: Path | None  # folder for implementation.json; None: beside the committed VHDL
     targets: list[str]
     seeds: list[int]
     shell: bool = False  # stereo_ip_CONFIG instead of the core alone
@@ -44,11 +46,11 @@ class Job:
 
     @property
     def entity(self) -> str:
-        return rtl.ip_entity(self.config) if self.shell else rtl.entity(self.config)
+        return rtl.ip_entity(self.config) if self.shell else committed.entity(self.config)
 
     def design(self) -> Design:
         files = design.vhdl_files(self.config) if self.shell else manifest.vhdl_files(self.vhdl)
-        without_bypass = yosys.memories_without_bypass(rtl.folder(self.config).parent.name)
+        without_bypass = yosys.memories_without_bypass(committed.folder(self.config).parent.name)
         return Design(self.entity, files, self.seeds, self.router, without_bypass)
 
 
@@ -139,13 +141,14 @@ def run_job(job: Job) -> int:
     """Implements one configuration on its targets. Returns the exit code."""
     entry = manifest.read(job.vhdl)
     manifest.vhdl_files(job.vhdl)  # is the VHDL as it was made?
-    check_writable(job.out)
+    if job.out is not None:
+        check_writable(job.out)
     all_lost: list[str] = []
     made: dict[str, Netlist] = {}
     shell = design.digests() if job.shell else None
     for name in job.targets:
         result, lost = implement_target(job.design(), TARGETS[name], made)
-        record.merge(job.out, entry, name, result, shell)
+        _keep(job, entry, name, result, shell)
         print(summary(job.entity, name, entry["parameters"], result), flush=True)
         all_lost += [f"{memory} on {name}" for memory in lost]
     if all_lost:
@@ -153,6 +156,16 @@ def run_job(job: Job) -> int:
             f"{job.config}: a memory became flip-flops instead of RAM: {', '.join(all_lost)}", EXIT_MISMATCH
         )
     return EXIT_OK
+
+
+def _keep(
+    job: Job, entry: manifest.Manifest, target: str, result: record.Result, shell: manifest.Digests | None
+) -> None:
+    if job.out is not None:
+        files.write(job.out / record.FILE, record.merged(job.out, entry, target, result, shell))
+        return
+    text = record.merged(committed.folder(job.config), entry, target, result, shell)
+    committed.keep([manifest.change(entry, {record.FILE: text})])
 
 
 def summary(entity: str, target: str, parameters: Parameters, result: record.Result) -> str:

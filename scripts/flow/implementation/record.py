@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""generated_rtl/FAMILY/NAME/implementation.json: area and clock of that VHDL on each FPGA family, and of the AXI shell
-around it."""
+"""implementation.json beside the VHDL of a configuration: its area and clock on each FPGA family, and those of the AXI
+shell around it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 from typing import TypedDict, cast
 
-from ..base import files, json_files
+from ..base import json_files
 from ..base.newer_python import NotRequired
 from ..synthesis.manifest import Digests, Manifest, design
 
@@ -108,9 +108,9 @@ def shell_results(record: Record, shell: Digests) -> dict[str, Result]:
     return kept["targets"] if kept and kept["design"] == shell else {}
 
 
-def merge(out: Path, entry: Manifest, target: str, result: Result, shell: Digests | None = None) -> None:
-    """Adds one target's result to implementation.json: of the core, or with `shell` of the shell of these digests
-    around it. Results of other targets stay when they are of the same VHDL."""
+def merged(out: Path, entry: Manifest, target: str, result: Result, shell: Digests | None = None) -> str:
+    """The text of the implementation.json in a folder with one more target's result: of the core, or with `shell` of
+    the shell of these digests around it. Results of other targets stay when they are of the same VHDL."""
     record = read(out)
     if record is None or not is_fresh(record, entry):
         record = {
@@ -123,4 +123,4 @@ def merge(out: Path, entry: Manifest, target: str, result: Result, shell: Digest
         record["targets"][target] = result
     else:
         record["shell"] = {"design": shell, "targets": shell_results(record, shell) | {target: result}}
-    files.write(out / FILE, json.dumps(record, indent=2, sort_keys=True) + "\n")
+    return json.dumps(record, indent=2, sort_keys=True) + "\n"

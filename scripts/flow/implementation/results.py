@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What generated_rtl/FAMILY/NAME/ says of one configuration: how it was made, its co-simulations, area and clock."""
+"""What is committed of one configuration: how it was made, its co-simulations, area and clock."""
 
 from __future__ import annotations
 
-from ..base import rtl
+from ..base import committed
 from ..base.configurations import Size, option
 from ..base.errors import EXIT_MISMATCH, FlowError
 from ..cosim import record as cosim_record
@@ -27,7 +27,7 @@ class Configuration:
 
     def __init__(self, name: str, stale_is_none: bool = False) -> None:
         self.name = name
-        folder = rtl.folder(name)
+        folder = committed.folder(name)
         self.manifest = manifest.read(folder)
         self.parameters = self.manifest["parameters"]
         implemented = record.read(folder)

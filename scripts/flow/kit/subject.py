@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from ..base import rtl
+from ..base import committed, rtl
 from ..base.errors import FlowError
 from ..shell import design, registers, template
 from ..shell.template import Port
@@ -33,7 +33,7 @@ class Subject:
 
     def __init__(self, config: str, pads_map: bool = False) -> None:
         """`pads_map`: with zeros above the map in m_axis_tdata, up to a power of two, as DMA engines want it."""
-        folder = rtl.folder(config)
+        folder = committed.folder(config)
         self.config = config
         self.entry = manifest.read(folder)
         self.manifest_file = folder / "manifest.json"

@@ -18,7 +18,7 @@ import threading
 from pathlib import Path
 from typing import NamedTuple
 
-from ..base import aiger, ghdl, rtl
+from ..base import aiger, committed, ghdl, rtl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..shell import template
 from ..synthesis import manifest
@@ -82,13 +82,13 @@ def graph(design: Design, core: list[Path], shell: list[Path], work: Path) -> Pa
     name = design.config
     options: dict[str, int | str] = {}
     if design.is_core:
-        files, top = core, rtl.entity(name)
+        files, top = core, committed.entity(name)
         compared = top
     else:
         generics = dict(design.generics)
         enabled = generics.pop("enabled_at_reset", None)  # the only one that a user of the stereo_ip chooses
         wrapper = work / f"{rtl.ip_entity(name)}.vhd"
-        wrapper.write_text(template.entity(name, manifest.read(rtl.folder(name)), generics))
+        wrapper.write_text(template.entity(name, manifest.read(committed.folder(name)), generics))
         options = {} if enabled is None else {"enabled_at_reset": enabled}
         files, top, compared = [*manifest.core_files(name), *shell, wrapper], rtl.ip_entity(name), "stereo_shell"
     try:

@@ -4,7 +4,7 @@
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from ..base import rtl
+from ..base import committed
 from ..base.tools import ROOT
 from ..implementation import figures
 from ..implementation.results import Configuration
@@ -28,7 +28,7 @@ def points(configurations: Iterable[Configuration]) -> list[Point]:
         clock = c.clock()
         if clock:
             luts = figures.lut_count(c.targets["ecp5"])
-            family = rtl.folder(c.name).parent.name
+            family = committed.folder(c.name).parent.name
             found.append(Point(c.name, family, c.manifest["use"], luts, clock["median"]))
     return sorted(found)
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypedDict, get_args, get_origin, get_type_hints
 
-from ..base import json_files, rtl
+from ..base import committed, json_files
 from ..base.configurations import option
 from ..base.errors import FlowError
 from ..base.newer_python import NotRequired, need_python
@@ -158,7 +158,7 @@ def _read_cosim(path: Path, config: str) -> Report:
 
 def _read_core(config: str) -> Configuration:
     core = Configuration(config, stale_is_none=True)
-    _check(rtl.folder(config) / "manifest.json", core.manifest["tool_report"], ToolReport)
+    _check(committed.folder(config) / "manifest.json", core.manifest["tool_report"], ToolReport)
     return core
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ..base import rtl
+from ..base import committed, rtl
 from ..base.configurations import option
 from ..base.markdown import UNKNOWN, code, number, table
 from ..base.tools import ROOT
@@ -74,7 +74,7 @@ def page() -> str:
 
 
 def _known(name: str) -> bool:
-    return name in rtl.known_configurations()
+    return name in committed.known_configurations()
 
 
 def _routed(name: str) -> Result | None:
@@ -124,7 +124,7 @@ def pixel_bits_table() -> str:
     """Of rows that are too small to be placed and routed: what their VHDL holds."""
     rows = []
     for names in DEEPER:
-        if not set(names) <= set(rtl.known_designs()):
+        if not set(names) <= set(committed.known_designs()):
             continue
         narrow, deep = (Configuration(name) for name in names)
         cells = [deep.parameters["family"], str(rtl.pixel_bits_of(deep.parameters))]

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from ..base import rtl
+from ..base import committed
 from ..base.markdown import UNKNOWN, code, number, table
 from ..base.tools import ROOT
 from ..cosim.record import Run
@@ -124,7 +124,7 @@ def shell_table(configurations: Iterable[Configuration]) -> str:
 
 def routed_configurations() -> list[Configuration]:
     """All with a clock on ECP5, grade 8."""
-    every = (Configuration(name, stale_is_none=True) for name in rtl.known_configurations())
+    every = (Configuration(name, stale_is_none=True) for name in committed.known_configurations())
     return [c for c in every if c.clock()]
 
 
@@ -225,7 +225,7 @@ def systems(make: Callable[[str], Configuration] = Configuration) -> Grid:
         name, fps = system.configuration, system.frames_per_second
         start = [system.name, system.platform, system.point, UNKNOWN if fps is None else f"{fps:g}", system.source]
         start.append(code(name) if name else "not done yet")
-        if name is None or name not in rtl.known_configurations():
+        if name is None or name not in committed.known_configurations():
             rows.append([*start, *[UNKNOWN] * 10])
             continue
         c = make(name)

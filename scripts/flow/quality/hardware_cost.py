@@ -14,7 +14,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol, Union
 
-from ..base import rtl
+from ..base import committed, rtl
 from ..base.configurations import Parameters
 from ..implementation import figures
 from ..implementation.record import Area
@@ -203,7 +203,7 @@ class Study:
 def of_configuration(name: str, disparities: int, as_it_is: bool = True) -> Cost:
     """What a committed configuration takes, in proportion to its disparities for another number of them. not as_it_is:
     with the other image as reference, which costs about the same."""
-    if name not in rtl.known_configurations():
+    if name not in committed.known_configurations():
         return Cost(ABSENT, None, (), (name,))
     known = Configuration(name, stale_is_none=True)
     if TARGET not in known.targets:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from ..base import builds, ghdl, rtl, venv
+from ..base import builds, committed, ghdl, rtl, venv
 from ..base.configurations import configuration
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Say, find_ghdl, run, run_with_progress
@@ -70,7 +70,7 @@ class Ghdl:
     ) -> None:
         self.config = config
         self.parameters = configuration(config)
-        self.entry = manifest.read(rtl.folder(config))
+        self.entry = manifest.read(committed.folder(config))
         self.top = rtl.ip_entity(config)
         self.files = files or [*manifest.core_files(config), *design.shell_files()]
         self.generics = dict(generics or {})

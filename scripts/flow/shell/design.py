@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import cast
 
-from ..base import rtl
+from ..base import committed, rtl
 from ..base.errors import FlowError
 from ..base.tools import ROOT
 from ..synthesis import manifest
@@ -31,7 +31,7 @@ JOINER = ("camera_queue", "stereo_joiner")  # of two cameras' streams, in front 
 
 def vhdl_files(config: str) -> list[Path]:
     """All files in compile order."""
-    return [*manifest.core_files(config), *shell_files(), rtl.folder(config) / f"{rtl.ip_entity(config)}.vhd"]
+    return [*manifest.core_files(config), *shell_files(), committed.folder(config) / f"{rtl.ip_entity(config)}.vhd"]
 
 
 def shell_files(folder: Path | None = None) -> list[Path]:

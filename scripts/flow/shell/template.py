@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """stereo_ip_NAME: the shell around the core of one configuration, with plain ports, as VHDL text. It stands beside the
-core in generated_rtl/ and follows from the core's manifest: no synthesis tool is needed to make it."""
+core and follows from the core's manifest: no synthesis tool is needed to make it."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple, Union
 
-from ..base import files, rtl
-from ..base.tools import ROOT
+from ..base import committed, files, rtl
 from ..cosim.bench import SETTING_BITS
 from ..synthesis import manifest
 from . import design, registers
@@ -139,14 +138,19 @@ def user_instance(config: str, entry: manifest.Manifest) -> str:
     """An instance of stereo_ip_CONFIG, to be pasted, with the files to compile before it."""
     outside = ports(design.generics(entry), rtl.pixel_bits_of(entry["parameters"]))
     names = {port.name: port.name for port in outside}
-    compiled = (f"  -- {path.relative_to(ROOT)}" for path in design.vhdl_files(config))
+    compiled = (f"  -- {files.shown(path)}" for path in design.vhdl_files(config))
     return "\n".join([*compiled, instance("stereo", rtl.ip_entity(config), {}, names), ""])
 
 
+def file(config: str, entry: manifest.Manifest) -> dict[str, str]:
+    """{its name: its text}"""
+    return {f"{rtl.ip_entity(config)}.vhd": entity(config, entry)}
+
+
 def path(config: str) -> Path:
-    return rtl.folder(config) / f"{rtl.ip_entity(config)}.vhd"
+    return committed.folder(config) / f"{rtl.ip_entity(config)}.vhd"
 
 
-def write(config: str) -> None:
-    """Beside the core."""
-    files.write(path(config), entity(config, manifest.read(rtl.folder(config))))
+def is_fresh(config: str, entry: manifest.Manifest) -> bool:
+    """Whether the file that is committed follows from the manifest."""
+    return path(config).is_file() and path(config).read_text() == entity(config, entry)

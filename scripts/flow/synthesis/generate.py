@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes generated_rtl/FAMILY/NAME/ from the C++: Bambu, lowering, naming, VHDL, manifest."""
+"""Makes the VHDL of a configuration from the C++: Bambu, lowering, naming, VHDL, manifest."""
 
 from __future__ import annotations
 
@@ -54,8 +54,8 @@ def _cpp_trace(config: str, row: Configuration, work: Path) -> Trace:
     return read_trace(work / "trace.txt")
 
 
-def generate(config: str, say: Callable[[str], None] = print, out: Path | None = None) -> manifest.Manifest:
-    """Writes the folder of one configuration, all of it or nothing. Returns its manifest."""
+def generate(config: str, out: Path, say: Callable[[str], None] = print) -> manifest.Manifest:
+    """Writes the VHDL and the manifest of one configuration into a folder, both or nothing. Returns the manifest."""
     row = configuration(config, designs())
     kind = rtl.kind_of(row)
     say(f"{config}: Bambu ...")
@@ -75,7 +75,7 @@ def generate(config: str, say: Callable[[str], None] = print, out: Path | None =
         "register_bits": sum(r.value.width for r in netlist.registers),
         "memory_bits": sum(m.depth * m.width for m in netlist.memories),
     }
-    return _write(out or rtl.GENERATED_RTL / row["family"] / config, config, row, text, tool_run, report)
+    return _write(out, config, row, text, tool_run, report)
 
 
 def _write(

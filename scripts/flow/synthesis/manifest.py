@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""generated_rtl/FAMILY/NAME/manifest.json: what the committed VHDL was made from, so that anyone can tell whether it
+"""manifest.json beside the VHDL of each configuration: what that was made from, so that anyone can tell whether it
 still fits."""
 
 import hashlib
@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple, TypedDict, cast
 
-from ..base import files, json_files, rtl
+from ..base import committed, files, json_files, rtl
 from ..base.configurations import Configuration, Parameters, parameters_of
 from ..base.errors import EXIT_MISMATCH, FlowError
 from ..base.tools import ROOT, find_stereo_hls, find_tool, run
@@ -124,13 +124,17 @@ def _seal(manifest: Mapping[str, object]) -> str:
     return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
 
 
+def text(manifest: Manifest) -> str:
+    """Of the file."""
+    return json.dumps({**manifest, "seal": _seal(manifest)}, indent=2, sort_keys=True) + "\n"
+
+
 def write(directory: Path, manifest: Manifest) -> None:
-    content = {**manifest, "seal": _seal(manifest)}
-    files.write(directory / "manifest.json", json.dumps(content, indent=2, sort_keys=True) + "\n")
+    files.write(directory / committed.MANIFEST, text(manifest))
 
 
 def read(directory: Path) -> Manifest:
-    """The manifest of one generated_rtl/ folder, checked for its keys."""
+    """The manifest of one folder, checked for its keys."""
     path, name = directory / "manifest.json", directory.name
     try:
         manifest = json_files.load(path)
@@ -177,8 +181,8 @@ def edited_files(directory: Path) -> list[str]:
 
 
 def vhdl_files(directory: Path, allow_edited: bool = False) -> list[Path]:
-    """The VHDL of one core in compile order, each file checked against its digest. `directory`: a folder of
-    generated_rtl/, or a copy of it."""
+    """The VHDL of one core in compile order, each file checked against its digest. `directory`: that of a
+    configuration, or a copy of it."""
     expected = _named_files(directory)
     for path, value in expected.items():
         if not path.is_file():
@@ -189,13 +193,13 @@ def vhdl_files(directory: Path, allow_edited: bool = False) -> list[Path]:
 
 
 def with_use(*uses: str) -> list[str]:
-    """The configurations of generated_rtl/ that are there for one of these uses."""
-    return [name for name in rtl.known_configurations() if read(rtl.folder(name))["use"] in uses]
+    """The configurations with VHDL that are there for one of these uses."""
+    return [name for name in committed.known_configurations() if read(committed.folder(name))["use"] in uses]
 
 
 def core_files(config: str) -> list[Path]:
     """The committed VHDL of one configuration, in compile order."""
-    return vhdl_files(rtl.folder(config))
+    return vhdl_files(committed.folder(config))
 
 
 def _has_structure(path: Path, structure: str) -> bool:
@@ -244,14 +248,18 @@ def stale_reasons(name: str, row: Configuration) -> list[str]:
     return freshness(name, row).reasons
 
 
-def refresh(name: str, row: Configuration) -> None:
-    """Keeps the words of the sources as they are now, of which clang makes the same as before."""
-    directory = rtl.folder(name)
-    write(directory, {**read(directory), "sources": source_digests(row)})
+def change(entry: Manifest, contents: committed.Contents) -> committed.Change:
+    """Of files beside a manifest that is committed."""
+    return committed.Change(entry["parameters"]["family"], entry["configuration"], entry["use"], contents)
+
+
+def refreshed(name: str, row: Configuration) -> Manifest:
+    """With the words of the sources as they are now, of which clang makes the same as before."""
+    return {**read(committed.folder(name)), "sources": source_digests(row)}
 
 
 def freshness(name: str, row: Configuration) -> Freshness:
-    directory = rtl.folder(name)
+    directory = committed.folder(name)
     manifest = read(directory)
     reasons, core = [], f"{rtl.kind_of(row).entity(name)}.vhd"
     if manifest["configuration"] != name or set(manifest["files"]) != {core}:

@@ -3,7 +3,7 @@
 
 from pathlib import Path
 
-from ..base import rtl
+from ..base import committed
 from ..base.errors import EXIT_MISMATCH, FlowError
 from ..base.tools import find_ghdl
 from ..implementation import job, yosys
@@ -16,7 +16,7 @@ TARGET = "ecp5"
 
 def design(system: System, seeds: list[int], router: str) -> job.Design:
     """`bypasses` stay around the memories outside the matching core."""
-    family = rtl.folder(system.matching).parent.name
+    family = committed.folder(system.matching).parent.name
     files: list[Path] = vhdl_files(system)
     return job.Design(system.entity, files, seeds, router, yosys.memories_without_bypass(family, f"{CORE}."))
 

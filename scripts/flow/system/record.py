@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import TypedDict, cast
 
-from ..base import files, json_files, rtl
+from ..base import committed, files, json_files
 from ..base.errors import EXIT_MISMATCH, FlowError
 from ..base.newer_python import NotRequired
 from ..base.tools import ROOT
@@ -68,7 +68,7 @@ def design(system: System) -> manifest.Digests:
     for name in (system.rectification, system.matching):
         found |= {
             key if "/" in key else f"{name}: {key}": value
-            for key, value in manifest.design(manifest.read(rtl.folder(name))).items()
+            for key, value in manifest.design(manifest.read(committed.folder(name))).items()
         }
     return found
 

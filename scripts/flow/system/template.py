@@ -8,7 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple, cast
 
-from ..base import rtl
+from ..base import committed, rtl
 from ..base.configurations import Parameters, option
 from ..base.errors import FlowError
 from ..base.tools import ROOT
@@ -158,7 +158,7 @@ def _check(system: System, stage: dict[str, int], core: dict[str, int], lowest: 
 
 def text(system: System) -> str:
     """The VHDL of a system."""
-    entry, before = (manifest.read(rtl.folder(name)) for name in (system.matching, system.rectification))
+    entry, before = (manifest.read(committed.folder(name)) for name in (system.matching, system.rectification))
     core, parameters = design.generics(entry), cast(dict[str, int], before["parameters"])
     stage = {name: parameters[name] for name in rtl.STAGES["rectification"].generics}
     stage_bits, pixel_bits = (rtl.pixel_bits_of(manifest_of["parameters"]) for manifest_of in (before, entry))
@@ -257,7 +257,7 @@ def text(system: System) -> str:
         "",
         instance("tables", "camera_tables", sizes, tables),
         "",
-        instance("rectification", rtl.entity(system.rectification), stage, rectification),
+        instance("rectification", committed.entity(system.rectification), stage, rectification),
         "",
         instance(CORE, rtl.core_entity(system.matching), core, matching),
         "",
