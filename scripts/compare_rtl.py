@@ -2,30 +2,47 @@
 # SPDX-License-Identifier: Apache-2.0
 """Compares the committed VHDL with that of an earlier commit: the same netlist under other names, or another one."""
 
+import subprocess
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import committed, rtl
+from flow.base import archive, committed, rtl
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.tools import ROOT, find_tool, run
 from flow.synthesis.structure import structure_digest
 
+PLACES = [place.relative_to(ROOT).as_posix() for place in (committed.GENERATED_RTL, committed.EVIDENCE)]
+
 
 def cores_of(commit: str) -> dict[str, str]:
-    """{configuration: path of its VHDL in that commit}"""
-    git = find_tool("git")
+    """{configuration: its VHDL in that commit}"""
     try:
-        listed = run([git, "ls-tree", "-r", "--name-only", commit, "generated_rtl"], cwd=ROOT)
+        listed = run([find_tool("git"), "ls-tree", "-r", "--name-only", commit, *PLACES], cwd=ROOT)
     except FlowError:
         raise FlowError(f"{commit} is no commit of this repository") from None
-    files = [Path(line) for line in listed.splitlines()]
-    made = (path for path in files if path.suffix == ".vhd" and path != shell_of(path))
-    return {path.parent.name: path.as_posix() for path in made}
+    found: dict[Path, bytes] = {}
+    for path in map(Path, listed.splitlines()):
+        if path.name.endswith(archive.SUFFIX):
+            try:
+                members = archive.content(shown(commit, path))
+            except ValueError as error:
+                raise FlowError(f"damaged {path} in {commit}: {error}") from None
+            found |= {Path(name): text for name, text in members.items()}
+        elif path.suffix == ".vhd":
+            found[path] = shown(commit, path)
+    made = [path for path in found if path.suffix == ".vhd" and path != shell_of(path)]
+    return {path.parent.name: found[path].decode() for path in made}
+
+
+def shown(commit: str, path: Path) -> bytes:
+    """A file of a commit."""
+    command = [find_tool("git"), "show", f"{commit}:{path.as_posix()}"]
+    return subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, check=True).stdout
 
 
 def shell_of(path: Path) -> Path:
-    """The AXI shell beside a file of generated_rtl/."""
+    """The AXI shell beside a file of VHDL."""
     return path.with_name(f"{rtl.ip_entity(path.parent.name)}.vhd")
 
 
@@ -51,8 +68,7 @@ def main() -> int:
             raise FlowError(f"{options.against} has no VHDL of '{name}'")
     changed = []
     for name in names:
-        before = run([find_tool("git"), "show", f"{options.against}:{earlier[name]}"], cwd=ROOT)
-        said = verdict(before, (committed.folder(name) / f"{committed.entity(name)}.vhd").read_text())
+        said = verdict(earlier[name], (committed.folder(name) / f"{committed.entity(name)}.vhd").read_text())
         print(f"{name}: {said}", flush=True)
         changed += [name] if said == "another netlist" else []
     print(f"{len(names) - len(changed)} of {len(names)} cores have the netlist of {options.against}")
