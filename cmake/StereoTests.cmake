@@ -9,20 +9,33 @@ include(GoogleTest)
 
 # stereo_add_pytest(NAME <test> FILE <file.py> [LABELS <label>...] [TIMEOUT <seconds>])
 #
-# Runs one pytest file. The test finds the program in env STEREO_HLS and the sources in env STEREO_SOURCE_DIR. It counts
+# Runs one pytest file. Its cases that are marked `slow`, where it has any and is not slow as a whole, are a test of their own,
+# <test>_slow, with the label slow. The test finds the program in env STEREO_HLS and the sources in env STEREO_SOURCE_DIR. It counts
 # as skipped, with the reason in its output, when every case of the file skipped itself (a missing tool).
 function(stereo_add_pytest)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;FILE;TIMEOUT" "LABELS")
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 600)
   endif()
-  add_test(NAME ${arg_NAME} COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/cmake/run_pytest.py" "${arg_FILE}")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${arg_FILE}")
+  file(STRINGS "${arg_FILE}" marks REGEX "mark\\.slow")
+  if(NOT marks OR slow IN_LIST arg_LABELS)
+    stereo_add_pytest_run(${arg_NAME} "${arg_LABELS}" ${arg_TIMEOUT} "${arg_FILE}")
+  else()
+    stereo_add_pytest_run(${arg_NAME} "${arg_LABELS}" ${arg_TIMEOUT} -m "not slow" "${arg_FILE}")
+    stereo_add_pytest_run(${arg_NAME}_slow "${arg_LABELS};slow" 7200 -m slow "${arg_FILE}")
+  endif()
+endfunction()
+
+# stereo_add_pytest_run(<test> <labels> <seconds> <word>...): what stereo_add_pytest adds; the words are pytest's.
+function(stereo_add_pytest_run name labels timeout)
+  add_test(NAME ${name} COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/cmake/run_pytest.py" ${ARGN})
   set_tests_properties(
-    ${arg_NAME}
-    PROPERTIES LABELS "${arg_LABELS}"
-               TIMEOUT ${arg_TIMEOUT}
+    ${name}
+    PROPERTIES LABELS "${labels}"
+               TIMEOUT ${timeout}
                SKIP_RETURN_CODE 77
-               ENVIRONMENT "STEREO_HLS=$<TARGET_FILE:stereo_hls>;STEREO_SOURCE_DIR=${PROJECT_SOURCE_DIR}")
+               ENVIRONMENT "STEREO_HLS=$<TARGET_FILE:stereo_hls>;STEREO_SOURCE_DIR=${PROJECT_SOURCE_DIR};STEREO_TEST=${name}")
 endfunction()
 
 # stereo_add_unit_tests(LINK <library>... FILES <file>...)

@@ -3,9 +3,11 @@
 """Run pytest files for ctest: exit code 0 passed, 77 all skipped, else failed (no test at all is a failure).
 
 Cases that skipped themselves in a file that passed are named in lines SKIPPED CASE, and in the file STEREO_SKIPPED; so
-are those that fail as expected, for they tell of a missed aim."""
+are those that fail as expected, for they tell of a missed aim. The file STEREO_TIMES gets the processor time of the
+test STEREO_TEST, with that of all that it has started."""
 
 import os
+import resource
 import sys
 
 SKIPPED = 77
@@ -50,6 +52,7 @@ def main():
         return SKIPPED
     tally = Tally()
     code = int(pytest.main(["-q", "-rs", "-p", "no:cacheprovider", *sys.argv[1:]], plugins=[tally]))
+    write_time()
     none_ran = code in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED) and tally.passed == 0
     if none_ran and tally.skipped:
         for reason in dict.fromkeys(tally.skipped):
@@ -62,12 +65,22 @@ def main():
 
 
 def write_skipped(cases):
-    """Appends to the file that STEREO_SKIPPED names, from which scripts/test.sh makes its summary. One line at a time:
-    tests run side by side."""
-    path = os.environ.get("STEREO_SKIPPED")
+    append("STEREO_SKIPPED", (f"{case}: {reason}\n" for case, reason in cases))
+
+
+def write_time():
+    used = [resource.getrusage(whose) for whose in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    seconds = sum(one.ru_utime + one.ru_stime for one in used)
+    append("STEREO_TIMES", [f"{seconds:.1f} {os.environ.get('STEREO_TEST', sys.argv[-1])}\n"])
+
+
+def append(variable, lines):
+    """To the file that a variable names, from which scripts/test.sh makes its summary. One line at a time: tests run side
+    by side."""
+    path = os.environ.get(variable)
     if path:
         with open(path, "a", buffering=1) as file:
-            file.writelines(f"{case}: {reason}\n" for case, reason in cases)
+            file.writelines(lines)
 
 
 if __name__ == "__main__":

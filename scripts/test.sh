@@ -1,19 +1,34 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Sets everything up and runs the tests, as many at a time as there are processors.
-#   scripts/test.sh [OPTION...]
+#   scripts/test.sh [--times] [OPTION...]
+#   --times prints the processor seconds of the build, of each test of Python files, and of all together
 #   OPTION  of ctest: -L unit, -L cosim, -L synth, -R NAME ... Tests labelled `slow` run only where a label of -L names
 #           them, as in -L slow, or where -LE says which ones do not: -LE none runs all
 set -euo pipefail
 case "${1:-}" in
    --help | -h)
-      sed -n '3,6s/^# //p' "$0"
+      sed -n '3,7s/^# //p' "$0"
       exit 0
       ;;
 esac
 cd "$(dirname "$0")/.."
+shows_times=no
+if [ "${1:-}" = --times ]; then
+   shows_times=yes
+   shift
+fi
+# Processor seconds of all that has run and ended so far.
+seconds_so_far() {
+   times >"$seconds"
+   awk -F '[ ms]+' 'NR == 2 { printf "%.0f", 60 * $1 + $2 + 60 * $3 + $4 }' "$seconds"
+}
 export STEREO_PRESET=${STEREO_PRESET:-release}
 ./scripts/setup.sh
+export STEREO_TIMES=$PWD/build/$STEREO_PRESET/processor_seconds.txt
+seconds=$STEREO_TIMES.all
+rm -f "$STEREO_TIMES"
+build_seconds=$(seconds_so_far)
 slow=no before=
 for option in "$@"; do
    case "$before $option" in
@@ -32,5 +47,10 @@ ctest --test-dir "build/$STEREO_PRESET" --output-on-failure --no-tests=error -j 
 if [ -s "$STEREO_SKIPPED" ]; then
    echo "In tests that passed, cases that were skipped or fail as expected:"
    sort "$STEREO_SKIPPED" | sed 's/^/   /'
+fi
+if [ "$shows_times" = yes ]; then
+   echo "Processor seconds:"
+   sort -rn "$STEREO_TIMES" 2>/dev/null | awk '{ printf "%8.1f  %s\n", $1, $2; all += $1 } END { printf "%8.1f  tests of Python files\n", all }'
+   printf '%8s  %s\n' "$build_seconds" "build" "$(seconds_so_far)" "all, with the other tests"
 fi
 exit "$code"

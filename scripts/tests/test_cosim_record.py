@@ -35,6 +35,7 @@ def folder(tmp_path, monkeypatch):
     copy = tmp_path / "block_matching" / "tiny"
     (copy / "implementation.json").unlink(missing_ok=True)
     monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path)
+    monkeypatch.setattr(committed, "EVIDENCE", tmp_path / "evidence")
     return copy
 
 

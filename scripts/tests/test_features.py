@@ -48,6 +48,7 @@ def folders(tmp_path, monkeypatch):
         manifest.write(family / name, entry)
         files.write(family / name / record.FILE, record.merged(family / name, entry, "ecp5", {**AREA, "luts": luts}))
     monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path)
+    monkeypatch.setattr(committed, "EVIDENCE", tmp_path / "evidence")
     monkeypatch.setattr(
         features,
         "OPTIONS",

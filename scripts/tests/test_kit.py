@@ -220,6 +220,7 @@ def test_refuses_a_manifest_without_a_size(tmp_path, monkeypatch):
     (tmp_path / "family" / "tiny").mkdir(parents=True)
     manifest.write(tmp_path / "family" / "tiny", entry)
     monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path)
+    monkeypatch.setattr(committed, "EVIDENCE", tmp_path / "evidence")
     with pytest.raises(FlowError, match="manifest of 'tiny' says no width_px, gap_groups"):
         contents.of("vivado", "tiny", 100)
 
@@ -230,6 +231,7 @@ def test_refuses_vhdl_that_was_edited(tmp_path, monkeypatch):
     for path in committed.folder("tiny").iterdir():
         (folder / path.name).write_text(path.read_text() + ("\n" if path.name == "stereo_core_tiny.vhd" else ""))
     monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path)
+    monkeypatch.setattr(committed, "EVIDENCE", tmp_path / "evidence")
     with pytest.raises(FlowError, match="differs from its manifest"):
         contents.of("vivado", "tiny", 100)
 

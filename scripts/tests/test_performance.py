@@ -33,13 +33,18 @@ def folders(tmp_path, monkeypatch):
     shutil.copytree(committed.folder("tiny"), tmp_path / "block_matching" / "tiny")
     (tmp_path / "block_matching" / "tiny" / "implementation.json").unlink(missing_ok=True)
     monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path)
+    monkeypatch.setattr(committed, "EVIDENCE", tmp_path / "evidence")
     return tmp_path / "block_matching"
+
+
+def merge(folder, *result):
+    files.write(folder / implementation.FILE, implementation.merged(folder, *result))
 
 
 def record(folders, targets):
     entry = manifest.read(folders / "tiny")
     for target, result in targets.items():
-        implementation.merge(folders / "tiny", entry, target, result)
+        merge(folders / "tiny", entry, target, result)
 
 
 def row(text, *words):
@@ -81,9 +86,9 @@ def test_shell_beside_the_core(folders):
     entry = manifest.read(folders / "tiny")
     record(folders, {"ecp5": ECP5})
     shell = {**ECP5, "luts": 1500, "fmax_mhz": {"median": 188.16, "best": 188.16, "by_seed": {"1": 188.16}}}
-    implementation.merge(folders / "tiny", entry, "ecp5", shell, design.digests())
+    merge(folders / "tiny", entry, "ecp5", shell, design.digests())
     assert "| 188.2 | one seed | 98 % | 500,000 | 490,000 | 1,000 | 1,500 |" in performance.page()
-    implementation.merge(folders / "tiny", entry, "ecp5", shell, {"hls/rtl/stereo_axis.vhd": "of an older shell"})
+    merge(folders / "tiny", entry, "ecp5", shell, {"hls/rtl/stereo_axis.vhd": "of an older shell"})
     assert "98 %" not in performance.page()
 
 

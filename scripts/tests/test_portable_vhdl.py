@@ -33,7 +33,8 @@ def user_tops():
 
 
 def test_no_file_is_forgotten():
-    folders = (committed.GENERATED_RTL, rtl.HAND_WRITTEN, systems.FOLDER, example.FOLDER)
+    folders = [committed.GENERATED_RTL, rtl.HAND_WRITTEN, systems.FOLDER, example.FOLDER]
+    folders += map(committed.folder, committed.known_designs())
     there = {file for folder in folders for file in folder.rglob("*.vhd") if not file.name.startswith("tb_")}
     assert there == set(user_files())
 

@@ -190,6 +190,7 @@ def test_a_damaged_summary_is_refused(stand_ins):
 def test_the_inputs_that_count(ghdl, tmp_path, monkeypatch):
     shutil.copytree(committed.folder("tiny"), tmp_path / "rtl" / "block_matching" / "tiny")
     monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path / "rtl")
+    monkeypatch.setattr(committed, "EVIDENCE", tmp_path / "evidence")
     image = tmp_path / "left.pgm"
     image.write_text("1")
 
