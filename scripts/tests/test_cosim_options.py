@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Co-simulation of every option of the algorithm: model == core (hls_tb/cores/named_cores_test.cpp) == VHDL
-(here)."""
+"""Co-simulation of every option of the algorithm: model == core (hls_tb/cores/named_cores_test.cpp) == VHDL (here). The
+fast set takes the tiny cores and as few others as have every option; mark.slow takes all the rest."""
 
 import pytest
 
+from cover import choices, cover, with_slow
 from flow.base import rtl
 from flow.base.configurations import configurations
 from flow.base.ghdl import to_verilog
@@ -12,7 +13,9 @@ from flow_commands import call, report
 
 TABLE = configurations()
 OPTIONS = sorted(name for name, row in TABLE.items() if row["use"] in ("option", "example"))
-SMALL = sorted(name for name, row in TABLE.items() if row["use"] in ("option", "example", "tiny"))
+TINY = [name for name, row in TABLE.items() if row["use"] == "tiny"]
+SMALL = sorted([*OPTIONS, *TINY])
+FAST = {*TINY, *cover({name: TABLE[name] for name in OPTIONS})}
 
 
 def test_there_are_enough_parameter_sets():
@@ -23,7 +26,13 @@ def test_there_are_enough_parameter_sets():
     assert {p["pixels_per_clock"] for p in map(TABLE.get, OPTIONS)} == {1, 2, 4}
 
 
-@pytest.mark.parametrize("config", SMALL)
+def test_the_fast_set_has_every_option():
+    assert len(FAST) < len(SMALL) / 2
+    in_fast, in_all = (set().union(*(choices(TABLE[name]) for name in names)) for names in (FAST, SMALL))
+    assert in_fast == in_all and len(in_all) > 80
+
+
+@pytest.mark.parametrize("config", with_slow(SMALL, FAST))
 def test_stress_stream_and_two_frames(ghdl, tmp_path, config):
     """What cosim.py sends by default, of another seed in each configuration, and behind it two frames as close as they
     may be. Clock by clock as the C++ core."""
@@ -38,6 +47,6 @@ def test_stress_stream_and_two_frames(ghdl, tmp_path, config):
     assert result["latency_clocks"] == parameters["latency_clocks"]
 
 
-@pytest.mark.parametrize("config", OPTIONS)
+@pytest.mark.parametrize("config", with_slow(OPTIONS, FAST))
 def test_synthesis_takes_the_vhdl(ghdl, tmp_path, config):
     assert to_verilog(manifest.core_files(config), tmp_path, rtl.core_entity(config)).count("endmodule") >= 1
