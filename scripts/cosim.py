@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow.base import farm
 from flow.base.errors import ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.places import build_folder
@@ -28,7 +29,7 @@ def main() -> int:
         metavar="NAME",
         help="named configurations (see stereo_hls configurations), patterns such as 'tiny*', or all: those with VHDL",
     )
-    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="so many configurations at a time (default 1)")
+    farm.add_options(parser, 1, "configurations")
     parser.add_argument("--fail-fast", action="store_true", help="start no more configurations after one that fails")
     parser.add_argument(
         "--changed",
@@ -111,8 +112,8 @@ def main() -> int:
     _check(options)
     if len(set(options.configs)) > 1 or regression.is_pattern(options.configs[0]):
         return _several(options)
-    if options.jobs != 1 or options.fail_fast or options.changed:
-        raise FlowError("--jobs, --fail-fast and --changed are for several configurations")
+    if options.jobs != 1 or options.scheduler or options.fail_fast or options.changed:
+        raise FlowError("--jobs, --scheduler, --fail-fast and --changed are for several configurations")
     fields = {name: value for name, value in vars(options).items() if name in job.Job.__dataclass_fields__}
     report = job.run_job(job.Job(options.configs[0], **fields))
     if options.record:
@@ -146,8 +147,6 @@ def _check(options: argparse.Namespace) -> None:
         raise FlowError("--stimulus takes the place of images, --rows, --broken and --stall-percent")
     if options.coverage and options.wave:
         raise FlowError("--coverage and --wave are for two runs")
-    if options.jobs < 1:
-        raise FlowError("--jobs must be at least 1")
     if options.record and options.broken:
         raise FlowError("--record keeps results of whole frames and rows: no --broken")
     if options.frames < 1:
@@ -177,16 +176,18 @@ def _several(options: argparse.Namespace) -> int:
     words += [
         f"--{name}" for name in ("allow-edited", "coverage", "record") if getattr(options, name.replace("-", "_"))
     ]
-    return regression.Regression(
-        regression.select(options.configs),
-        options.simulator,
-        words,
-        [image for image in (options.left, options.right) if image],
-        options.out or build_folder() / "cosim" / "regression",
-        options.jobs,
-        options.fail_fast,
-        options.changed,
-    ).run()
+    configs = regression.select(options.configs)
+    with farm.of(options, SIMULATORS[options.simulator].tools) as workers:
+        return regression.Regression(
+            configs,
+            options.simulator,
+            words,
+            [image for image in (options.left, options.right) if image],
+            options.out or build_folder() / "cosim" / "regression",
+            workers,
+            options.fail_fast,
+            options.changed,
+        ).run()
 
 
 if __name__ == "__main__":

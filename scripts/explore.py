@@ -9,6 +9,7 @@ from argparse import Namespace
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow.base import farm
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import ROOT
@@ -78,13 +79,7 @@ def parse() -> Namespace:
     parser.add_argument(
         "--valid-only", action="store_true", help="leave rejected pixels out instead of counting them as bad"
     )
-    parser.add_argument(
-        "--jobs",
-        type=int,
-        default=os.cpu_count() or 1,
-        metavar="N",
-        help="processes at a time (default one for each processor)",
-    )
+    farm.add_options(parser, os.cpu_count() or 1, "evaluations")
     parser.add_argument(
         "--out",
         type=a_path,
@@ -96,8 +91,6 @@ def parse() -> Namespace:
 
 
 def check(options: Namespace) -> None:
-    if options.jobs < 1:
-        raise FlowError("--jobs must be at least 1")
     if any(window < 2 or window > 31 for window in options.window):
         raise FlowError("--window must be 2 ... 31, as the core has it")
     if any(disparities < 2 or disparities > 256 for disparities in options.ranges):
@@ -160,7 +153,8 @@ def main() -> int:
         print(f"Only the {known[0]} images have truth: they are the references, and every pixel with truth counts.")
     for name in without_truth:
         print(f"{name} is left out: its reference is the other image, and no option changes that.")
-    methods = explore.evaluate(pairs, choices, options.jobs, Kept(options.out / "evaluations.jsonl"))
+    with farm.of(options) as workers:
+        methods = explore.evaluate(pairs, choices, workers, Kept(options.out / "evaluations.jsonl"))
     for remark in explore.remarks(pairs, methods):
         print(remark)
     table = explore.rows(pairs, choices, methods, family, options.mask)

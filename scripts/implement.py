@@ -9,7 +9,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import committed
+from flow.base import committed, farm
 from flow.base.errors import ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import find_ghdl
@@ -91,10 +91,19 @@ def main() -> int:
         "--rtl", type=a_path, help="folder with manifest.json and VHDL (default: those that are committed)"
     )
     parser.add_argument("--out", type=a_path, help="implementation.json goes to OUT/CONFIG (default beside the VHDL)")
-    work = jobs(parser.parse_args())
+    farm.add_options(parser, 1, "configurations")
+    options = parser.parse_args()
+    work = jobs(options)
     find_ghdl()
     yosys.find_yosys()
-    return max(job.run_job(one) for one in work)
+    if len(work) == 1 or (options.jobs == 1 and not options.scheduler):
+        return max(job.run_job(one) for one in work)
+    words = [word for target in options.target or [] for word in ("--target", target)]
+    words += ["--seeds", *map(str, options.seeds), "--router", options.router, *(["--shell"] if options.shell else [])]
+    words += ["--out", str(options.out.resolve())] if options.out else []
+    with farm.of(options, job.tools) as workers:
+        commands = {one.config: ["--config", one.config, *words] for one in work}
+        return farm.run_each(workers, "implement.py", commands, job.WORK / "logs")
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow.base import farm
 from flow.base.errors import ArgumentParser, FlowError, run_command
 from flow.cosim import random_cores
 
@@ -19,15 +20,13 @@ def main() -> int:
     parser.add_argument(
         "--seed", type=int, help="of the configurations and of their images; printed (default: another one each time)"
     )
-    parser.add_argument(
-        "--jobs", type=int, default=os.cpu_count() or 1, help="cores built at a time (default: one for each processor)"
-    )
+    farm.add_options(parser, os.cpu_count() or 1, "cores")
     parser.add_argument(
         "--row", action="append", metavar="ROW", help="instead of random ones, a row as in configurations.hpp"
     )
     options = parser.parse_args()
-    if options.count < 1 or options.jobs < 1:
-        raise FlowError("--count and --jobs must be at least 1")
+    if options.count < 1:
+        raise FlowError("--count must be at least 1")
     if options.seed is not None and not 0 <= options.seed < 1 << 64:
         raise FlowError("--seed must be 0 ... 2^64 - 1")
     seed = random_cores.new_seed() if options.seed is None else options.seed
@@ -36,7 +35,8 @@ def main() -> int:
         cores = [random_cores.core_of(row) for row in options.row]
     else:
         cores = random_cores.draw(options.family, options.count, seed)
-    return random_cores.run_family(options.family, cores, seed, options.jobs)
+    with farm.of(options, random_cores.tools) as workers:
+        return random_cores.run_family(options.family, cores, seed, workers)
 
 
 if __name__ == "__main__":

@@ -11,15 +11,16 @@ from collections.abc import Iterable
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import committed, rtl
+from flow.base import committed, farm, rtl
 from flow.base.configurations import PLANNED, Configuration, configuration, designs
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import find_bambu
 from flow.shell import template
-from flow.synthesis import manifest
+from flow.synthesis import bambu, manifest
 from flow.synthesis.generate import generate
 from flow.synthesis.manifest import check_program
+from flow.synthesis.versions import versions
 
 
 def check(names: Iterable[str], table: dict[str, Configuration]) -> int:
@@ -95,6 +96,7 @@ def main() -> int:
         type=a_path,
         help="a folder of one's own, one subfolder for each configuration; changes nothing that is committed",
     )
+    farm.add_options(parser, 1, "configurations that Bambu makes")
     options = parser.parse_args()
     table = designs()
     names = options.config or sorted(name for name, row in table.items() if row["use"] != PLANNED)
@@ -106,6 +108,11 @@ def main() -> int:
         return refresh(names, table)
     check_program(table)
     find_bambu()
+    if len(names) > 1 and (options.jobs != 1 or options.scheduler):
+        words = ["--out", str(options.out.resolve())] if options.out else []
+        with farm.of(options, versions) as workers:
+            commands = {name: ["--config", name, *words] for name in names}
+            return farm.run_each(workers, "synthesize.py", commands, bambu.WORK / "logs")
     for name in names:
         report = make(name, table[name], options.out)
         print(

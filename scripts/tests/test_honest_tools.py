@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from flow.base import committed, rtl
+from flow.base import committed
+from flow.base.farm import Farm
 from flow.base.tools import find_ghdl
 from flow.cosim.job import _simulations
 from flow.synthesis import manifest
@@ -118,10 +119,10 @@ def test_edited_vhdl_with_an_edited_digest(ghdl, tmp_path, keeps_seal):
 def test_a_damaged_manifest_is_a_change(ghdl, tmp_path, monkeypatch):
     from flow.cosim import regression
 
-    made = regression.Regression(["tiny"], "ghdl", [], [], tmp_path)
+    made = regression.Regression(["tiny"], "ghdl", [], [], tmp_path, Farm(1))
     before = made._digest("tiny")
     copy = copy_of(tmp_path / "tiny", lambda text: text)
-    monkeypatch.setattr(rtl, "folder", lambda config: Path(copy))
+    monkeypatch.setattr(committed, "folder", lambda config: Path(copy))
     assert made._digest("tiny") == before
     (copy / "manifest.json").write_text("{}")
     assert made._digest("tiny") != before

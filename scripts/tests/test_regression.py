@@ -14,6 +14,7 @@ import pytest
 
 from flow.base import committed
 from flow.base.errors import FlowError
+from flow.base.farm import Farm
 from flow.base.tools import ROOT, find_stereo_hls
 from flow.cosim import regression
 from flow_commands import altered_rtl, call, cosim, random_pair, refused, report
@@ -83,8 +84,9 @@ sys.exit(code)
     return tmp_path / "out"
 
 
-def run(out, *configs, **options):
-    code = regression.Regression(configs, "ghdl", [], [], out, **options).run()
+def run(out, *configs, jobs=1, **options):
+    with Farm(jobs) as farm:
+        code = regression.Regression(configs, "ghdl", [], [], out, farm, **options).run()
     return code, json.loads((out / "summary.json").read_text()), xml.parse(out / "junit.xml").getroot()
 
 
@@ -195,7 +197,7 @@ def test_the_inputs_that_count(ghdl, tmp_path, monkeypatch):
     image.write_text("1")
 
     def digest(*options):
-        return regression.Regression(["tiny"], "ghdl", options, [image], tmp_path)._digest("tiny")
+        return regression.Regression(["tiny"], "ghdl", options, [image], tmp_path, Farm(1))._digest("tiny")
 
     seen = [digest(), digest("--frames", "2")]
     image.write_text("2")

@@ -6,14 +6,15 @@ import re
 import secrets
 import subprocess
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
 from ..base import progress
 from ..base.configurations import configurations
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, Word, find_native, find_tool, run
+from ..base.farm import Farm, result_of
+from ..base.places import build_folder
+from ..base.tools import ROOT, Word, find_native, find_tool, run, tool_version
 
 
 @dataclass(frozen=True)
@@ -94,15 +95,19 @@ class Checker:
         return Core(core.name, core.row, result.stdout.removeprefix(f"{core.name}: ").strip())
 
 
-def run_all(cores: list[Core], family: str, seed: int, jobs: int) -> list[Core]:
+def tools() -> dict[str, str]:
+    """{name: version}"""
+    return {"c++": tool_version(find_tool("c++", "CXX"))}
+
+
+def run_all(cores: list[Core], family: str, seed: int, workers: Farm) -> list[Core]:
     checked = []
-    with (
-        tempfile.TemporaryDirectory() as folder,
-        progress.bar("cores", len(cores)) as bar,
-        ThreadPoolExecutor(jobs) as pool,
-    ):
+    root = build_folder() / "random_cores"  # which all workers see
+    root.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=root) as folder, progress.bar("cores", len(cores)) as bar:
         checker = Checker(family, seed, Path(folder))
-        for core in pool.map(checker.check, cores):
+        for future in [workers.submit(checker.check, core) for core in cores]:
+            core = result_of(future)
             checked.append(core)
             bar.show(len(checked))
             if not core.exact:
@@ -110,10 +115,10 @@ def run_all(cores: list[Core], family: str, seed: int, jobs: int) -> list[Core]:
     return checked
 
 
-def run_family(family: str, cores: list[Core], seed: int, jobs: int) -> int:
+def run_family(family: str, cores: list[Core], seed: int, workers: Farm) -> int:
     """Returns the exit code."""
     print(f"{len(cores)} configurations of {family}, seed {seed}", flush=True)
-    checked = run_all(cores, family, seed, jobs)
+    checked = run_all(cores, family, seed, workers)
     maps = sum(int(core.verdict.split()[1]) for core in checked if core.exact)
     wrong = [core for core in checked if not core.exact]
     print(f"{len(checked) - len(wrong)} of {len(checked)} configurations exact in {maps} maps")

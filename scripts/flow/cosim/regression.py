@@ -8,8 +8,6 @@ import fnmatch
 import hashlib
 import json
 import os
-import subprocess
-import sys
 import threading
 import time
 import xml.etree.ElementTree as xml
@@ -19,7 +17,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
-from ..base import committed, facts, files, json_files, locks, rtl
+from ..base import committed, facts, farm, files, json_files, locks, rtl
 from ..base.configurations import designs
 from ..base.errors import EXIT_INTERRUPTED, EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_stereo_hls
@@ -74,11 +72,10 @@ class Regression:
     options: Sequence[str]  # of each command
     inputs: Sequence[Path]  # files that the options name
     out: Path
-    jobs: int = 1
+    farm: farm.Farm
     fails_fast: bool = False
     only_changed: bool = False
     _stopped: str = ""  # why no more are started
-    _running: set[subprocess.Popen[bytes]] = field(default_factory=set)
 
     def run(self) -> int:
         """Returns the exit code: 1 when anything differs, else the highest of all. What an interruption leaves is
@@ -104,13 +101,12 @@ class Regression:
             with lock:
                 print(entry.line(), flush=True)
 
-        with ThreadPoolExecutor(self.jobs) as workers:
+        with ThreadPoolExecutor(self.farm.threads) as workers:
             try:
                 list(workers.map(one, entries))
             except KeyboardInterrupt:
                 self._stopped = INTERRUPTED
-                for process in list(self._running):
-                    process.terminate()
+                self.farm.stop()
                 workers.shutdown()
                 for entry in entries:
                     entry.text = entry.text or self._stopped
@@ -131,21 +127,19 @@ class Regression:
         if before.get("inputs") == entry.inputs and before.get("outcome") in ("pass", "unchanged"):
             entry.outcome, entry.exit_code, entry.text = "unchanged", EXIT_OK, "passed before with the same inputs"
             return
-        command = [sys.executable, str(ROOT / "scripts" / "cosim.py"), "--config", entry.config, *self.options]
+        command = [str(ROOT / "scripts" / "cosim.py"), "--config", entry.config, *self.options]
         command += ["--simulator", self.simulator, "--out", str(folder)]
         (folder / "report.json").unlink(missing_ok=True)
-        folder.mkdir(parents=True, exist_ok=True)
         started = time.monotonic()
-        with (
-            (folder / "log.txt").open("w") as log,
-            subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT) as process,
-        ):
-            self._running.add(process)
-            process.wait()
-            self._running.discard(process)
+        try:
+            code = self.farm.call(farm.run_logged, command, folder / "log.txt")
+        except FlowError as error:
+            if self._stopped != INTERRUPTED:
+                entry.text, entry.outcome, entry.exit_code = str(error), "ERROR", error.exit_code
+            return
         entry.seconds = time.monotonic() - started
         if self._stopped != INTERRUPTED:
-            self._judge(entry, folder, process.returncode)
+            self._judge(entry, folder, code)
 
     def _judge(self, entry: Entry, folder: Path, code: int) -> None:
         """The report must say what the exit code says."""

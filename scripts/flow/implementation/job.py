@@ -64,6 +64,11 @@ class Netlist:
     names: dict[str, str]  # of registers
 
 
+def tools() -> dict[str, str]:
+    """{name: version}"""
+    return {"ghdl": ghdl.version(), "yosys": yosys.version()}
+
+
 def check_writable(out: Path) -> None:
     try:
         out.mkdir(parents=True, exist_ok=True)
@@ -108,20 +113,20 @@ def _implement(
     if family not in made:
         made[family] = synthesize(job, target, stage)
     netlist = made[family]
-    tools = {"ghdl": ghdl.version(), "yosys": yosys.version()}
-    result: record.Result = {**netlist.area, "synthesis": target.synthesis, "tools": tools}
+    versions = tools()
+    result: record.Result = {**netlist.area, "synthesis": target.synthesis, "tools": versions}
     if tool is not None and target.device is not None:
         work = netlist.work / target.name
         work.mkdir()
         reports = {}
-        tools["nextpnr"] = nextpnr.version(tool, work)
+        versions["nextpnr"] = nextpnr.version(tool, work)
         result["device"] = target.device
         try:
             for seed in seeds:
                 stage(f"nextpnr, seed {seed}")
                 reports[seed] = nextpnr.route(
                     tool,
-                    tools["nextpnr"],
+                    versions["nextpnr"],
                     target.device_options,
                     seed,
                     netlist.work / "netlist.json",

@@ -10,7 +10,7 @@ import itertools
 import json
 import shlex
 from collections.abc import Iterable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import as_completed
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,7 @@ from typing import Any
 from ..base import files, progress
 from ..base.configurations import configuration, configurations, option
 from ..base.errors import FlowError
+from ..base.farm import Farm, result_of
 from ..base.tools import Word
 from . import evaluation, given_truth, hardware_cost
 from .evaluation import Method
@@ -160,28 +161,28 @@ def command(pair: Pair, choice: Choice) -> str:
     return shlex.join(str(word) for word in (PROGRAM, "evaluate", *words(pair, choice)))
 
 
-def evaluate(pairs: Sequence[Pair], all_choices: Sequence[Choice], jobs: int, kept: Kept) -> list[list[Method]]:
-    """[[method of each pair] of each choice]. Every evaluation is a process of its own with one thread, `jobs` at a
-    time; those that are kept from before are not made again."""
+def evaluate(pairs: Sequence[Pair], all_choices: Sequence[Choice], workers: Farm, kept: Kept) -> list[list[Method]]:
+    """[[method of each pair] of each choice]. Every evaluation is a process of its own with one thread; those that are
+    kept from before are not made again."""
     calls = {(i, j): words(pair, choice) for i, choice in enumerate(all_choices) for j, pair in enumerate(pairs)}
     results = {place: method for place, call in calls.items() if (method := kept.find(call))}
     if results:
         print(f"{len(results)} of {len(calls)} evaluations are in {kept.path} from before")
-    with progress.bar("evaluating", len(calls)) as bar, ThreadPoolExecutor(jobs) as pool:
+    with progress.bar("evaluating", len(calls)) as bar:
         futures = {
-            pool.submit(evaluation.evaluate, *call, "--threads", 1): place
+            workers.submit(evaluation.evaluate, *call, "--threads", 1): place
             for place, call in calls.items()
             if place not in results
         }
         try:
             for future in as_completed(futures):
                 place = futures[future]
-                method = future.result()[0]
+                method = result_of(future)[0]
                 kept.add(calls[place], method)
                 results[place] = method
                 bar.show(len(results))
         except BaseException:
-            pool.shutdown(cancel_futures=True)
+            workers.stop()
             if results:
                 bar.say(
                     f"{len(results)} of {len(calls)} evaluations are in {kept.path}; the next run goes on from there"
