@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import pickle
+import socket
 import subprocess
 import sys
 from argparse import ArgumentParser, Namespace
@@ -15,6 +16,7 @@ from concurrent.futures import CancelledError, Future, ThreadPoolExecutor, as_co
 from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
+from urllib.parse import urlsplit
 
 from .errors import EXIT_MISMATCH, EXIT_MISSING_TOOL, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from .tools import ROOT, find_stereo_hls
@@ -83,7 +85,7 @@ class Farm:
             made = self._pool.submit(function, *arguments)
         else:
             job = pickle.dumps((self._versions, function, arguments))
-            made = self._pool.submit(_work, str(ROOT), self._facts, job)
+            made = self._pool.submit(_worker_side(), str(ROOT), self._facts, job)
         self._waited_for.add(made)
         made.add_done_callback(self._waited_for.discard)
         return made
@@ -103,7 +105,9 @@ class Farm:
         """Refuses workers that are none or not like this machine."""
         assert self._client is not None
         try:
-            found = self._client.run(_work, str(ROOT), None, pickle.dumps((no_tools, facts, (self._versions,))))
+            found = self._client.run(
+                _worker_side(), str(ROOT), None, pickle.dumps((no_tools, facts, (self._versions,)))
+            )
         except RuntimeError as error:
             raise FlowError(str(error), EXIT_MISMATCH) from None
         if not found:
@@ -128,37 +132,44 @@ def result_of(future: Future[Result]) -> Result:
 
 def _connect(address: str) -> Any:
     try:
-        import cloudpickle
         import distributed
     except ImportError as error:
         raise FlowError(
             f"--scheduler needs the Python package {error.name}; {sys.executable} -m pip install -r {REQUIREMENTS}",
             EXIT_MISSING_TOOL,
         ) from None
-    cloudpickle.register_pickle_by_value(sys.modules[__name__])  # a worker need not know flow/ before its first job
     try:
+        place = urlsplit(address)
+        if place.scheme not in ("tcp", "tls") or not place.hostname or not place.port:
+            raise ValueError("an address is tcp://HOST:PORT or tls://HOST:PORT")
+        socket.create_connection((place.hostname, place.port), SECONDS_TO_CONNECT).close()
         return distributed.Client(address, timeout=SECONDS_TO_CONNECT, set_as_default=False)
-    except (OSError, ValueError, TypeError) as error:
+    except (OSError, ValueError) as error:
         raise FlowError(f"no scheduler answers at {address}: {error}", EXIT_MISSING_TOOL) from None
 
 
-def _work(root: str, expected: dict[str, str] | None, job: bytes) -> Any:
-    """On a worker: makes the modules of flow/ known, compares what the worker has, runs the job."""
-    import pickle
-    import sys
-    from pathlib import Path
+def _worker_side() -> Callable[[str, dict[str, str] | None, bytes], Any]:
+    """What runs on a worker: it makes the modules of flow/ known, compares what the worker has, and runs the job. It
+    has no name to be imported by, so that it is sent as code: the scheduler does not know flow/."""
 
-    scripts = str(Path(root) / "scripts")
-    if not Path(scripts).is_dir():
-        raise RuntimeError(f"this worker has no {root}: the folder must stand at the same path on all")
-    if scripts not in sys.path:
-        sys.path.insert(0, scripts)
-    from flow.base import farm
+    def work(root: str, expected: dict[str, str] | None, job: bytes) -> Any:
+        import pickle
+        import sys
+        from pathlib import Path
 
-    versions, function, arguments = pickle.loads(job)
-    if expected is not None:
-        farm._check(expected, farm.facts(versions), "a worker")
-    return function(*arguments)
+        scripts = Path(root) / "scripts"
+        if not scripts.is_dir():
+            raise RuntimeError(f"this worker has no {root}: the folder must stand at the same path on all")
+        if str(scripts) not in sys.path:
+            sys.path.insert(0, str(scripts))
+        from flow.base import farm
+
+        versions, function, arguments = pickle.loads(job)
+        if expected is not None:
+            farm._check(expected, farm.facts(versions), "a worker")
+        return function(*arguments)
+
+    return work
 
 
 @cache
