@@ -27,6 +27,11 @@ def cover(table):
     return chosen
 
 
-def with_slow(names, fast):
-    """Parameters of a test: those that are not in `fast` run only in the slow set."""
-    return [name if name in fast else pytest.param(name, marks=pytest.mark.slow) for name in names]
+def with_slow(values, fast):
+    """Parameters of a test, a tuple where it has several: those that are not in `fast` run only in the slow set."""
+    assert all(value in values for value in fast), "what is not there is no guard"
+
+    def slow(value):
+        return pytest.param(*(value if isinstance(value, tuple) else (value,)), marks=pytest.mark.slow)
+
+    return [value if value in fast else slow(value) for value in values]

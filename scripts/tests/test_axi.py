@@ -9,6 +9,7 @@ from functools import cache
 import pytest
 
 from conftest import where_reachable
+from cover import with_slow
 from flow.base import rtl
 from flow.base.configurations import configuration
 from flow.shell import cocotb_runs, design, judge, pool, script, template, verilated
@@ -30,6 +31,7 @@ def test_short_run_in_verilator(ghdl, verilator, tmp_path):
     assert all(count >= 20 for count in report["exact_frames"].values())
 
 
+@pytest.mark.slow
 def test_short_run_in_ghdl(ghdl, cocotb, tmp_path):
     process = call("verify_axi.py", "--short", "--simulator", "ghdl", "--seed", 5, "--out", tmp_path)
     assert process.returncode == 0, process.stdout + process.stderr
@@ -74,7 +76,7 @@ def altered_shell(folder, file, pattern, replacement):
     return [*manifest.core_files("tiny"), *design.shell_files(folder)]
 
 
-@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize("fault", with_slow(FAULTS, ["two credits less"]))
 def test_fault_is_found_in_verilator(ghdl, verilator, rng, tmp_path, fault):
     file, pattern, replacement, word = FAULTS[fault]
     parameters = configuration("tiny")
@@ -166,9 +168,16 @@ def settings_frames(tmp_path_factory):
     return frames
 
 
-@pytest.mark.parametrize(
-    "config, fault", [(config, fault) for config in FAULTS_OF for fault in (None, *FAULTS_OF[config])]
-)
+CASES = [(config, fault) for config in FAULTS_OF for fault in (None, *FAULTS_OF[config])]
+FAST_CASES = [
+    ("tiny_settings", None),
+    ("tiny_settings", "no limit"),
+    ("tiny_size_census_p2", None),
+    ("tiny_size_census_p2", "no wait for the frame before"),
+]
+
+
+@pytest.mark.parametrize("config, fault", with_slow(CASES, FAST_CASES))
 def test_each_frame_has_its_settings(ghdl, verilator, settings_frames, rng, tmp_path, config, fault):
     parameters = configuration(config)
     files = design.vhdl_files(config)
@@ -203,6 +212,7 @@ def test_fault_is_found_under_cocotb(ghdl, cocotb, tmp_path):
     assert "a beat was not taken for ever" in (tmp_path / "out" / "test_stereo_ip.log").read_text()
 
 
+@pytest.mark.slow
 def test_replay_of_one_chunk(ghdl, verilator, tmp_path):
     """The same seed gives the same stream and the same beats in the same clocks."""
     texts = []

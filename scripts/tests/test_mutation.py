@@ -6,6 +6,7 @@ import json
 import pytest
 
 from conftest import need, where_reachable
+from cover import with_slow
 from flow.shell import cocotb_runs
 from flow_commands import call
 
@@ -16,8 +17,9 @@ def tools(ghdl, yosys):
     where_reachable(cocotb_runs.environment_folder)
 
 
-def test_short_run(tmp_path):
-    process = call("mutate.py", "--core", 8, "--shell", 4, "--seed", 1, "--out", tmp_path)
+@pytest.mark.parametrize("core, shell", with_slow([(2, 1), (8, 4)], [(2, 1)]))
+def test_short_run(tmp_path, core, shell):
+    process = call("mutate.py", "--core", core, "--shell", shell, "--seed", 1, "--out", tmp_path)
     assert process.returncode == 0, process.stdout + process.stderr
     report = json.loads((tmp_path / "report.json").read_text())
-    assert report["mutants"] == 12 and report["score_percent"] >= 98 and report["survivors"] == []
+    assert report["mutants"] == core + shell and report["score_percent"] >= 98 and report["survivors"] == []

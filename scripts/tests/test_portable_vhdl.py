@@ -7,7 +7,9 @@ import shutil
 import pytest
 
 import kits
+from cover import cover, with_slow
 from flow.base import committed, ghdl as ghdl_flow, rtl
+from flow.base.configurations import designs
 from flow.base.errors import FlowError
 from flow.shell import design, example, template
 from flow.synthesis import manifest
@@ -17,18 +19,32 @@ STANDARDS = ("--std=93", "--std=08")
 EXAMPLE_FILES = [example.FOLDER / f"{name}.vhd" for name in example.SOURCES]
 
 
-def user_files():
+TABLE = designs()
+
+
+def those(in_short):
+    """Configurations: all, or what people take and as few others as have every option."""
+    made = committed.known_designs()
+    others = {name: TABLE[name] for name in made if TABLE[name]["use"] not in committed.TAKEN}
+    return sorted({*made} - {*others} | {*cover(others)}) if in_short else made
+
+
+def has_shell(name):
+    return not rtl.is_stage(TABLE[name])
+
+
+def user_files(names):
     """In compile order, each once."""
-    cores = [file for name in committed.known_designs() for file in manifest.core_files(name)]
-    shells = [template.path(name) for name in committed.known_configurations()]
+    cores = [file for name in names for file in manifest.core_files(name)]
+    shells = [template.path(name) for name in names if has_shell(name)]
     cameras = [file for system in systems.SYSTEMS.values() for file in systems.own_files(system)]
     return list(dict.fromkeys([*cores, *design.shell_files(), *shells, *cameras, *EXAMPLE_FILES]))
 
 
-def user_tops():
+def user_tops(names):
     """All that stands on its own: the other files are parts of these."""
-    cores = [committed.entity(name) for name in committed.known_designs()]
-    shells = [rtl.ip_entity(name) for name in committed.known_configurations()]
+    cores = [committed.entity(name) for name in names]
+    shells = [rtl.ip_entity(name) for name in names if has_shell(name)]
     return [*cores, *shells, *(system.entity for system in systems.SYSTEMS.values()), "stereo_joiner", "example_top"]
 
 
@@ -36,14 +52,16 @@ def test_no_file_is_forgotten():
     folders = [committed.GENERATED_RTL, rtl.HAND_WRITTEN, systems.FOLDER, example.FOLDER]
     folders += map(committed.folder, committed.known_designs())
     there = {file for folder in folders for file in folder.rglob("*.vhd") if not file.name.startswith("tb_")}
-    assert there == set(user_files())
+    assert there == set(user_files(those(in_short=False)))
 
 
+@pytest.mark.parametrize("in_short", with_slow([True, False], [True]))
 @pytest.mark.parametrize("standard", STANDARDS)
-def test_every_file_compiles_and_every_design_elaborates(ghdl, tmp_path, standard):
-    ghdl_flow.analyse(user_files(), tmp_path, standard=standard)
-    tops = user_tops()
-    assert len(tops) > 2 * len(committed.known_configurations())
+def test_every_file_compiles_and_every_design_elaborates(ghdl, tmp_path, standard, in_short):
+    names = those(in_short)
+    ghdl_flow.analyse(user_files(names), tmp_path, standard=standard)
+    tops = user_tops(names)
+    assert len(tops) > 2 * sum(map(has_shell, names)) > 80
     for top in tops:
         ghdl_flow.elaborate(tmp_path, top, standard)
 

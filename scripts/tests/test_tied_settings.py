@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 
 from conftest import where_reachable
+from cover import with_slow
 from flow.base import committed, ghdl as ghdl_flow, rtl
 from flow.base.configurations import designs
 from flow.base.tools import run
@@ -32,6 +33,7 @@ PAIRS = [
     ("tiny_trellis_settings", "tiny_trellis", 2),
     ("tiny_phase_settings", "tiny_phase_checks", 2),
 ]
+FAST = [PAIRS[1], PAIRS[-1]]  # a size, settings; the synthesis of the others takes most of a minute
 
 
 def design(config, work):
@@ -75,7 +77,7 @@ def top_of(verilog, entity, tied):
     return f"\nmodule {TOP}({outer});\n  inner core({inner});\nendmodule\n"
 
 
-@pytest.mark.parametrize("with_ports, without, largest", PAIRS)
+@pytest.mark.parametrize("with_ports, without, largest", with_slow(PAIRS, FAST))
 def test_tied_settings_cost_little(ghdl, tmp_path, with_ports, without, largest):
     where_reachable(yosys_flow.find_yosys)
     settings = rtl.settings_of(designs()[with_ports])

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from cover import cover, with_slow
 from stereo_hls_program import (
     DISPARITIES,
     HEIGHT,
@@ -114,9 +115,11 @@ def test_threads_are_a_small_number(tmp_path, match, threads):
 
 def configurations():
     """The families of the tests and of the demo, and OpenCV's: the others are large, or only measure what an option
-    costs."""
+    costs. The fast set takes as few as have every option; mark.slow takes all the rest."""
     table = json.loads(succeed("configurations", "--json")) if PROGRAM else {}
-    return sorted(name for name in table if name.startswith(("tiny", "ambrosch2007", "opencv")))
+    names = sorted(name for name in table if name.startswith(("tiny", "ambrosch2007", "opencv")))
+    fast = {"tiny", "ambrosch2007", "opencv_bm", *cover({name: table[name] for name in names})}
+    return with_slow(names, fast) if names else []
 
 
 # Options that reject pixels when they are above 0; of the families, each has some.
