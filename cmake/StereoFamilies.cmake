@@ -6,7 +6,7 @@
 # from hls_tb/: the family's models, compiled in the library.
 #
 # For each row core_<name>, a module with the clocked core, is made in the folder `cores` of the build; `cores` are all of
-# them.
+# them, `tested_cores` those that the fast set of the tests takes.
 function(stereo_add_family)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;SOURCES;MODELS;LINK" "")
   set(folder "${PROJECT_SOURCE_DIR}/${arg_SOURCES}")
@@ -17,6 +17,9 @@ function(stereo_add_family)
            "\"${name}\", \"${use}\", \"${arg_NAME}\", \"${arg_SOURCES}\"),\n")
     stereo_add_core(NAME ${name} FAMILY ${arg_NAME} USE ${use} FOLDER "${folder}")
     add_dependencies(cores core_${name})
+    if(name IN_LIST STEREO_TESTED)
+      add_dependencies(tested_cores core_${name})
+    endif()
   endforeach()
   file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}_configurations.cpp" @ONLY CONTENT
 "// Made by CMake from ${arg_SOURCES}/${arg_NAME}/configurations.hpp.
@@ -30,7 +33,8 @@ Family make_${arg_NAME}();
 Family make_${arg_NAME}() {
    using namespace ${arg_NAME};
    return {\"${arg_NAME}\", \"${arg_SOURCES}\", {
-${entries}   }, std::make_shared<AlgorithmOf<Matching>>(Matching()), &random_row<Config>};
+${entries}   }, std::make_shared<AlgorithmOf<Matching>>(Matching()), &random_row<Config>,
+           option_limits(Config())};
 }
 }  // namespace stereo
 ")

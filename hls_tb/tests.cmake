@@ -75,16 +75,16 @@ stereo_add_unit_tests(LINK stereo_small_cores FILES cores/block_matching/core_st
                       cores/block_matching/core_test.cpp)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/named_cores_test.cpp
                       engines/clocked/stimulus_test.cpp engines/clocked/stress_test.cpp engines/rectification/stage_stimulus_test.cpp)
-add_dependencies(cores_named_cores_test cores)
+add_dependencies(cores_named_cores_test tested_cores)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/settings_test.cpp)
-foreach(row tiny_settings tiny_settings_all tiny_settings_full tiny_settings_left_p2 tiny_settings_recursive
-        tiny_size tiny_size_all tiny_size_census_p2 tiny_size_recursive tiny_size_full tiny_size_full_all
-        tiny_sgm_settings tiny_sgm_settings_full tiny_sgm_size tiny_sgm_size_all tiny_sgm_size_full
-        tiny_trellis_settings tiny_trellis_size tiny_phase_settings tiny_phase_size tiny_phase_size_all)
-  add_dependencies(cores_settings_test core_${row})
+add_dependencies(cores_settings_test tested_cores)
+add_dependencies(engines_clocked_stimulus_test tested_cores)
+add_dependencies(engines_clocked_stress_test tested_cores)
+# The slow set takes all cores: cmake --build --target cores, as scripts/test.sh does for it.
+foreach(test IN ITEMS cores_named_cores_test cores_settings_test)
+  add_test(NAME ${test}_slow COMMAND ${test})
+  set_tests_properties(${test}_slow PROPERTIES LABELS "unit;slow" TIMEOUT 3600 ENVIRONMENT STEREO_ALL_CORES=1)
 endforeach()
-add_dependencies(engines_clocked_stimulus_test cores)
-add_dependencies(engines_clocked_stress_test cores)
 
 # Definitions, models, the program's parts, the kept cases of fuzzing.
 stereo_add_unit_tests(

@@ -11,15 +11,15 @@
 #include "testing/map_compare.hpp"
 #include "testing/seed.hpp"
 #include "testing/test_pairs.hpp"
+#include "testing/tested_cores.hpp"
 
 namespace stereo::test {
 namespace {
 
 /// Those with ports for settings.
 std::vector<std::size_t> settable_ones() {
-   std::vector<std::size_t> places;
-   for (std::size_t i = 0; i < configurations().size(); ++i)
-      if (configurations()[i].shape.settings.count > 0) places.push_back(i);
+   std::vector<std::size_t> places = tested_configurations();
+   std::erase_if(places, [](std::size_t place) { return configurations()[place].shape.settings.count == 0; });
    return places;
 }
 

@@ -16,6 +16,7 @@ struct Family {
    std::vector<Configuration> configurations;
    std::shared_ptr<const Algorithm> defaults;  ///< its algorithm with the default of each option
    std::string (*random_row)(Random& random);  ///< random_cores/random_options.hpp
+   std::vector<OptionLimits> options;          ///< all of its cores
 };
 
 const std::vector<Family>& families();

@@ -1,21 +1,45 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A few configurations that stand for all in the fast set of the tests: together they have every option that any
-has."""
+"""Which configurations the fast set of the tests takes: those that tests name, and a few that stand for all others, as
+they have every option together. CMake asks for the list, as it builds the cores of these. Run as a program, it prints
+their names, with ; between them."""
 
-import pytest
+import re
+from pathlib import Path
+from typing import NamedTuple
 
+ROOT = Path(__file__).resolve().parents[2]
+TABLES = ("hls/*/configurations.hpp", "hls_tb/*/*/configurations.hpp")
+TESTS = ("scripts/tests/test_*.py", "hls_tb/**/*_test.py", "hls_tb/**/*_test.cpp")
+# The uses of which a part stands for all; `study` repeats the options at one size, `system` is for the slow set.
+COVERED, LEFT_OUT = ("option", "example"), ("study", "system")
 BY_VALUE = {"pixels_per_clock"}  # numbers that are choices
+_ROW = re.compile(r"^STEREO_ROW\((\w+), (\w+), ([\w():]+?)(?:,(.*?))?\);", re.MULTILINE | re.DOTALL)
+
+
+class Row(NamedTuple):
+    """Of a table of configurations, as its text says."""
+
+    family: str
+    use: str
+    options: dict[str, str]  # those of its base with its own
+
+
+def rows():
+    """{name: Row}"""
+    found = {}
+    for table in (path for pattern in TABLES for path in sorted(ROOT.glob(pattern))):
+        for name, use, base, text in _ROW.findall(table.read_text()):
+            inherited = found[base].options if base in found else {}
+            own = dict(re.findall(r"(\w+) = ([^,]+?)\s*(?:,|$)", text))
+            found[name] = Row(table.parent.name, use, inherited | own)
+    return found
 
 
 def choices(row):
-    """What of a configuration a test should meet: each option that is not its family's default, of a number whatever it
-    is."""
-    found = set()
-    for option in row["options"]:
-        name, _, value = option.partition(" ")
-        is_number = value.lstrip("-").isdigit() and name not in BY_VALUE
-        found.add((row["family"], name if is_number else option))
-    return found
+    """What of a configuration a test should meet: each option that it names, of a number whatever it is."""
+    numbers = {name for name, value in row.options.items() if value.lstrip("-").isdigit() and name not in BY_VALUE}
+    return {(row.family, name, "" if name in numbers else value) for name, value in row.options.items()}
 
 
 def cover(table):
@@ -27,11 +51,31 @@ def cover(table):
     return chosen
 
 
-def with_slow(values, fast):
-    """Parameters of a test, a tuple where it has several: those that are not in `fast` run only in the slow set."""
-    assert all(value in values for value in fast), "what is not there is no guard"
+def fast():
+    """The configurations of the fast set, but for those that single tests name."""
+    table = rows()
+    covered = {name: row for name, row in table.items() if row.use in COVERED}
+    return {name for name, row in table.items() if row.use not in (*COVERED, *LEFT_OUT)} | {*cover(covered)}
+
+
+def named():
+    """The configurations that tests name, but for those of which they read figures only."""
+    texts = [path.read_text() for pattern in TESTS for path in sorted(ROOT.glob(pattern))]
+    words = {word for text in texts for word in re.findall(r"[\"'](\w+)[\"']", text)}
+    return {name for name, row in rows().items() if name in words and row.use != "study"}
+
+
+def with_slow(values, fast_ones):
+    """Parameters of a test, a tuple where it has several: those that are not in `fast_ones` run in the slow set."""
+    import pytest  # CMake may have a Python without it
+
+    assert all(value in values for value in fast_ones), "what is not there is no guard"
 
     def slow(value):
         return pytest.param(*(value if isinstance(value, tuple) else (value,)), marks=pytest.mark.slow)
 
-    return [value if value in fast else slow(value) for value in values]
+    return [value if value in fast_ones else slow(value) for value in values]
+
+
+if __name__ == "__main__":
+    print(";".join(sorted(fast() | named())), end="")

@@ -6,6 +6,7 @@ bubbles, which nobody looks at, so it gets the attribute; in semi-global matchin
 
 import pytest
 
+from cover import fast, with_slow
 from flow.base import rtl
 from flow.base.configurations import configuration, configurations
 from flow.cosim import checker, vectors
@@ -45,7 +46,7 @@ def agrees(config, folder, wrong):
     return checker.compare(expected, seen, vectors.row_bits(row), "disparity").passed
 
 
-@pytest.mark.parametrize("config", BLOCK_MATCHING)
+@pytest.mark.parametrize("config", with_slow(BLOCK_MATCHING, fast() & {*BLOCK_MATCHING}))
 def test_block_matching_looks_at_none(ghdl, tmp_path, config):
     assert agrees(config, tmp_path, SAME_CLOCK)
 

@@ -22,6 +22,12 @@ nlohmann::json json_of(const OptionLimits& option) {
    return json;
 }
 
+nlohmann::json json_of(const std::vector<OptionLimits>& options) {
+   nlohmann::json json;
+   for (const OptionLimits& option : options) json[option.standard.name] = json_of(option);
+   return json;
+}
+
 /// Entry: Configuration or Stage.
 template <class Entry>
 nlohmann::json common_json(const Entry& entry) {
@@ -86,9 +92,14 @@ nlohmann::json stages_json() {
 
 nlohmann::json families_json() {
    nlohmann::json all;
-   for (const Family& family : families())
-      for (const OptionLimits& option : family.defaults->limits())
-         all[family.name][option.standard.name] = json_of(option);
+   for (const Family& family : families()) all[family.name] = json_of(family.defaults->limits());
+   return all;
+}
+
+nlohmann::json all_options_json() {
+   nlohmann::json all;
+   for (const Family& family : families()) all[family.name] = json_of(family.options);
+   all[stages().front().family] = json_of(option_limits(rectification::Config()));
    return all;
 }
 

@@ -11,6 +11,7 @@
 #include "program/commands/depth_command.hpp"
 #include "program/commands/evaluate_command.hpp"
 #include "program/commands/match_command.hpp"
+#include "program/commands/options_command.hpp"
 #include "program/commands/rectify_command.hpp"
 #include "program/commands/scene_command.hpp"
 #include "program/commands/standard_output.hpp"
@@ -55,6 +56,7 @@ int main(int argc, char** argv) {
    add_vectors(app);
    add_trace(app);
    add_configurations(app);
+   add_options(app);
    refuse_empty_values(app);
    try {
       app.parse(argc, argv);

@@ -72,6 +72,20 @@ def test_configurations_as_text():
     assert "tiny: 32x12, 8 disparities" in succeed("configurations")
 
 
+def test_options_as_json():
+    table, configurations = (json.loads(succeed(command, "--json")) for command in ("options", "configurations"))
+    for row in configurations.values():
+        assert table[row["family"]].keys() <= row.keys()
+    assert table["block_matching"]["cost"] == {"default": "sad", "words": ["sad", "ssd", "census"]}
+    assert table["block_matching"]["window_px"]["low"] == 1 and table["rectification"]["grid_px"]["default"] == 16
+
+
+def test_options_as_text():
+    lines = succeed("options").splitlines()
+    assert "block_matching:" in lines and "  cost sad (sad, ssd, census)" in lines
+    assert "  cost_clocks 3 (1 ... 3)" in lines and "  window_px 3 (at least 1)" in lines
+
+
 def test_crop_takes_the_centre(tmp_path, pair):
     def pgm(name, value):
         pixels = bytes(value(x, y) for y in range(HEIGHT + 4) for x in range(WIDTH + 6))

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from cover import cover, with_slow
+from cover import fast, with_slow
 from stereo_hls_program import (
     DISPARITIES,
     HEIGHT,
@@ -118,8 +118,7 @@ def configurations():
     costs. The fast set takes as few as have every option; mark.slow takes all the rest."""
     table = json.loads(succeed("configurations", "--json")) if PROGRAM else {}
     names = sorted(name for name in table if name.startswith(("tiny", "ambrosch2007", "opencv")))
-    fast = {"tiny", "ambrosch2007", "opencv_bm", *cover({name: table[name] for name in names})}
-    return with_slow(names, fast) if names else []
+    return with_slow(names, {"opencv_bm", *fast()} & {*names})
 
 
 # Options that reject pixels when they are above 0; of the families, each has some.

@@ -61,28 +61,33 @@ def option(parameters: Parameters, name: str) -> Any:
 
 
 @cache
-def _text(program: str, changed_ns: int, *options: str) -> str:
+def _text(program: str, changed_ns: int, *words: str) -> str:
     """What the program says, asked once for each time that it was built."""
-    return run([program, "configurations", "--json", *options])
+    return run([program, *words, "--json"])
 
 
-def _listed(*options: str) -> dict[str, Configuration]:
+def _listed(*words: str) -> dict[str, Any]:
     program = find_stereo_hls()
     try:
-        table: dict[str, Configuration] = json.loads(_text(program, Path(program).stat().st_mtime_ns, *options))
+        table: dict[str, Any] = json.loads(_text(program, Path(program).stat().st_mtime_ns, *words))
     except ValueError:
-        raise FlowError(f"{program} does not list configurations as stereo_hls does", EXIT_TOOL_FAILED) from None
+        raise FlowError(f"{program} does not list {words[0]} as stereo_hls does", EXIT_TOOL_FAILED) from None
     return table
 
 
 def configurations() -> dict[str, Configuration]:
     """Of matching cores."""
-    return _listed()
+    return _listed("configurations")
+
+
+def options() -> dict[str, dict[str, dict[str, Any]]]:
+    """{family: {option: its default, limits or words, meaning}}, of stages, too."""
+    return _listed("options")
 
 
 def designs() -> dict[str, Configuration]:
     """Of matching cores and of stages, which have no disparities: all that VHDL is made of."""
-    return configurations() | _listed("--stages")
+    return configurations() | _listed("configurations", "--stages")
 
 
 def configuration(name: str, table: dict[str, Configuration] | None = None) -> Configuration:
