@@ -12,7 +12,7 @@ from conftest import where_reachable
 from cover import with_slow
 from flow.base import rtl
 from flow.base.configurations import configuration
-from flow.shell import cocotb_runs, design, judge, pool, script, template, verilated
+from flow.shell import cocotb_runs, design, judge, pool, script, template, verify, verilated
 from flow.shell.broken import beats_of
 from flow.synthesis import manifest
 from flow_commands import call, refused
@@ -23,11 +23,15 @@ def cocotb():
     return where_reachable(cocotb_runs.environment_folder)
 
 
+SHORT = ["tiny", "tiny_p2", "tiny_p4", "tiny_all_recursive", "tiny_all_p4", "tiny_settings_all", "tiny_size_all"]
+
+
 def test_short_run_in_verilator(ghdl, verilator, tmp_path):
     process = call("verify_axi.py", "--short", "--simulator", "verilator", "--out", tmp_path)
     assert process.returncode == 0, process.stdout + process.stderr
     report = json.loads((tmp_path / "report.json").read_text())
     assert report["failed"] == 0 and report["broken_stream_cases"] >= 20
+    assert list(verify.SHORT_FRAMES) == SHORT
     assert all(count >= 20 for count in report["exact_frames"].values())
 
 
