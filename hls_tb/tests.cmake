@@ -69,8 +69,11 @@ stereo_add_unit_tests(
   blocks/semi_global/row_path_test.cpp
   blocks/trellis/config_test.cpp
   blocks/trellis/forward_test.cpp
-  cores/block_matching/core_large_test.cpp
   cores/block_matching/core_memories_test.cpp)
+# What only the slow set needs: the clocked cores of all configurations, and programs that take long to compile.
+add_custom_target(slow_tests)
+add_dependencies(slow_tests cores)
+stereo_add_unit_tests(SLOW LINK stereo_testing FILES cores/block_matching/core_large_test.cpp)
 stereo_add_unit_tests(LINK stereo_small_cores FILES cores/block_matching/core_stream_test.cpp
                       cores/block_matching/core_test.cpp)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/named_cores_test.cpp
@@ -80,7 +83,7 @@ stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/sett
 add_dependencies(cores_settings_test tested_cores)
 add_dependencies(engines_clocked_stimulus_test tested_cores)
 add_dependencies(engines_clocked_stress_test tested_cores)
-# The slow set takes all cores: cmake --build --target cores, as scripts/test.sh does for it.
+# The slow set takes all cores.
 foreach(test IN ITEMS cores_named_cores_test cores_settings_test)
   add_test(NAME ${test}_slow COMMAND ${test})
   set_tests_properties(${test}_slow PROPERTIES LABELS "unit;slow" TIMEOUT 3600 ENVIRONMENT STEREO_ALL_CORES=1)

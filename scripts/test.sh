@@ -32,7 +32,7 @@ for option in "$@"; do
    before=$option
 done
 ./scripts/setup.sh
-[ "$slow" = no ] || cmake --build --preset "$STEREO_PRESET" --target cores
+[ "$slow" = no ] || cmake --build --preset "$STEREO_PRESET" --target slow_tests
 export STEREO_TIMES=$PWD/build/$STEREO_PRESET/processor_seconds.txt
 seconds=$STEREO_TIMES.all
 rm -f "$STEREO_TIMES"

@@ -53,6 +53,6 @@ def test_stress_stream_and_two_frames(ghdl, tmp_path, config):
     assert result["latency_clocks"] == parameters["latency_clocks"]
 
 
-@pytest.mark.parametrize("config", with_slow(OPTIONS, FAST))
+@pytest.mark.parametrize("config", with_slow(OPTIONS, FAST & {*OPTIONS}))
 def test_synthesis_takes_the_vhdl(ghdl, tmp_path, config):
     assert to_verilog(manifest.core_files(config), tmp_path, rtl.core_entity(config)).count("endmodule") >= 1
