@@ -9,6 +9,8 @@ import sys
 import pytest
 
 ROOT = pathlib.Path(os.environ.get("STEREO_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
+# Nothing of the tests of tests stands in the summary.
+ALONE = {name: value for name, value in os.environ.items() if name not in ("STEREO_SKIPPED", "STEREO_TIMES")}
 PASSES = "def test_passes():\n    pass\n"
 FAILS = "def test_fails():\n    assert False\n"
 SKIPS = "import pytest\ndef test_skips():\n    pytest.skip('ghdl is missing')\n"
@@ -19,7 +21,7 @@ def test_skipped_cases_of_a_file_that_passes_are_named(tmp_path):
     (tmp_path / "case_test.py").write_text(SKIPS + PASSES)
     command = [sys.executable, ROOT / "cmake" / "run_pytest.py", "case_test.py"]
     skipped = tmp_path / "skipped.txt"
-    environment = {**os.environ, "STEREO_SKIPPED": str(skipped)}
+    environment = {**ALONE, "STEREO_SKIPPED": str(skipped)}
     result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, env=environment)
     assert result.returncode == 0
     assert "SKIPPED CASE: case_test.py::test_skips: ghdl is missing" in result.stdout
@@ -33,7 +35,7 @@ def test_a_case_that_fails_as_expected_is_named_and_has_run(tmp_path):
     (tmp_path / "case_test.py").write_text(MISSES.format(False))
     command = [sys.executable, ROOT / "cmake" / "run_pytest.py", "case_test.py"]
     skipped = tmp_path / "skipped.txt"
-    environment = {**os.environ, "STEREO_SKIPPED": str(skipped)}
+    environment = {**ALONE, "STEREO_SKIPPED": str(skipped)}
     result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, env=environment)
     assert result.returncode == 0, "it has run"
     assert skipped.read_text() == "case_test.py::test_misses: fails as expected: an aim\n"
@@ -58,7 +60,26 @@ def test_exit_code(tmp_path, text, code, skip_shown):
     file = tmp_path / "case_test.py"
     file.write_text(text)
     command = [sys.executable, ROOT / "cmake" / "run_pytest.py", file]
-    environment = {name: value for name, value in os.environ.items() if name != "STEREO_SKIPPED"}  # not in the summary
-    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, env=environment)
+    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, env=ALONE)
     assert result.returncode == code, result.stdout + result.stderr
     assert ("SKIP: ghdl is missing" in result.stdout) == skip_shown
+
+
+BUSY = """
+import pytest, subprocess, sys
+def test_fast(): pass
+@pytest.mark.slow
+def test_slow(): subprocess.run([sys.executable, "-c", "import time\\nwhile time.process_time() < 1: pass"], check=True)
+"""
+
+
+def test_the_processor_time_of_a_test_is_kept(tmp_path):
+    """With that of the processes it has started; and the cases that are slow are a test of their own."""
+    (tmp_path / "busy_test.py").write_text(BUSY)
+    for name, cases in (("quick", "not slow"), ("long", "slow")):
+        command = [sys.executable, ROOT / "cmake" / "run_pytest.py", "-m", cases, "busy_test.py"]
+        environment = {**ALONE, "STEREO_TIMES": str(tmp_path / "times"), "STEREO_TEST": name}
+        result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, env=environment)
+        assert result.returncode == 0 and "1 passed, 1 deselected" in result.stdout, result.stdout
+    (quick, first), (long, second) = (line.split() for line in (tmp_path / "times").read_text().splitlines())
+    assert (first, second) == ("quick", "long") and float(long) > float(quick) + 0.9
