@@ -13,6 +13,7 @@ import time
 import pytest
 
 from conftest import where_reachable
+from cover import with_slow
 from flow.base import farm, venv
 from flow.base.errors import FlowError
 from flow.base.tools import ROOT
@@ -101,12 +102,14 @@ def children(number):
     return [line for line in lines if line.split()[0] == str(number) and "cosim.py" in line]
 
 
+@pytest.mark.slow
 def test_other_commands_run_there(cluster, tmp_path):
     cluster.worker()
     process = cluster.call("random_configurations.py", "--family", "absolute_difference", "--count", 2, "--seed", 1)
     assert process.returncode == 0 and "2 of 2 configurations exact" in process.stdout, process.stdout + process.stderr
 
 
+@pytest.mark.slow
 def test_a_worker_with_another_tool_is_refused(ghdl, cluster, tmp_path):
     """A stand-in that says another version."""
     tool = tmp_path / "ghdl"
@@ -117,14 +120,16 @@ def test_a_worker_with_another_tool_is_refused(ghdl, cluster, tmp_path):
     refused(process, 1, "has ghdl GHDL 0.1 of yesterday, this machine")
 
 
+@pytest.mark.slow
 def test_no_workers_are_said(cluster, tmp_path):
     process = cluster.call("cosim.py", "--config", "tiny", "tiny_p2", "--out", tmp_path / "out")
     refused(process, 3, "the scheduler has no workers")
 
 
-@pytest.mark.parametrize(
-    "address, why", [("nonsense://x", "is tcp://HOST:PORT"), ("tcp://localhost:1", "refused"), ("tcp://x:y", "Port")]
-)
+ADDRESSES = [("nonsense://x", "is tcp://HOST:PORT"), ("tcp://localhost:1", "refused"), ("tcp://x:y", "Port")]
+
+
+@pytest.mark.parametrize("address, why", with_slow(ADDRESSES, ADDRESSES[1:2]))
 def test_no_scheduler_is_said(python, tmp_path, address, why):
     words = [python, ROOT / "scripts" / "cosim.py", "--config", "tiny", "tiny_p2", "--out", tmp_path]
     process = subprocess.run([*words, "--scheduler", address], capture_output=True, text=True)
