@@ -162,6 +162,7 @@ def test_fusesoc(ghdl, fusesoc, tmp_path, target, word):
     assert process.returncode == 0 and word in process.stdout + process.stderr, process.stdout + process.stderr
 
 
+@pytest.mark.slow
 def test_pictures_are_what_the_simulation_gives(ghdl):
     where_reachable(cocotb_runs.environment_folder)
     process = call("timing_diagrams.py", "--check")

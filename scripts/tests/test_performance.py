@@ -164,18 +164,6 @@ def test_bad_options():
     refused(call("performance.py", "--check", "--config", "tiny"), 2, "not allowed with")
 
 
-@pytest.mark.parametrize(
-    "options,words",
-    [
-        (["--rows", "1"], ["--rows must be 2 or more"]),
-        (["--header", "nonsense.hpp"], ["no hls/nonsense.hpp"]),
-        (["--config", "nonsense"], ["no generated VHDL for 'nonsense'"]),
-    ],
-)
-def test_dev_loop_refuses(options, words):
-    refused(call("dev_loop.py", *options), 2, *words)
-
-
 def test_a_camera_clock(folders):
     """tiny: 32x12 pairs, 384 clocks a frame; 40 pairs, 16 clocks of the core and 5 of the shell before a disparity."""
     shown = row(camera.camera_table([Configuration("tiny")], 0.1), "`tiny`")

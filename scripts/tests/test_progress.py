@@ -10,7 +10,6 @@ import pytest
 
 from flow.base import errors, progress
 from flow.base.tools import ROOT, run
-from flow_commands import call
 
 STEPS = "from flow.base import progress\nwith progress.bar('cores', 3, 'clocks') as bar:\n"
 STEPS += "    bar.show(1)\n    bar.say('one differs')\n    bar.show(3, 'all of them')\n"
@@ -55,7 +54,9 @@ def test_commands_start_without_what_only_some_of_them_need():
 def test_a_missing_package_is_one_sentence(tmp_path):
     """As in an interpreter that a version manager puts in front of the system's."""
     (tmp_path / "rich.py").write_text("raise ModuleNotFoundError(\"No module named 'rich'\", name='rich')")
-    process = call("dev_loop.py", environment={"PYTHONPATH": str(tmp_path)})
+    words = "from flow.base.errors import run_command; run_command(lambda: __import__('rich'))"
+    environment = {**os.environ, "PYTHONPATH": f"{tmp_path}{os.pathsep}{ROOT / 'scripts'}"}
+    process = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, env=environment)
     assert process.returncode == errors.EXIT_MISSING_TOOL
     assert process.stderr.count("\n") == 1 and "the Python package rich is missing for /" in process.stderr
     assert "apt-get install python3-rich" in process.stderr
