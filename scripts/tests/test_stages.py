@@ -5,6 +5,7 @@ import subprocess
 
 import pytest
 
+from cover import with_slow
 from flow.base import committed, rtl
 from flow.base.configurations import configurations, designs
 from flow.base.errors import FlowError
@@ -96,9 +97,12 @@ def test_there_are_stages():
     assert set(STAGES) < set(regression.select(["all"]))
 
 
+PAIRS = [(TINY, "pair"), (DEEP, "deep_pair")]
+
+
 @pytest.mark.parametrize("simulator", ["ghdl", "verilator"])
 @pytest.mark.parametrize("stream", [("--frames", 3), ("--frames", 3, "--stall-percent", 30), ("--broken", 30)])
-@pytest.mark.parametrize("config, images", [(TINY, "pair"), (DEEP, "deep_pair")])
+@pytest.mark.parametrize("config, images", with_slow(PAIRS, PAIRS[:1]))
 def test_vhdl_is_the_core(request, tmp_path, simulator, stream, config, images):
     request.getfixturevalue(simulator)
     process = cosim(request.getfixturevalue(images), tmp_path, *stream, "--simulator", simulator, config=config)
@@ -111,14 +115,14 @@ def test_vhdl_is_the_core(request, tmp_path, simulator, stream, config, images):
         assert result["clocks_per_frame"] == 32 * 12
 
 
-@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize("fault", with_slow(FAULTS, ["valid a clock early", "sampler: no rounding"]))
 def test_fault_is_caught(ghdl, pair, tmp_path, fault):
     made = altered_rtl(tmp_path / "rtl", TINY, *FAULTS[fault])
     process = cosim(pair, tmp_path / "out", "--frames", 12, "--stall-percent", 10, "--rtl", made)
     assert process.returncode in (1, 4), f"{fault} was not caught: {process.stdout}"
 
 
-@pytest.mark.parametrize("fault", DEEP_FAULTS)
+@pytest.mark.parametrize("fault", with_slow(DEEP_FAULTS, ["the lowest bit of what leaves"]))
 def test_fault_of_pixels_of_12_bits_is_caught(ghdl, deep_pair, tmp_path, fault):
     made = altered_rtl(tmp_path / "rtl", DEEP, *DEEP_FAULTS[fault])
     process = cosim(deep_pair, tmp_path / "out", "--frames", 2, "--rtl", made, config=DEEP)
