@@ -23,9 +23,12 @@ TABLE = designs()
 
 
 def those(in_short):
-    """Configurations: all, or what people take and as few others as have every option."""
+    """Configurations: all, or what people take, the parts of the systems, and as few others as have
+    every option."""
     made = committed.known_designs()
-    return [name for name in made if name in fast() or TABLE[name]["use"] in committed.TAKEN] if in_short else made
+    parts = {name for system in systems.SYSTEMS.values() for name in (system.rectification, system.matching)}
+    short = [name for name in made if name in fast() | parts or TABLE[name]["use"] in committed.TAKEN]
+    return short if in_short else made
 
 
 def has_shell(name):
