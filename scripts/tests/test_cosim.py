@@ -6,6 +6,7 @@ import xml.etree.ElementTree as xml
 
 import pytest
 
+from cover import with_slow
 from flow.base import committed
 from flow.base.configurations import configuration
 from flow.cosim import record as cosim_record
@@ -51,8 +52,11 @@ def test_tiny_frames_back_to_back_cost_their_pixels_and_no_clock_more(ghdl, pair
     assert result["clocks_per_frame"] == 32 * 12
 
 
+BUBBLES = [("tiny", 5), ("tiny", 60), ("tiny_p2", 30), ("tiny_p4", 30)]
+
+
 @pytest.mark.parametrize("simulator", ["ghdl", "verilator", "nvc"])
-@pytest.mark.parametrize("config,stall_percent", [("tiny", 5), ("tiny", 60), ("tiny_p2", 30), ("tiny_p4", 30)])
+@pytest.mark.parametrize("config,stall_percent", with_slow(BUBBLES, BUBBLES[1:3]))
 def test_tiny_with_bubbles(request, pairs, tmp_path, simulator, config, stall_percent):
     request.getfixturevalue(simulator)
     options = ["--frames", 4, "--stall-percent", stall_percent, "--seed", 5, "--simulator", simulator]
@@ -61,7 +65,7 @@ def test_tiny_with_bubbles(request, pairs, tmp_path, simulator, config, stall_pe
     assert result["initiation_interval"]["max"] > 1, "bubbles show in the outputs"
 
 
-@pytest.mark.parametrize("config", ["tiny", "tiny_p2", "tiny_p4"])
+@pytest.mark.parametrize("config", with_slow(["tiny", "tiny_p2", "tiny_p4"], ["tiny_p2"]))
 @pytest.mark.parametrize("levels, brightest", [(1, 255), (2, 255), (3, 255), (256, 255), (4, 3)])
 def test_tiny_with_ties_extremes_and_noise(ghdl, tmp_path, config, levels, brightest):
     pair = random_pair(tmp_path / "pair", config, levels, brightest=brightest)

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import kits
+from cover import fast, with_slow
 from flow.base import committed
 from flow.base.errors import FlowError
 from flow.base.tools import ROOT
@@ -82,7 +83,10 @@ def check_component(files, config):
         assert int(texts(element, "x:addressOffset")[0].replace("'h", ""), 16) == entry["offset"]
 
 
-@pytest.mark.parametrize("config", committed.known_configurations())
+EVERY = committed.known_configurations()
+
+
+@pytest.mark.parametrize("config", with_slow(EVERY, fast() & {*EVERY}))
 def test_every_configuration_has_its_kits(config):
     for kit in kits.KITS:
         files = contents.of(kit, config, 100)

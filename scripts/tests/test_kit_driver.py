@@ -7,6 +7,7 @@ import pytest
 
 import kits
 from conftest import need
+from cover import with_slow
 from flow.base.tools import ROOT
 from flow.cosim import simulators
 from flow.kit import naming
@@ -79,7 +80,7 @@ def test_the_model_notices_a_fault(gcc, tmp_path, file, what, instead, said):
     assert process.returncode == 1 and said in process.stdout, process.stdout
 
 
-@pytest.mark.parametrize("config", ["tiny", "tiny_settings"])
+@pytest.mark.parametrize("config", with_slow(["tiny", "tiny_settings"], ["tiny_settings"]))
 def test_driver_on_the_vhdl(gcc, ghdl, verilator, tmp_path, config):
     """Frames go through the top of a kit in Verilator meanwhile. Then again with one that does not clear errors."""
     kit = kits.make(tmp_path / "kit", "vivado", config)

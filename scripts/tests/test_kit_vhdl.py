@@ -8,6 +8,7 @@ import subprocess
 import pytest
 
 import kits
+from cover import with_slow
 from flow.base.ghdl import STANDARD
 from flow.implementation.results import Configuration
 from flow.pages import camera
@@ -32,7 +33,7 @@ def test_top_is_vhdl_93(ghdl, tmp_path, config):
 
 
 @pytest.mark.parametrize("tool", kits.KITS)
-@pytest.mark.parametrize("config", ["tiny_p2", "tiny_sgm"])
+@pytest.mark.parametrize("config", with_slow(["tiny_p2", "tiny_sgm"], ["tiny_p2"]))
 @pytest.mark.parametrize("standard", ["--std=93", "--std=08"])
 def test_every_file_is_valid_in_both_versions(ghdl, tmp_path, tool, config, standard):
     kit = kits.make(tmp_path / "kit", tool, config)
@@ -60,7 +61,7 @@ def bench(ghdl, kit, *options):
 CONFIGURATIONS = ["tiny", "tiny_p4", "tiny_subpixel", "tiny_left_min_negative", "tiny_sgm", "tiny_trellis", "example"]
 
 
-@pytest.mark.parametrize("config", CONFIGURATIONS)
+@pytest.mark.parametrize("config", with_slow(CONFIGURATIONS, ["tiny_p4", "tiny_sgm"]))
 def test_two_frames_go_through(ghdl, tmp_path, config):
     """In the kit whose files differ most from the committed ones; with the latency that the documentation states."""
     process = bench(ghdl, kits.make(tmp_path / "kit", "quartus", config))
@@ -69,7 +70,7 @@ def test_two_frames_go_through(ghdl, tmp_path, config):
     assert int(passed.group(1)) == camera.clocks_to_first(Configuration(config, stale_is_none=True))
 
 
-@pytest.mark.parametrize("config", ["tiny_lr", "tiny_all_recursive", "tiny_sgm"])
+@pytest.mark.parametrize("config", with_slow(["tiny_lr", "tiny_all_recursive", "tiny_sgm"], ["tiny_all_recursive"]))
 @pytest.mark.parametrize("missing", [0, 1])
 def test_blanking_that_a_camera_needs(ghdl, tmp_path, config, missing):
     """As docs/integration.md says: with flush_groups clocks between frames the source never waits."""
@@ -88,7 +89,7 @@ FAULTS = {  # what the bench says: (file of rtl/, what, instead)
 }
 
 
-@pytest.mark.parametrize("said", FAULTS)
+@pytest.mark.parametrize("said", with_slow(FAULTS, ["disparities are 2", "the maps do not come"]))
 def test_the_bench_notices_a_fault(ghdl, tmp_path, said):
     file, what, instead = FAULTS[said]
     kit = kits.make(tmp_path / "kit", "vivado", "tiny")

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from conftest import ROOT, need, where_reachable
+from cover import with_slow
 from flow.base import ghdl as ghdl_flow, venv
 from flow.base.tools import run
 from flow.shell import design
@@ -83,7 +84,7 @@ FAULTS = {  # the rule that is broken: (file, text, instead)
 }
 
 
-@pytest.mark.parametrize("rule", FAULTS)
+@pytest.mark.parametrize("rule", with_slow(FAULTS, ["rule 1"]))
 def test_a_broken_rule_is_noticed(ghdl, vunit, tmp_path, rule):
     process = under_vunit(vunit, ghdl, tmp_path, altered(tmp_path, FAULTS[rule]))
     assert process.returncode != 0 and f"m_axis:{rule}" in process.stdout, process.stdout + process.stderr
