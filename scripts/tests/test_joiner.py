@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 import pytest
 
 from conftest import need
+from cover import with_slow
 from flow.base import ghdl, rtl
 from flow.base.tools import ROOT, find_ghdl, run
 from flow.shell import template
@@ -467,7 +468,11 @@ FAULTS = {
 }
 
 
-@pytest.mark.parametrize("fault", FAULTS)
+# Of the pixels, of joined frames, of the queue.
+FAST = ["pixels are swapped", "frames are joined without their start", "too many words are read ahead"]
+
+
+@pytest.mark.parametrize("fault", with_slow(FAULTS, FAST))
 @pytest.mark.parametrize("pixel_bits", PIXEL_BITS)
 def test_fault_is_found(ghdl, tmp_path, pixel_bits, fault):
     broken = Joiner(tmp_path, pixel_bits, FAULTS[fault])
