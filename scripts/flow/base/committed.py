@@ -39,13 +39,17 @@ class Change(NamedTuple):
 
 def known_designs() -> list[str]:
     """All whose VHDL was made: matching cores and stages."""
-    made = [path.parent.name for path in GENERATED_RTL.glob(f"*/*/{MANIFEST}")]
-    return sorted(made + [path.parent.name for root in _unpacked() for path in root.glob(f"*/{MANIFEST}")])
+    return sorted(path.name for path in _folders())
 
 
 def known_configurations() -> list[str]:
     """Those of matching cores."""
-    return [name for name in known_designs() if folder(name).parent.name not in STAGES]
+    return sorted(path.name for path in _folders() if path.parent.name not in STAGES)
+
+
+def _folders() -> list[Path]:
+    roots = [*GENERATED_RTL.glob("*"), *_unpacked()]
+    return [path.parent for root in roots for path in root.glob(f"*/{MANIFEST}")]
 
 
 def folder(config: str) -> Path:
