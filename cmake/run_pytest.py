@@ -75,8 +75,8 @@ def write_time():
 
 
 def append(variable, lines):
-    """To the file that a variable names, from which scripts/test.sh makes its summary. One line at a time: tests run side
-    by side."""
+    """To the file that a variable names, from which scripts/test.sh makes its summary. One line at a time: tests run
+    side by side."""
     path = os.environ.get(variable)
     if path:
         with open(path, "a", buffering=1) as file:
