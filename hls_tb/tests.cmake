@@ -113,7 +113,9 @@ stereo_add_unit_tests(
   fuzz/replay_test.cpp
   program/commands/options_json_test.cpp
   program/depth/benchmark_calibration_test.cpp
+  program/depth/camera_calibrations_test.cpp
   program/depth/depth_test.cpp
+  program/depth/pair_warnings_test.cpp
   program/depth/rectified_geometry_test.cpp
   program/evaluation/camera_difference_test.cpp
   program/evaluation/masks_test.cpp
@@ -123,6 +125,7 @@ stereo_add_unit_tests(
   program/io/images_test.cpp
   program/io/npy_test.cpp
   program/io/pfm_test.cpp
+  program/io/plain_yaml_test.cpp
   program/rectification/map_table_test.cpp
   program/video/frame_names_test.cpp
   scene/scene_test.cpp

@@ -34,7 +34,8 @@ def parse() -> Namespace:
         action="extend",
         type=float,
         metavar="S",
-        help="grey levels a pixel of the pairs' 8-bit truth: one number for all, or one for each --pair (default 1)",
+        help="values a pixel of the pairs' truth: one number for all, or one for each --pair (default 256 of 16 bits "
+        "as KITTI's, else 1)",
     )
     parser.add_argument(
         "--scenes", type=int, metavar="N", help="generated scenes beside the pairs (default 2 without a pair, else 0)"
@@ -97,7 +98,7 @@ def check(options: Namespace) -> None:
         raise FlowError("--range must be 2 ... 256")
     if options.scenes is not None and options.scenes < 0:
         raise FlowError("--scenes must be 0 or more")
-    scales = options.truth_scale or [1]
+    scales = options.truth_scale or [1]  # none: one that fits
     if any(not scale > 0 or scale == float("inf") for scale in scales):
         raise FlowError("--truth-scale must be above 0")
     if len(scales) not in (1, len(options.pair)):
@@ -114,7 +115,7 @@ def check(options: Namespace) -> None:
 
 def given_pairs(options: Namespace) -> list[explore.Pair]:
     pairs = []
-    scales = options.truth_scale or [1]
+    scales = options.truth_scale or [None]
     if len(scales) == 1:
         scales = scales * len(options.pair)
     for (left, right, *truths), scale in zip(options.pair, scales):

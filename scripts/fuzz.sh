@@ -4,7 +4,7 @@
 # after the other. What a run learns stays in build/fuzz/corpus/TARGET for the next one; seeds are in hls_tb/fuzz/corpus.
 #   scripts/fuzz.sh [--seconds N] [TARGET...]
 #   --seconds  of each target (default 600)
-#   TARGET     calibration, disparities, image, pfm (default: all)
+#   TARGET     calibration, camera_calibration, disparities, image, pfm (default: all)
 # Exit codes: 0 nothing found, 1 an input was found, 2 bad options, 3 missing tool, 4 the build failed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -14,7 +14,7 @@ end() {
    exit "$1"
 }
 
-all=(calibration disparities image pfm)
+all=(calibration camera_calibration disparities image pfm)
 seconds=600 targets=()
 while [ $# -gt 0 ]; do
    case "$1" in

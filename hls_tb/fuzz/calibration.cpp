@@ -63,7 +63,7 @@ bool calibration(std::string_view bytes) {
    const MemoryFile file(bytes);
    app::Calibration calibration;
    try {
-      calibration = app::load_calibration(file.path(), file.path(), kLimit);
+      calibration = app::load_calibration({file.path(), "", file.path(), false}, kLimit);
    } catch (const app::InputError& refusal) {
       check_refusal(refusal, file.path() + ": ");
       return false;

@@ -11,9 +11,10 @@
 
 namespace stereo::fuzz {
 
-bool calibration(std::string_view bytes);  ///< of OpenCV or a benchmark
-bool disparities(std::string_view bytes);  ///< ground truth or results: every kind of file
-bool image(std::string_view bytes);        ///< an image of a pair
+bool calibration(std::string_view bytes);         ///< a file of any format, by the child process that reads it
+bool camera_calibration(std::string_view bytes);  ///< of the formats that are not OpenCV's; one file or two
+bool disparities(std::string_view bytes);         ///< ground truth or results: every kind of file
+bool image(std::string_view bytes);               ///< an image of a pair
 bool pfm(std::string_view bytes);
 
 struct Target {
@@ -22,8 +23,11 @@ struct Target {
 };
 
 /// The folder fuzz/corpus/ has one of each name.
-inline constexpr Target kTargets[] = {
-    {"calibration", calibration}, {"disparities", disparities}, {"image", image}, {"pfm", pfm}};
+inline constexpr Target kTargets[] = {{"calibration", calibration},
+                                      {"camera_calibration", camera_calibration},
+                                      {"disparities", disparities},
+                                      {"image", image},
+                                      {"pfm", pfm}};
 
 struct BrokenPromise : std::logic_error {
    using std::logic_error::logic_error;

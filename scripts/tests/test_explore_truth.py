@@ -127,11 +127,12 @@ def test_what_cannot_be_is_refused_before_anything_runs(scene, tmp_path):
 
 
 def test_each_pair_has_its_scale(scene, tmp_path):
+    """1 is said, too: files of 16 bits have 256 where nobody says otherwise."""
     words = [*pair(scene), "--truth-scale", 1, *pair(scene), "--truth-scale", 4, *SWEEP, "--out", tmp_path]
     process = call("explore.py", *words)
     assert process.returncode == 0, process.stderr
     for row in content(tmp_path)["choices"]:
-        assert "--truth-scale" not in row["commands"][0] and "--truth-scale 4" in row["commands"][1]
+        assert "--truth-scale 1 " in row["commands"][0] and "--truth-scale 4 " in row["commands"][1]
     assert "of the disparities that" in process.stdout and "2 of 2 choices say so" in process.stdout, "4 is wrong"
 
 

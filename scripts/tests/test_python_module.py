@@ -127,6 +127,19 @@ def test_masked_pixels_do_not_count(module):
     assert module.evaluate(found, single, **say)["all"]["pixels"] == wanted["all"]["pixels"]
 
 
+@pytest.mark.parametrize("value", [-1, 0, 1000.5])
+def test_a_value_of_the_truth_can_stand_for_unknown(module, value):
+    random = np.random.default_rng(SEED)
+    truths = [random.integers(1, 10, (HEIGHT, WIDTH)).astype(np.float32) for _ in range(2)]
+    found = truths[0] + random.normal(0, 1, truths[0].shape).astype(np.float32)
+    hidden = [random.random(truth.shape) < 0.3 for truth in truths]
+    say = {"reference": "left", "border_px": 0}
+    nan, marked = ([np.where(h, v, t) for t, h in zip(truths, hidden)] for v in (np.float32(np.nan), np.float32(value)))
+    wanted = module.evaluate(found, *nan, **say)
+    assert module.evaluate(found, *marked, unknown=value, **say) == wanted != module.evaluate(found, *marked, **say)
+    assert module.evaluate(found.astype(np.float64), *marked, unknown=value, **say) == wanted
+
+
 def test_images_have_no_mask(module, pair):
     hidden = np.ma.masked_array(pair.left, pair.left > 100)
     for left, right, name in ((hidden, pair.right, "left"), (pair.left, hidden, "right")):

@@ -4,20 +4,22 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
 
-#include "program/commands/calibrated_size.hpp"
+#include "program/commands/calibration_options.hpp"
 #include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/options_json.hpp"
 #include "program/commands/pair_options.hpp"
+#include "program/commands/postprocessing_options.hpp"
 #include "program/commands/threads_option.hpp"
 #include "program/commands/timed.hpp"
 #include "program/depth/depth.hpp"
+#include "program/depth/pair_warnings.hpp"
 #include "program/depth/rectification.hpp"
-#include "program/depth/vertical_offset.hpp"
 #include "program/errors.hpp"
 #include "program/io/images.hpp"
 #include "program/io/opencv_images.hpp"
@@ -30,14 +32,16 @@ namespace {
 constexpr double kMetre = 1000;  ///< millimetres
 
 struct Arguments {
-   std::string calibration, extrinsics, left, right, config, out;
+   CalibrationOptions calibration;
+   std::string left, right, config, out;
    std::vector<std::string> settings;
    std::optional<double> unit_mm;
-   std::string calibrated_size;
    PlyFormat ply = PlyFormat::binary;
    bool tiff = false;
    bool rectified = false;
    int threads = 1;
+   Postprocessing postprocessing;
+   std::optional<double> least_mm, largest_mm;  ///< of the depths that are kept
 };
 
 /// A pair that can be matched, in colour where the cameras' images are, and where it stands.
@@ -52,13 +56,15 @@ struct PreparedPair {
 };
 
 PreparedPair prepare(const Arguments& arguments, int bits) {
-   Calibration loaded = load_calibration(arguments.calibration, arguments.extrinsics);
+   Calibration loaded = load_calibration(arguments.calibration.files);
+   if (!arguments.unit_mm && !loaded.unknown_unit.empty())
+      throw InputError("--calibration: " + loaded.unknown_unit + ": say with --unit-mm how many millimetres it is");
    const double unit_mm = arguments.unit_mm.value_or(loaded.unit_mm > 0 ? loaded.unit_mm : kMetre);
    if (arguments.rectified && !loaded.rectified_size.empty()) loaded.image_size = loaded.rectified_size;
    PreparedPair pair{
        read_camera_image(arguments.left, bits), read_camera_image(arguments.right, bits), bits, unit_mm, {}};
    require_same_size<InputError>(arguments.left, pair.left.size(), arguments.right, pair.right.size());
-   const cv::Size size = pair.left.size(), given = size_of_word(arguments.calibrated_size);
+   const cv::Size size = pair.left.size(), given = arguments.calibration.size();
    const Calibration calibration = fitted_calibration(loaded, size, given);
    if (arguments.rectified) {
       pair.geometry = rectified_geometry(calibration);
@@ -68,7 +74,7 @@ PreparedPair prepare(const Arguments& arguments, int bits) {
    }
    const Rectification rectification = make_rectification(calibration, size.width, size.height);
    std::cout << rectification.warnings;
-   if (const auto offset = vertical_offset(pair.shown()))
+   if (const auto offset = vertical_offset(matched_features(pair.shown())))
       std::cout << "before rectification " << offset->features << " matching features lie " << offset->median_px
                 << " rows apart (median)\n";
    return {rectification.left(pair.left), rectification.right(pair.right), bits, unit_mm, rectification.geometry};
@@ -91,13 +97,14 @@ Depths depths_of(const cv::Mat_<uint16_t>& image) {
 }
 
 nlohmann::json facts(const Arguments& arguments, const PreparedPair& pair, const Algorithm& algorithm,
-                     const Depths& depths, double milliseconds) {
+                     const Depths& depths, int left_out, double milliseconds) {
+   const auto limit = [](const std::optional<double>& mm) { return mm ? nlohmann::json(*mm) : nlohmann::json(); };
    return {{"format", "stereo-hls depth 1"},
            {"config", arguments.config},
            {"parameters", options_json(algorithm.options())},
            {"left", arguments.left},
            {"right", arguments.right},
-           {"calibration", arguments.calibration},
+           {"calibration", arguments.calibration.files.path},
            {"rectified_before", arguments.rectified},
            {"width_px", pair.left.cols},
            {"height_px", pair.left.rows},
@@ -106,6 +113,10 @@ nlohmann::json facts(const Arguments& arguments, const PreparedPair& pair, const
            {"depth_unit", "mm"},
            {"depth_png_mm_per_value", 1},
            {"known_px", depths.known},
+           {"postprocessing", postprocessing_json(arguments.postprocessing)},
+           {"least_depth_mm", limit(arguments.least_mm)},
+           {"largest_depth_mm", limit(arguments.largest_mm)},
+           {"left_out_px", left_out},
            {"nearest_mm", depths.nearest_mm},
            {"farthest_mm", depths.farthest_mm},
            {"threads", arguments.threads},
@@ -137,19 +148,28 @@ std::string summary(const PreparedPair& pair, double baseline_mm, const Depths& 
 }
 
 void depth(const Arguments& arguments) {
+   if (arguments.least_mm && arguments.largest_mm && *arguments.least_mm > *arguments.largest_mm)
+      throw InputError("--least-depth-mm: is above --largest-depth-mm");
    const auto algorithm = named_algorithm(arguments.config, arguments.settings);
    const PreparedPair pair = prepare(arguments, algorithm->pixel_bits());
    const AnyPair gray = pair.gray();
    const ImagePair shown = shown_pair(gray, pair.bits);
-   std::cout << rectification_warning(shown);
+   const MapGeometry map_geometry = algorithm->map_geometry(shown.left.width);
+   const std::string warning = pair_warning(shown, map_geometry);
+   std::cout << warning;
    double milliseconds = 0;
-   const auto match = [&](const auto& images) {
+   const auto match_once = [&](const auto& images) {
       return match_named(arguments.config, images, *algorithm, arguments.threads);
    };
+   const auto match = [&](const auto& images) {
+      return match_and_process(match_once, images, map_geometry, arguments.postprocessing).map;
+   };
    const DisparityMap map = timed(milliseconds, [&] { return std::visit(match, gray); });
-   const MapGeometry map_geometry = algorithm->map_geometry(shown.left.width);
-   const std::vector<Point> points = points_of(at_image_size(map, map_geometry, shown.left.width),
-                                               map_geometry.reference, pair.geometry, pair.unit_mm / kMetre);
+   if (warning.empty()) std::cout << last_disparity_warning(map, map_geometry);
+   std::vector<Point> points = points_of(at_image_size(map, map_geometry, shown.left.width), map_geometry.reference,
+                                         pair.geometry, pair.unit_mm / kMetre);
+   const int left_out = keep_depths(points, arguments.least_mm.value_or(0) / kMetre,
+                                    arguments.largest_mm.value_or(std::numeric_limits<double>::infinity()) / kMetre);
    const cv::Mat image = depth_image(points, shown.left.width, shown.left.height);
    const Depths depths = depths_of(image);
    const cv::Mat& reference = map_geometry.reference == Reference::left ? pair.left : pair.right;
@@ -166,7 +186,7 @@ void depth(const Arguments& arguments) {
       if (arguments.rectified) out.leave_out(name, {arguments.left, arguments.right});
       else out.add(name, encode(rectified));
    }
-   out.add_json("depth.json", facts(arguments, pair, *algorithm, depths, milliseconds));
+   out.add_json("depth.json", facts(arguments, pair, *algorithm, depths, left_out, milliseconds));
    const auto known = std::count_if(points.begin(), points.end(), [](const Point& point) { return point.z_m != 0; });
    std::cout << unit_hint(pair.geometry.baseline() * pair.unit_mm, pair.unit_mm, int(known), depths.known);
    std::cout << summary(pair, pair.geometry.baseline() * pair.unit_mm, depths);
@@ -179,11 +199,7 @@ void add_depth(CLI::App& app) {
    static Arguments arguments;
    CLI::App* command =
        app.add_subcommand("depth", "depth in millimetres and a point cloud in metres: depth.png, cloud.ply ...");
-   command
-       ->add_option("--calibration", arguments.calibration,
-                    "OpenCV's YAML: M1 D1 M2 D2 R T, or Q with --rectified; or calib.txt of Middlebury, ETH3D or KITTI")
-       ->required();
-   command->add_option("--extrinsics", arguments.extrinsics, "a second YAML file, where R and T stand apart");
+   add_calibration_options(*command, arguments.calibration);
    command->add_option("--left", arguments.left, "left camera's image")->required();
    command->add_option("--right", arguments.right, "right camera's image")->required();
    command->add_option("--config", arguments.config, "configuration, run by the fast model on the whole images")
@@ -194,8 +210,14 @@ void add_depth(CLI::App& app) {
        ->add_option("--unit-mm", arguments.unit_mm,
                     "millimetres of one unit of the calibration's T; default: as its format has it, else 1000, metres")
        ->check(check_positive_number);
-   add_calibrated_size_option(*command, arguments.calibrated_size);
    add_threads_option(*command, arguments.threads);
+   add_postprocessing_options(*command, arguments.postprocessing, "the depths");
+   command
+       ->add_option("--least-depth-mm", arguments.least_mm,
+                    "nearer pixels count as unknown, in all files but preview.png")
+       ->check(check_positive_number);
+   command->add_option("--largest-depth-mm", arguments.largest_mm, "the same of farther ones")
+       ->check(check_positive_number);
    static const std::map<std::string, PlyFormat> kPlyFormats{{"binary", PlyFormat::binary},
                                                              {"ascii", PlyFormat::ascii}};
    add_choice(*command, "--ply", arguments.ply, kPlyFormats, "cloud.ply as binary (default), little endian, or ascii");

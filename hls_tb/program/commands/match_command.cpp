@@ -16,7 +16,7 @@
 #include "program/commands/postprocessing_options.hpp"
 #include "program/commands/threads_option.hpp"
 #include "program/commands/timed.hpp"
-#include "program/depth/vertical_offset.hpp"
+#include "program/depth/pair_warnings.hpp"
 #include "program/errors.hpp"
 #include "program/evaluation/evaluation.hpp"
 #include "program/evaluation/truth.hpp"
@@ -151,15 +151,17 @@ void add_truth(Facts& facts, const Arguments& arguments, const LoadedScore& scor
 template <class Pair>
 void match_pair(const Arguments& arguments, const Algorithm& algorithm, const Pair& matched) {
    const ImagePair& pair = shown_pair(matched, algorithm.pixel_bits());
-   std::cout << rectification_warning(pair);
    double milliseconds = 0;
    const MapGeometry geometry = algorithm.map_geometry(pair.left.width);
+   const std::string warning = pair_warning(pair, geometry);
+   std::cout << warning;
    const auto match_once = [&](const Pair& images) {
       return match_named(arguments.config, images, algorithm, arguments.threads, arguments.engine);
    };
    const auto [map, confidence] =
        timed(milliseconds, [&] { return match_and_process(match_once, matched, geometry, arguments.postprocessing); });
 
+   if (warning.empty()) std::cout << last_disparity_warning(map, geometry);
    Facts facts;
    add_matching(facts, arguments, map, algorithm, pair, milliseconds);
    const GrayImage& reference = geometry.reference == Reference::left ? pair.left : pair.right;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <sstream>
 
-#include "program/commands/calibrated_size.hpp"
+#include "program/commands/calibration_options.hpp"
 #include "program/commands/options_json.hpp"
 #include "program/depth/rectification.hpp"
 #include "program/errors.hpp"
@@ -25,7 +25,8 @@ using rectification::RowsNeeded;
 using rectification::Table;
 
 struct Arguments {
-   std::string calibration, extrinsics, left, right, out, calibrated_size;
+   CalibrationOptions calibration;
+   std::string left, right, out;
    int width = 0, height = 0;
    std::vector<std::string> settings;
 };
@@ -109,7 +110,7 @@ std::string summary(const Config& config, const std::vector<Camera>& cameras) {
 
 nlohmann::json facts(const Arguments& arguments, const Config& config, const std::vector<Camera>& cameras) {
    nlohmann::json json = {{"format", "stereo-hls rectify 1"},
-                          {"calibration", arguments.calibration},
+                          {"calibration", arguments.calibration.files.path},
                           {"parameters", options_json(option_values(config))},
                           {"table_columns", config.table_columns()},
                           {"table_rows", config.table_rows()},
@@ -135,7 +136,7 @@ void rectify(const Arguments& arguments) {
    const bool sized = arguments.width != 0 || arguments.height != 0;
    if (arguments.left.empty() != sized)
       throw InputError("give --left and --right, or --width and --height without images");
-   const Calibration loaded = load_calibration(arguments.calibration, arguments.extrinsics);
+   const Calibration loaded = load_calibration(arguments.calibration.files);
    const Wished wish = wished(arguments.settings);
    Config config = wish.config;
    const AnyPair pair = sized ? ImagePair() : load_any_pair(arguments.left, arguments.right, config.pixel_bits);
@@ -144,7 +145,7 @@ void rectify(const Arguments& arguments) {
    config.width_px = size.width;
    config.height_px = size.height;
    require_possible(config);
-   const Calibration calibration = fitted_calibration(loaded, size, size_of_word(arguments.calibrated_size));
+   const Calibration calibration = fitted_calibration(loaded, size, arguments.calibration.size());
    const Rectification maps = make_rectification(calibration, config.width_px, config.height_px, config.grid_px);
    std::cout << maps.warnings;
    std::vector<Camera> cameras = {camera_of("left", {maps.left_x, maps.left_y, size}, config),
@@ -182,13 +183,11 @@ void add_rectify(CLI::App& app) {
    CLI::App* command = app.add_subcommand(
        "rectify",
        "the tables of the rectification in hardware, and what it makes of images: left_table.hex, left.png ...");
-   command->add_option("--calibration", arguments.calibration, "OpenCV's YAML: M1 D1 M2 D2 R T")->required();
-   command->add_option("--extrinsics", arguments.extrinsics, "a second YAML file, where R and T stand apart");
+   add_calibration_options(*command, arguments.calibration);
    CLI::Option* left = command->add_option("--left", arguments.left, "left camera's image");
    CLI::Option* right = command->add_option("--right", arguments.right, "right camera's image");
    CLI::Option* width = command->add_option("--width", arguments.width, "image width, where there are no images");
    CLI::Option* height = command->add_option("--height", arguments.height, "image height");
-   add_calibrated_size_option(*command, arguments.calibrated_size);
    left->needs(right);
    right->needs(left);
    width->needs(height);

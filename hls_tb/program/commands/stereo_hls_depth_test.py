@@ -318,11 +318,187 @@ def test_sizes_that_are_none(tmp_path, depth, width, height):
     fail(tmp_path, *depth, yml, *plane(tmp_path), says=["c.yml: its image_", "no number of pixels"])
 
 
+def test_depths_that_are_left_out(tmp_path, depth):
+    """By their size, by speckles, by confidence: as match has them, and in every file."""
+    yml, pair = calibration(tmp_path / "c.yml"), [*plane(tmp_path), "--rectified"]
+    succeed(*depth, yml, *pair, "--least-depth-mm", Z_MM - 1, "--largest-depth-mm", Z_MM + 1, "--tiff")
+    facts = json.loads((tmp_path / "out" / "depth.json").read_text())
+    assert facts["least_depth_mm"] == Z_MM - 1 and facts["left_out_px"] > 0
+    assert facts["nearest_mm"] == facts["farthest_mm"] == Z_MM
+    assert {round(1000 * z) for _, _, z, *_ in ply_points(tmp_path / "out" / "cloud.ply")} == {Z_MM}
+    kept = sum(value == Z_MM for row in png_pixels(tmp_path / "out" / "depth.png") for value in row)
+    succeed(*depth, yml, *pair)
+    facts = json.loads((tmp_path / "out" / "depth.json").read_text())
+    assert facts["left_out_px"] == 0 and facts["least_depth_mm"] is None
+    rows = png_pixels(tmp_path / "out" / "depth.png")
+    assert kept == sum(value == Z_MM for row in rows for value in row) < sum(value > 0 for row in rows for value in row)
+    filters = ["--speckle-window", 400, "--speckle-range", 1, "--least-confidence", 100]
+    succeed(*depth, yml, *pair, *filters)
+    found = png_pixels(tmp_path / "out" / "depth.png")
+    succeed("match", "--config", "study", *pair[:-1], *filters, "--out", tmp_path / "m")
+    valid = png_pixels(tmp_path / "m" / "valid.png")
+    first = json.loads((tmp_path / "m" / "match.json").read_text())["output_first_column"]
+    places = [(x, y) for y in range(HEIGHT) for x in range(len(valid[0])) if rows[y][first + x]]
+    assert all((found[y][first + x] > 0) == (valid[y][x] > 0) for x, y in places)
+    assert 0 < sum(value > 0 for row in found for value in row) < sum(value > 0 for row in rows for value in row)
+    json_of_depth = json.loads((tmp_path / "out" / "depth.json").read_text())
+    assert json_of_depth["postprocessing"] == json.loads((tmp_path / "m" / "match.json").read_text())["postprocessing"]
+    limits = ["--least-depth-mm", 2000, "--largest-depth-mm", 1000]
+    fail(tmp_path, *depth, yml, *pair, *limits, says=["--least-depth-mm", "--largest-depth-mm"])
+    fail(tmp_path, *depth, yml, *pair, "--largest-depth-mm", 0, says=["--largest-depth-mm"])
+    fail(tmp_path, *depth, yml, *pair, "--speckle-range", 2, says=["--speckle-window"])
+
+
+def test_pairs_that_are_exchanged_or_reach_farther(tmp_path, depth):
+    yml, pair = calibration(tmp_path / "c.yml"), [*plane(tmp_path), "--rectified"]
+    exchanged = ["--left", pair[3], "--right", pair[1], "--rectified"]
+    for command in ([*depth, yml], ["match", "--config", "study", "--out", tmp_path / "m"]):
+        rectified = slice(None) if command[0] == "depth" else slice(4)
+        assert "warning: left and right look exchanged" in succeed(*command, *exchanged[rectified])
+        out = succeed(*command, *pair[rectified], "--set", "disparities=4")
+        assert "warning: the range of disparities, 0 ... 3 px, looks too short" in out
+        assert "warning" not in succeed(*command, *pair[rectified])
+
+
 def test_lens_models_of_others(tmp_path, depth):
+    pair = plane(tmp_path)
+    yml = with_size(calibration(tmp_path / "c.yml"), more="distortion_model: scaramuzza\n")
+    fail(tmp_path, *depth, yml, *pair, says=["c.yml", "distortion_model is scaramuzza"])
     yml = with_size(calibration(tmp_path / "c.yml"), more="distortion_model: equidistant\n")
-    fail(tmp_path, *depth, yml, *plane(tmp_path), says=["c.yml", "distortion_model is equidistant"])
+    fail(tmp_path, *depth, yml, *pair, says=["c.yml", "D1 has 5 coefficients", "fisheye"])
     yml = with_size(calibration(tmp_path / "c.yml"), more="distortion_model: plumb_bob\n")
-    succeed(*depth, yml, *plane(tmp_path))
+    fail(tmp_path, *depth, yml, *pair, "--fisheye", says=["--fisheye", "c.yml", "another model"])
+    succeed(*depth, yml, *pair)
+
+
+def camera_info(path, left, turn=0.0, model="plumb_bob", baseline=BASELINE):
+    """As ROS writes it."""
+    c, s = math.cos(turn), math.sin(turn)
+    camera = [FOCAL, 0.0, WIDTH / 2, 0.0, FOCAL, HEIGHT / 2, 0.0, 0.0, 1.0]
+    tx = 0.0 if left else -FOCAL * baseline
+    matrices = {
+        "camera_matrix": (camera, 3),
+        "distortion_coefficients": ([0.0] * (5 if model == "plumb_bob" else 4), 5 if model == "plumb_bob" else 4),
+        "rectification_matrix": (
+            [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0] if left else [c, s, 0, -s, c, 0, 0, 0, 1],
+            3,
+        ),
+        "projection_matrix": ([*camera[:3], tx, *camera[3:6], 0.0, *camera[6:], 0.0], 4),
+    }
+    text = f"image_width: {WIDTH}\nimage_height: {HEIGHT}\ncamera_name: stereo\ndistortion_model: {model}\n"
+    for name, (values, columns) in matrices.items():
+        text += f"{name}:\n  rows: {len(values) // columns}\n  cols: {columns}\n  data: {values}\n"
+    path.write_text(text)
+    return path
+
+
+def test_camera_info_of_ros(tmp_path, depth):
+    """Turned cameras, with their own matrices and without."""
+    turn, exact = 0.1, ["--set", "window_px=15", "--set", "subpixel=true"]
+    left, right = camera_info(tmp_path / "l.yaml", True), camera_info(tmp_path / "r.yaml", False, turn)
+    pair = plane(tmp_path, turn)
+    out = succeed(*depth, left, "--right-calibration", right, *pair, *exact)
+    assert "baseline 50 mm" in out and "warning" not in out
+    rows = png_pixels(tmp_path / "out" / "depth.png")
+    assert all(abs(rows[y][x] - Z_MM) < 0.03 * Z_MM for x in range(60, 110) for y in range(20, HEIGHT - 20))
+    succeed("rectify", "--calibration", left, "--right-calibration", right, *pair, "--out", tmp_path / "r")
+    out = succeed(*depth, left, "--right-calibration", right, *plane(tmp_path), "--rectified")
+    assert "focal length 200 px, baseline 50 mm" in out
+    fail(tmp_path, *depth, left, *pair, says=["l.yaml: is of one camera", "--right-calibration"])
+    fail(tmp_path, *depth, left, "--extrinsics", right, *pair, says=["l.yaml: is of one camera"])
+    fail(tmp_path, *depth, right, "--right-calibration", left, *pair, says=["r.yaml: with", "exchange the files"])
+    fail(tmp_path, *depth, left, "--right-calibration", tmp_path / "no.yaml", *pair, says=["no.yaml", "no such file"])
+    other = calibration(tmp_path / "c.yml")
+    fail(tmp_path, *depth, left, "--right-calibration", other, *pair, says=["c.yml: is no camera_info of ROS"])
+    half = camera_info(tmp_path / "l.yaml", True)
+    half.write_text(half.read_text().replace(f"image_width: {WIDTH}", "image_width: 320"))
+    fail(tmp_path, *depth, half, "--right-calibration", right, *pair, says=["images of 320x120 and 160x120"])
+
+
+KALIBR = f"""cam0:
+  camera_model: pinhole
+  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]
+  distortion_model: MODEL
+  intrinsics: [{FOCAL}, {FOCAL}, {WIDTH / 2}, {HEIGHT / 2}]
+  resolution: [{WIDTH}, {HEIGHT}]
+cam1:
+  T_cn_cnm1:
+  - [1.0, 0.0, 0.0, {-BASELINE}]
+  - [0.0, 1.0, 0.0, 0.0]
+  - [0.0, 0.0, 1.0, 0.0]
+  - [0.0, 0.0, 0.0, 1.0]
+  camera_model: pinhole
+  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]
+  distortion_model: MODEL
+  intrinsics: [{FOCAL}, {FOCAL}, {WIDTH / 2}, {HEIGHT / 2}]
+  resolution: [{WIDTH}, {HEIGHT}]
+"""
+
+
+def seen_by_fisheye(tmp_path):
+    """The plane through lenses whose pixels stand as far from the middle as the angle of their ray is large."""
+    value = ground()
+
+    def camera(shift):
+        def pixel(x, y):
+            dx, dy = x - WIDTH / 2, y - HEIGHT / 2
+            angle = math.hypot(dx, dy) / FOCAL
+            longer = math.tan(angle) / angle if angle > 0 else 1.0
+            return value(longer * dx + WIDTH / 2 + shift, longer * dy + HEIGHT / 2)
+
+        return pixel
+
+    size = {"width": WIDTH, "height": HEIGHT}
+    left = gray_image(tmp_path / "fl.pgm", camera(0), **size)
+    return ["--left", left, "--right", gray_image(tmp_path / "fr.pgm", camera(SHIFT), **size)]
+
+
+def test_chains_of_kalibr_and_fisheye_lenses(tmp_path, depth):
+    chain, exact = tmp_path / "camchain.yaml", ["--set", "window_px=15", "--set", "subpixel=true"]
+    chain.write_text(KALIBR.replace("MODEL", "radtan"))
+    assert "baseline 50 mm" in succeed(*depth, chain, *plane(tmp_path))
+    chain.write_text(KALIBR.replace("MODEL", "equidistant"))
+    four = calibration(tmp_path / "four.yml", D1=([0.0] * 4, 4), D2=([0.0] * 4, 4))
+    pair = seen_by_fisheye(tmp_path)
+    for given in ([chain], [four, "--fisheye"], [with_size(four, more="distortion_model: fisheye\n")]):
+        out = succeed(*depth, *given, *pair, *exact)
+        assert "baseline 50 mm" in out and "warning" not in out
+        rows = png_pixels(tmp_path / "out" / "depth.png")
+        assert all(abs(rows[y][x] - Z_MM) < 0.03 * Z_MM for x in range(60, 140) for y in range(20, HEIGHT - 20))
+    assert "needs" in succeed("rectify", "--calibration", chain, *pair, "--out", tmp_path / "r")
+    chain.write_text(KALIBR.replace("MODEL", "fov"))
+    fail(tmp_path, *depth, chain, *pair, says=["camchain.yaml: of cam0", "distortion_model is fov"])
+    chain.write_text(KALIBR.replace("MODEL", "radtan").replace(f"{-BASELINE}]", f"{BASELINE}]"))
+    fail(tmp_path, *depth, chain, *pair, says=["exchange --left and --right"])
+
+
+def test_stereo_parameters_of_matlab(tmp_path, depth):
+    """Millimetres, matrices for row vectors, and a first pixel of 1."""
+    camera = {
+        "ImageSize": [HEIGHT, WIDTH],
+        "IntrinsicMatrix": [[FOCAL, 0, 0], [0, FOCAL, 0], [WIDTH / 2 + 1, HEIGHT / 2 + 1, 1]],
+        "RadialDistortion": [0, 0],
+        "TangentialDistortion": [0, 0],
+    }
+    parameters = {
+        "CameraParameters1": camera,
+        "CameraParameters2": camera,
+        "RotationOfCamera2": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+        "TranslationOfCamera2": [-1000 * BASELINE, 0, 0],
+        "WorldUnits": "millimeters",
+    }
+    path, pair = tmp_path / "stereoParams.json", plane(tmp_path)
+    path.write_text(json.dumps(parameters))
+    assert "baseline 50 mm" in succeed(*depth, path, *pair, "--rectified")
+    assert png_pixels(tmp_path / "out" / "depth.png")[60][80] == Z_MM
+    x, _, z, *_ = ply_points(tmp_path / "out" / "cloud.ply")[1000]
+    column = x * FOCAL / z + WIDTH / 2
+    assert column == pytest.approx(round(column), abs=1e-3), "the principal point counts from 0 here"
+    assert "baseline 50 mm" in succeed(*depth, path, *pair)
+    path.write_text(json.dumps({**parameters, "WorldUnits": "squares"}))
+    fail(tmp_path, *depth, path, *pair, says=["WorldUnits, squares", "--unit-mm"])
+    assert "baseline 1250 mm" in succeed(*depth, path, *pair, "--unit-mm", 25)
+    assert "needs" in succeed("rectify", "--calibration", path, *pair, "--out", tmp_path / "r"), "which has no lengths"
 
 
 def test_units_that_cannot_be(tmp_path, depth):

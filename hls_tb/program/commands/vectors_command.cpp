@@ -40,8 +40,7 @@ void write(const VectorsArguments& arguments, uint64_t images_from, std::size_t 
 
 void vectors_of_stage(const VectorsArguments& arguments, const Stage& stage) {
    const Stream stream = make_stream(arguments.stream, stage.name, stage.shape);
-   const std::vector<StageClock> clocks =
-       make_stage_stimulus(stage, stream.stimulus, arguments.stream.options.seed);
+   const std::vector<StageClock> clocks = make_stage_stimulus(stage, stream.stimulus, arguments.stream.options.seed);
    const std::vector<StageOutput> outputs = run_stage(stage, clocks);
    write(arguments, stream.images_from, clocks.size(), outputs.size(), text_of(write_stage_stimulus, stage, clocks),
          text_of(write_stage_expected, stage, outputs));

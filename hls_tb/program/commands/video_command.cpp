@@ -12,7 +12,7 @@
 #include "program/commands/postprocessing_options.hpp"
 #include "program/commands/threads_option.hpp"
 #include "program/commands/timed.hpp"
-#include "program/depth/vertical_offset.hpp"
+#include "program/depth/pair_warnings.hpp"
 #include "program/errors.hpp"
 #include "program/io/opencv_images.hpp"
 #include "program/video/frame_sink.hpp"
@@ -70,9 +70,10 @@ void video(const Arguments& arguments) {
    cv::Size size;
    for (FramePair frames = source.next(); !frames.empty(); frames = source.next()) {
       const AnyPair pair = gray_pair(frames.left, frames.right);
-      if (!sink) std::cout << rectification_warning(shown_pair(pair, bits));
       double milliseconds = 0;
       const MapGeometry geometry = algorithm->map_geometry(frames.left.cols);
+      const std::string warning = sink ? "" : pair_warning(shown_pair(pair, bits), geometry);
+      std::cout << warning;
       const auto match_once = [&](const auto& images) {
          return match_named(arguments.config, images, *algorithm, arguments.threads);
       };
@@ -80,6 +81,7 @@ void video(const Arguments& arguments) {
          return match_and_process(match_once, images, geometry, arguments.postprocessing).map;
       };
       const DisparityMap map = timed(milliseconds, [&] { return std::visit(match, pair); });
+      if (!sink && warning.empty()) std::cout << last_disparity_warning(map, geometry);
       matching_seconds += milliseconds / 1000;
       const cv::Mat& reference = geometry.reference == Reference::left ? frames.left : frames.right;
       const cv::Mat page = beside(shown_image(reference, bits), map, geometry);

@@ -67,6 +67,7 @@ cv::Size size_of(double width, double height) {
 
 Calibration of_middlebury(const Lines& lines) {
    Calibration calibration;
+   calibration.lens = Lens::radial;
    calibration.m1 = matrix(lines, "cam0", 3, 3);
    calibration.m2 = matrix(lines, "cam1", 3, 3);
    calibration.t = (cv::Mat_<double>(3, 1) << -required(lines, "baseline", 1)[0], 0, 0);
@@ -122,6 +123,7 @@ std::optional<Calibration> parse_benchmark_calibration(std::string_view text) {
       return std::nullopt;
    }
    calibration.unit_mm = 1000;
+   calibration.lens = Lens::radial;
    return calibration;
 }
 

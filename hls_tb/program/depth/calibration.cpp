@@ -2,6 +2,7 @@
 #include "program/depth/calibration.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -11,7 +12,8 @@
 #include <string_view>
 
 #include "definition/gray_image.hpp"
-#include "program/depth/benchmark_calibration.hpp"
+#include "program/depth/calibration_formats.hpp"
+#include "program/depth/calibration_tree.hpp"
 #include "program/errors.hpp"
 #include "program/io/child_process.hpp"
 #include "program/io/require_file.hpp"
@@ -49,13 +51,25 @@ bool is_finite(const cv::Mat_<double>& matrix) {
    return true;
 }
 
-void take(Calibration& calibration, const cv::FileNode& node, const Entry& entry, const std::string& path) {
-   if (node.empty()) return;
-   const std::string what = path + ": its matrix " + entry.name;
+/// A list of numbers, as cv::Vec and cv::Matx are written, row by row; empty where it does not fit.
+cv::Mat matrix_of_list(const cv::FileNode& node, const Entry& entry) {
+   const int count = int(node.size());
+   const bool vector = entry.rows == 0;
+   if (!fits(vector ? 1 : entry.rows, vector ? count : entry.columns, entry)) return {};
+   if (!vector && count != entry.rows * entry.columns) return {};
+   std::vector<double> numbers;
+   for (const cv::FileNode& item : node) {
+      if (!item.isReal() && !item.isInt()) return {};
+      numbers.push_back(double(item));
+   }
+   return cv::Mat(numbers, true).reshape(1, vector ? 1 : entry.rows);
+}
+
+cv::Mat matrix_of_map(const cv::FileNode& node, const Entry& entry, const std::string& what) {
    // OpenCV allocates whatever size the file names: it is looked at before.
    if (!node.isMap() || !node["rows"].isInt() || !node["cols"].isInt()) throw InputError(what + " has no size");
    const int rows = node["rows"], columns = node["cols"];
-   if (rows == 0 && columns == 0) return;
+   if (rows == 0 && columns == 0) return {};
    if (rows < 1 || columns < 1 || !fits(rows, columns, entry))
       throw InputError(what + " is " + std::to_string(rows) + "x" + std::to_string(columns) + " but must be " +
                        (entry.rows == 0 ? "a vector of 4, 5, 8, 12 or 14 coefficients"
@@ -64,62 +78,90 @@ void take(Calibration& calibration, const cv::FileNode& node, const Entry& entry
    node >> matrix;
    if (matrix.rows != rows || matrix.cols != columns || matrix.channels() != 1)
       throw InputError(what + " has more than one number at a place, or none");
+   return matrix;
+}
+
+/// `name`: the entry's, or another one that people write.
+void take(Calibration& calibration, const cv::FileNode& node, const Entry& entry, const char* name) {
+   if (node.empty()) return;
+   const std::string what = std::string("its matrix ") + name;
+   if (!(calibration.*entry.matrix).empty()) throw InputError(what + " stands beside its " + entry.name);
+   cv::Mat matrix;
+   if (node.isSeq()) {
+      matrix = matrix_of_list(node, entry);
+      if (matrix.empty()) throw InputError(what + " is no list of as many numbers as it must have");
+   } else {
+      matrix = matrix_of_map(node, entry, what);
+   }
+   if (matrix.empty()) return;
    cv::Mat& target = calibration.*entry.matrix;
    matrix.convertTo(target, CV_64F);
    if (!is_finite(target)) throw InputError(what + " has values that are not finite");
 }
 
 /// Pixels along a side; 0 where the file does not say it.
-int side_of(const cv::FileNode& node, const char* name, const std::string& path) {
+int side_at(const cv::FileNode& node, const char* name) {
    if (node.empty()) return 0;
-   const int side = node.isInt() ? int(node) : 0;
-   if (side < 1) throw InputError(path + ": its " + name + " is no number of pixels");
-   return side;
+   return side_of(node.isInt() ? int(node) : 0, name);
 }
 
-/// Throws InputError where the coefficients are not those of cv::undistort.
-void require_known_model(const cv::FileNode& node, const std::string& path) {
-   if (!node.isString()) return;
-   const std::string model = node;
-   for (const char* const known : {"", "plumb_bob", "rational_polynomial", "radtan"})
-      if (model == known) return;
-   throw InputError(path + ": its distortion_model is " + model +
-                    ", but only plumb_bob and rational_polynomial, k1 k2 p1 p2 ..., are known");
-}
-
-Calibration read(const std::string& path, const std::string& sentence) {
-   std::ostringstream text;
-   text << std::ifstream(path, std::ios::binary).rdbuf();
-   try {
-      if (const auto found = parse_benchmark_calibration(text.view())) return *found;
-   } catch (const InputError& problem) {
-      throw InputError(path + ": " + problem.what());
-   }
+/// Of OpenCV's files.
+Calibration read_storage(const std::string& path, const std::string& sentence) {
    const SilentStderr silent;
    const cv::FileStorage file(path, cv::FileStorage::READ);
    if (!file.isOpened() || !file.root().isMap()) throw InputError(sentence);
    Calibration calibration;
-   for (const Entry& entry : kEntries) take(calibration, file[entry.name], entry, path);
-   require_known_model(file["distortion_model"], path);
-   calibration.image_size = {side_of(file["image_width"], "image_width", path),
-                             side_of(file["image_height"], "image_height", path)};
+   for (const Entry& entry : kEntries) take(calibration, file[entry.name], entry, entry.name);
+   // As the documentation of cv::fisheye and of cv::stereoRectify has them.
+   const bool other_names = !file["K1"].empty() || !file["K2"].empty();
+   take(calibration, file["K1"], kEntries[0], "K1");
+   take(calibration, file["K2"], kEntries[2], "K2");
+   const cv::FileNode model = file["distortion_model"];
+   calibration.lens = lens_of_word(model.isString() ? std::string(model) : "");
+   const auto is_four = [](const cv::Mat& d) { return d.total() == 4; };
+   if (calibration.lens == Lens::unsaid && other_names && (is_four(calibration.d1) || is_four(calibration.d2)))
+      calibration.lens = Lens::ambiguous;
+   calibration.image_size = {side_at(file["image_width"], "image_width"),
+                             side_at(file["image_height"], "image_height")};
    return calibration;
+}
+
+std::string text_of(const std::string& path) {
+   std::ostringstream text;
+   text << std::ifstream(path, std::ios::binary).rdbuf();
+   return text.str();
+}
+
+/// Of the files but the extrinsics.
+Calibration read(const CalibrationFiles& files, const std::string& sentence) {
+   const std::string text = text_of(files.path);
+   if (!files.right.empty()) return parse_calibrations({files.path, text}, {files.right, text_of(files.right)});
+   try {
+      if (const auto found = parse_calibration(text)) return *found;
+      return read_storage(files.path, sentence);
+   } catch (const InputError& problem) {
+      const std::string why = problem.what();
+      throw InputError(why == sentence ? why : files.path + ": " + why);
+   }
 }
 
 /// What a child says before its matrices.
 struct Heading {
    cv::Size image_size, rectified_size;
    double unit_mm;
+   Lens lens;
+   std::array<char, 64> unknown_unit;
 };
 
 constexpr char kTaken = '+', kRefused = '-';
 
 /// The answer of the child: its size and matrices, or why there are none.
-std::string answer(const std::string& path, const std::string& sentence) {
+std::string answer(const CalibrationFiles& files, const std::string& sentence) {
    try {
-      const Calibration calibration = read(path, sentence);
+      const Calibration calibration = read(files, sentence);
       std::string bytes(1, kTaken);
-      const Heading heading{calibration.image_size, calibration.rectified_size, calibration.unit_mm};
+      Heading heading{calibration.image_size, calibration.rectified_size, calibration.unit_mm, calibration.lens, {}};
+      calibration.unknown_unit.copy(heading.unknown_unit.data(), heading.unknown_unit.size() - 1);
       bytes.append(reinterpret_cast<const char*>(&heading), sizeof(heading));
       for (const Entry& entry : kEntries) {
          const cv::Mat& matrix = calibration.*entry.matrix;
@@ -132,16 +174,17 @@ std::string answer(const std::string& path, const std::string& sentence) {
    }
 }
 
-/// The calibration's matrices become those of the answer, where that has some. Whether the sizes agree.
-bool take_answer(Calibration& calibration, std::string_view bytes) {
+/// The calibration of an answer.
+Calibration calibration_of(std::string_view bytes) {
    Heading heading{};
    std::memcpy(&heading, bytes.data(), sizeof(heading));
    bytes.remove_prefix(sizeof(heading));
-   const cv::Size size = heading.image_size;
-   if (!heading.rectified_size.empty()) calibration.rectified_size = heading.rectified_size;
-   if (heading.unit_mm != 0) calibration.unit_mm = heading.unit_mm;
-   const bool agree = size.empty() || calibration.image_size.empty() || size == calibration.image_size;
-   if (!size.empty()) calibration.image_size = size;
+   Calibration calibration;
+   calibration.image_size = heading.image_size;
+   calibration.rectified_size = heading.rectified_size;
+   calibration.unit_mm = heading.unit_mm;
+   calibration.lens = heading.lens;
+   calibration.unknown_unit = heading.unknown_unit.data();
    for (const Entry& entry : kEntries) {
       const int rows = uint8_t(bytes[0]), columns = uint8_t(bytes[1]);
       bytes.remove_prefix(2);
@@ -152,32 +195,70 @@ bool take_answer(Calibration& calibration, std::string_view bytes) {
       bytes.remove_prefix(count);
       calibration.*entry.matrix = matrix;
    }
-   return agree;
+   return calibration;
 }
 
-void read_into(Calibration& calibration, const std::string& path, std::chrono::milliseconds limit) {
+void require_possible_file(const std::string& path, const std::string& sentence) {
    std::error_code error;
    require_file(path, path);
-   const std::string sentence = path +
-                                ": not a calibration that can be read; give a YAML file as OpenCV's stereo_calib "
-                                "writes it, or the calib.txt of a benchmark";
    if (std::filesystem::file_size(path, error) > kLargestFile) throw InputError(sentence);
+}
+
+/// Without the extrinsics.
+Calibration loaded(const CalibrationFiles& files, std::chrono::milliseconds limit) {
+   const std::string sentence = files.path +
+                                ": not a calibration that can be read; give a file as OpenCV, ROS, Kalibr, MATLAB or "
+                                "a benchmark writes it, as docs/depth.md has them";
+   require_possible_file(files.path, sentence);
+   if (!files.right.empty()) require_possible_file(files.right, sentence);
    // OpenCV 4.6 crashes on some XML files and never comes back from some YAML files (fuzz/corpus/calibration/).
-   const auto found = done_by_child([&] { return answer(path, sentence); }, limit);
+   const auto found = done_by_child([&] { return answer(files, sentence); }, limit);
    if (!found || found->empty()) throw InputError(sentence);
    if (found->front() == kRefused) throw InputError(found->substr(1));
-   if (!take_answer(calibration, std::string_view(*found).substr(1)))
-      throw InputError(path + ": is of images of " + size_text(calibration.image_size) +
+   return calibration_of(std::string_view(*found).substr(1));
+}
+
+/// What a second file says comes before the first one's.
+void replace_by(Calibration& calibration, const Calibration& others, const std::string& path) {
+   if (!others.image_size.empty() && !calibration.image_size.empty() && others.image_size != calibration.image_size)
+      throw InputError(path + ": is of images of " + size_text(others.image_size) +
                        " but the first file is of another size");
+   if (!others.image_size.empty()) calibration.image_size = others.image_size;
+   if (!others.rectified_size.empty()) calibration.rectified_size = others.rectified_size;
+   if (others.unit_mm != 0) calibration.unit_mm = others.unit_mm;
+   if (others.lens != Lens::unsaid) {
+      if (calibration.lens != Lens::unsaid && calibration.lens != others.lens)
+         throw InputError(path + ": has another distortion model than the first file");
+      calibration.lens = others.lens;
+   }
+   for (const Entry& entry : kEntries)
+      if (const cv::Mat& matrix = others.*entry.matrix; !matrix.empty()) calibration.*entry.matrix = matrix;
+}
+
+/// The lens becomes a known one, to which the coefficients fit.
+void settle_lens(Calibration& calibration, const CalibrationFiles& files) {
+   if (files.fisheye && calibration.lens == Lens::radial)
+      throw InputError("--fisheye: " + files.path + " says that its lenses are of another model");
+   if (!files.fisheye && calibration.lens == Lens::ambiguous)
+      throw InputError(files.path +
+                       ": its 4 coefficients beside K1 and K2 may be k1 k2 p1 p2 or those of cv::fisheye: give "
+                       "--fisheye, or write distortion_model: plumb_bob into the file");
+   if (files.fisheye) calibration.lens = Lens::fisheye;
+   else if (calibration.lens == Lens::unsaid) calibration.lens = Lens::radial;
+   if (calibration.lens != Lens::fisheye) return;
+   for (const auto& [name, d] : {std::pair{"D1", calibration.d1}, {"D2", calibration.d2}})
+      if (!d.empty() && d.total() != 4)
+         throw InputError(files.path + ": its " + name + " has " + std::to_string(d.total()) +
+                          " coefficients but the fisheye model has 4");
 }
 
 }  // namespace
 
-Calibration load_calibration(const std::string& path, const std::string& extrinsics_path,
-                             std::chrono::milliseconds limit) {
-   Calibration calibration;
-   read_into(calibration, path, limit);
-   if (!extrinsics_path.empty()) read_into(calibration, extrinsics_path, limit);
+Calibration load_calibration(const CalibrationFiles& files, std::chrono::milliseconds limit) {
+   Calibration calibration = loaded(files, limit);
+   if (!files.extrinsics.empty())
+      replace_by(calibration, loaded({files.extrinsics, "", "", false}, limit), files.extrinsics);
+   settle_lens(calibration, files);
    return calibration;
 }
 

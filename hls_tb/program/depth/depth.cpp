@@ -44,6 +44,17 @@ std::vector<Point> points_of(const DisparityImage& disparity, Reference referenc
    return points;
 }
 
+int keep_depths(std::vector<Point>& points, double least_m, double largest_m) {
+   int left_out = 0;
+   for (Point& point : points) {
+      const double depth_m = std::abs(double(point.z_m));
+      if (!is_known(point) || (depth_m >= least_m && depth_m <= largest_m)) continue;
+      point = {0, 0, 0};
+      ++left_out;
+   }
+   return left_out;
+}
+
 cv::Mat depth_image(const std::vector<Point>& points, int width_px, int height_px) {
    cv::Mat_<uint16_t> image(height_px, width_px);
    std::transform(points.begin(), points.end(), image.begin(), [](const Point& point) {

@@ -24,6 +24,9 @@ struct Point {
 std::vector<Point> points_of(const DisparityImage& disparity, Reference reference, const RectifiedGeometry& geometry,
                              double metres_per_unit);
 
+/// Points that are nearer or farther become unknown. How many.
+int keep_depths(std::vector<Point>& points, double least_m, double largest_m);
+
 inline constexpr int kLargestDepthMm = 65535;
 
 /// Depth, the size of z, in whole millimetres, 0: unknown or farther than kLargestDepthMm. CV_16U.

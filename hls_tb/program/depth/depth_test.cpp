@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "definition/block_matching/models.hpp"
+#include "program/depth/pair_warnings.hpp"
 #include "program/depth/rectification.hpp"
-#include "program/depth/vertical_offset.hpp"
 #include "program/errors.hpp"
 #include "program/io/opencv_images.hpp"
 #include "scene/scene.hpp"
@@ -88,12 +88,25 @@ cv::Mat rotation(double x, double y, double z) {
    return r;
 }
 
+TEST(Depth, NearerAndFartherPointsAreLeftOut) {
+   DisparityImage disparity(4, 1, kNoDisparity);
+   for (int x = 0; x < 3; ++x) disparity.at(x, 0) = float(5 * (x + 1));  // 10, 5, 3.333 m
+   std::vector<Point> points = points_of(disparity, Reference::left, kGeometry, 0.001);
+   EXPECT_EQ(keep_depths(points, 0, 1e9), 0);
+   EXPECT_EQ(keep_depths(points, 3.4, 9.9), 2);
+   const cv::Mat_<uint16_t> image = depth_image(points, 4, 1);
+   EXPECT_EQ(std::vector<uint16_t>(image.begin(), image.end()), (std::vector<uint16_t>{0, 5000, 0, 0}));
+   for (Point& point : points) point.z_m = -point.z_m;
+   EXPECT_EQ(keep_depths(points, 6, 9), 1) << "z may point backward";
+}
+
 GrayImage seen_by_turned_camera(const GrayImage& image, const cv::Mat& k, const cv::Mat& turn) {
    GrayImage copy = image, result(image.width, image.height);
    cv::warpPerspective(as_mat(copy), as_mat(result), k * turn * k.inv(), {image.width, image.height});
    return result;
 }
 
+constexpr MapGeometry kMaps{Reference::left, 0, 480, 80, 0, false};
 constexpr double kFocal = 600, kBaseline = 0.12;
 
 /// Two cameras, each turned away from the rectified frame, and what they see of a scene.
@@ -114,20 +127,20 @@ struct TurnedCameras {
 
 TEST(Rectification, UndoesTheTurnOfTheCameras) {
    const TurnedCameras cameras;
-   const auto before = vertical_offset(cameras.seen);
+   const auto before = vertical_offset(matched_features(cameras.seen));
    ASSERT_TRUE(before);
    EXPECT_GT(before->median_px, 8) << "they are turned by more than two degrees against each other";
-   EXPECT_NE(rectification_warning(cameras.seen), "");
+   EXPECT_NE(pair_warning(cameras.seen, kMaps), "");
 
    const Rectification rectification = make_rectification(cameras.calibration, 480, 360);
    ImagePair copy = cameras.seen;
    const ImagePair pair{gray_of_any(rectification.left(as_mat(copy.left))),
                         gray_of_any(rectification.right(as_mat(copy.right)))};
-   const auto after = vertical_offset(pair);
+   const auto after = vertical_offset(matched_features(pair));
    ASSERT_TRUE(after);
    EXPECT_LT(after->median_px, 0.5);
    EXPECT_GT(after->features, 50);
-   EXPECT_EQ(rectification_warning(pair), "");
+   EXPECT_EQ(pair_warning(pair, kMaps), "");
    EXPECT_NEAR(rectification.geometry.baseline(), kBaseline, 1e-9);
    EXPECT_NEAR(rectification.geometry.cx_difference_px(), 0, 1e-9);
 }
@@ -158,32 +171,6 @@ TEST(Rectification, DepthOfTurnedCamerasIsThatOfTheScene) {
       return values[values.size() / 2];
    };
    EXPECT_NEAR(median(depths) / median(true_depths), 1, 0.1);
-}
-
-TEST(VerticalOffset, SaysNothingOfRectifiedOrTinyOrUnrelatedImages) {
-   const ImagePair scene =
-       make_scene({.width = 320, .height = 240, .disparities = 64, .seed = test::test_seed()}).images;
-   ASSERT_TRUE(vertical_offset(scene));
-   EXPECT_LE(vertical_offset(scene)->median_px, 0.5);
-   EXPECT_EQ(rectification_warning(scene), "");
-   EXPECT_FALSE(vertical_offset({GrayImage(32, 12), GrayImage(32, 12)}));
-   EXPECT_FALSE(vertical_offset({GrayImage(1, 1), GrayImage(1, 1)}));
-   EXPECT_FALSE(vertical_offset({GrayImage(300, 200, 90), GrayImage(300, 200, 90)})) << "no features";
-   const ImagePair other =
-       make_scene({.width = 320, .height = 240, .disparities = 64, .seed = test::test_seed() + 9}).images;
-   EXPECT_EQ(rectification_warning({scene.left, scene.left}), "");
-   EXPECT_EQ(rectification_warning({GrayImage(300, 200, 90), other.left}), "");
-}
-
-TEST(VerticalOffset, MeasuresAShift) {
-   const ImagePair scene =
-       make_scene({.width = 320, .height = 240, .disparities = 64, .seed = test::test_seed()}).images;
-   GrayImage lower(320, 240);
-   for (int y = 5; y < 240; ++y) std::copy_n(scene.right.row(y - 5), 320, lower.row(y));
-   const auto offset = vertical_offset({scene.left, lower});
-   ASSERT_TRUE(offset);
-   EXPECT_NEAR(offset->median_px, 5, 0.5);
-   EXPECT_NE(rectification_warning({scene.left, lower}).find("5.0 rows apart"), std::string::npos);
 }
 
 }  // namespace

@@ -28,7 +28,51 @@ void require_camera(const char* name, const cv::Mat& camera, int width, int heig
    if (focal <= 0 || camera.at<double>(1, 1) <= 0 || x <= 0 || x >= width || y <= 0 || y >= height)
       throw InputError("--calibration: its " + std::string(name) + " does not belong to images of " +
                        size_text(width, height) + "; give images of the size that the cameras were calibrated with");
-   require_camera_matrix(name, camera);
+   require_camera_matrix("--calibration: its " + std::string(name), camera);
+}
+
+/// What cv::stereoRectify makes.
+struct Rectified {
+   cv::Mat r1, r2, p1, p2, q;
+};
+
+cv::Mat coefficients(const cv::Mat& d) { return d.empty() ? cv::Mat(cv::Mat::zeros(1, 4, CV_64F)) : d; }
+
+[[noreturn]] void refuse_upright() {
+   throw InputError("--calibration: its cameras stand one above the other; this matcher needs them side by side");
+}
+
+/// cv::fisheye::stereoRectify takes every pair for one side by side.
+void require_side_by_side(const Calibration& calibration) {
+   cv::Mat turn, half;
+   cv::Rodrigues(calibration.r, turn);
+   cv::Rodrigues(turn * -0.5, half);
+   const cv::Mat t = half * calibration.t;
+   if (std::abs(t.at<double>(1)) > std::abs(t.at<double>(0))) refuse_upright();
+   if (std::abs(t.at<double>(2)) > std::abs(t.at<double>(0)))
+      throw InputError("--calibration: its cameras stand one behind the other; this matcher needs them side by side");
+}
+
+Rectified rectified(const Calibration& c, cv::Size size) {
+   Rectified made;
+   if (c.lens == Lens::fisheye) {
+      require_side_by_side(c);
+      cv::fisheye::stereoRectify(c.m1, coefficients(c.d1), c.m2, coefficients(c.d2), size, c.r, c.t, made.r1, made.r2,
+                                 made.p1, made.p2, made.q, cv::CALIB_ZERO_DISPARITY, size, 0);
+   } else {
+      cv::stereoRectify(c.m1, c.d1, c.m2, c.d2, size, c.r, c.t, made.r1, made.r2, made.p1, made.p2, made.q,
+                        cv::CALIB_ZERO_DISPARITY, 0, size);
+   }
+   if (!cv::checkRange(made.q) || !cv::checkRange(made.p1) || !cv::checkRange(made.p2))
+      throw InputError("--calibration: its cameras cannot be rectified");
+   if (made.p2.at<double>(1, 3) != 0) refuse_upright();
+   return made;
+}
+
+void make_maps(Lens lens, const cv::Mat& m, const cv::Mat& d, const cv::Mat& r, const cv::Mat& p, cv::Size size,
+               cv::Mat& x, cv::Mat& y) {
+   if (lens == Lens::fisheye) cv::fisheye::initUndistortRectifyMap(m, coefficients(d), r, p, size, CV_32FC1, x, y);
+   else cv::initUndistortRectifyMap(m, d, r, p, size, CV_32FC1, x, y);
 }
 
 }  // namespace
@@ -49,24 +93,18 @@ Rectification make_rectification(const Calibration& calibration, int width_px, i
    require_matrices(calibration);
    require_camera("M1", calibration.m1, width_px, height_px);
    require_camera("M2", calibration.m2, width_px, height_px);
-   require_rotation(calibration.r);
+   require_rotation("--calibration: its R", calibration.r);
    const cv::Size size(width_px, height_px);
    Rectification made;
    for (const auto& [name, camera] :
         {std::pair{"the left camera", calibration.m1}, {"the right camera", calibration.m2}})
       made.warnings += principal_point_warning(name, camera.at<double>(0, 2), camera.at<double>(1, 2), size);
    try {
-      cv::Mat r1, r2, p1, p2, q;
-      cv::stereoRectify(calibration.m1, calibration.d1, calibration.m2, calibration.d2, size, calibration.r,
-                        calibration.t, r1, r2, p1, p2, q, cv::CALIB_ZERO_DISPARITY, 0, size);
-      if (!cv::checkRange(q) || !cv::checkRange(p1) || !cv::checkRange(p2))
-         throw InputError("--calibration: its cameras cannot be rectified");
-      if (p2.at<double>(1, 3) != 0)
-         throw InputError("--calibration: its cameras stand one above the other; this matcher needs them side by side");
+      const Rectified found = rectified(calibration, size);
       const cv::Size maps(width_px + behind_px, height_px + behind_px);
-      cv::initUndistortRectifyMap(calibration.m1, calibration.d1, r1, p1, maps, CV_32FC1, made.left_x, made.left_y);
-      cv::initUndistortRectifyMap(calibration.m2, calibration.d2, r2, p2, maps, CV_32FC1, made.right_x, made.right_y);
-      made.geometry = geometry_of_q(q);
+      make_maps(calibration.lens, calibration.m1, calibration.d1, found.r1, found.p1, maps, made.left_x, made.left_y);
+      make_maps(calibration.lens, calibration.m2, calibration.d2, found.r2, found.p2, maps, made.right_x, made.right_y);
+      made.geometry = geometry_of_q(found.q);
    } catch (const cv::Exception&) {
       throw InputError("--calibration: its cameras cannot be rectified");
    }

@@ -8,7 +8,8 @@
 namespace stereo::app {
 
 /// A pair as cameras see it made a pair whose rows agree (cv::stereoRectify with alpha = 0: no pixel from outside the
-/// cameras' images, and with CALIB_ZERO_DISPARITY: both principal points in the same column).
+/// cameras' images, and with CALIB_ZERO_DISPARITY: both principal points in the same column; of fisheye lenses
+/// cv::fisheye::stereoRectify with balance = 0, which may leave corners from outside).
 struct Rectification {
    cv::Mat left_x, left_y, right_x, right_y;  ///< maps of cv::remap
    RectifiedGeometry geometry;

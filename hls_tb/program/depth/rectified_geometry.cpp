@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "definition/gray_image.hpp"
-#include "program/depth/vertical_offset.hpp"
+#include "program/depth/pair_warnings.hpp"
 #include "program/errors.hpp"
 
 namespace stereo::app {
@@ -61,7 +61,7 @@ struct Pinhole {
 };
 
 Pinhole of_camera_matrix(const std::string& name, const cv::Mat& m) {
-   require_camera_matrix(name, m);
+   require_camera_matrix(kOption + name, m);
    return {m.at<double>(0, 0), m.at<double>(1, 1), m.at<double>(0, 2), m.at<double>(1, 2)};
 }
 
@@ -137,13 +137,13 @@ void require_camera_matrix(const std::string& name, const cv::Mat& camera) {
    if (!wrong.empty()) wrong += " must be 0";
    else if (std::abs(camera.at<double>(2, 2) - 1) > kRounding) wrong = "row 3, column 3 must be 1";
    else if (camera.at<double>(0, 0) <= 0 || camera.at<double>(1, 1) <= 0) wrong = "a focal length must be above 0";
-   if (!wrong.empty()) throw InputError(kOption + name + " is no camera matrix, fx 0 cx, 0 fy cy, 0 0 1: " + wrong);
+   if (!wrong.empty()) throw InputError(name + " is no camera matrix, fx 0 cx, 0 fy cy, 0 0 1: " + wrong);
 }
 
-void require_rotation(const cv::Mat& r) {
+void require_rotation(const std::string& name, const cv::Mat& r) {
    constexpr double kLargest = 1e-3;
    if (cv::norm(r * r.t(), cv::Mat::eye(3, 3, CV_64F), cv::NORM_INF) > kLargest || cv::determinant(r) < 0)
-      throw InputError(kOption + "R is no rotation");
+      throw InputError(name + " is no rotation");
 }
 
 RectifiedGeometry geometry_of_q(const cv::Mat& q) {
@@ -181,7 +181,7 @@ RectifiedGeometry rectified_geometry(const Calibration& calibration) {
           "--calibration: has neither Q, nor P1 and P2, nor M1 and T, of which a rectified pair needs one");
    const Pinhole left = of_camera_matrix("M1", calibration.m1);
    Pinhole right = calibration.m2.empty() ? left : of_camera_matrix("M2", calibration.m2);
-   if (!calibration.r.empty()) require_rotation(calibration.r);
+   if (!calibration.r.empty()) require_rotation(kOption + "R", calibration.r);
    require_no_turn(calibration.r);
    right.tx = calibration.t.at<double>(0);
    right.ty = calibration.t.at<double>(1);

@@ -30,10 +30,10 @@ RectifiedGeometry rectified_geometry(const Calibration& calibration);
 /// Of a pair whose rows agree, which Q does not say. Throws InputError.
 RectifiedGeometry geometry_of_q(const cv::Mat& q);
 
-/// Throws InputError unless a matrix is [fx 0 cx; 0 fy cy; 0 0 1] with fx, fy above 0. `name`: for the user.
+/// Throws InputError unless a matrix is [fx 0 cx; 0 fy cy; 0 0 1] with fx, fy above 0. `name`: how the sentence begins.
 void require_camera_matrix(const std::string& name, const cv::Mat& camera);
-/// Throws InputError unless R is a rotation.
-void require_rotation(const cv::Mat& r);
+/// Throws InputError unless a matrix is a rotation.
+void require_rotation(const std::string& name, const cv::Mat& r);
 
 /// A sentence that ends with a line feed where a principal point is far from the middle of its image, as with images of
 /// another size than the calibration's; else nothing. `name`: of the camera, for the user.

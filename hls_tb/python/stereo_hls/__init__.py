@@ -148,6 +148,7 @@ def evaluate(
     search: tuple[int, int] | None = None,
     border_px: int = 10,
     pixel_bits: int | None = None,
+    unknown: float | None = None,
 ) -> dict[str, dict[str, Any]]:
     """How good a map is, by the rules of `stereo_hls evaluate`: {mask: {measure: value}}. Masks without pixels are
     absent.
@@ -162,6 +163,7 @@ def evaluate(
     search: the smallest disparity and the number of them; needed for "searchable" where `disparity` is an array.
     border_px: pixels at each side of the images that do not count, 0 ... 10000.
     pixel_bits: of an image of uint16, 8 ... 16; needed where `disparity` is an array.
+    unknown: a value of truth and other_truth that stands for none, such as 0 or -1, as --unknown of the program.
 
     Measures: "pixels"; "density" 0 ... 1; "avg_px", "rms_px"; "bad_0_5", "bad_1", "bad_2", "bad_4", "d1": shares
     0 ... 1 of pixels off by more than 0.5, 1, 2, 4 pixels and by KITTI's rule, each as {"invalid_bad", "valid_only"}.
@@ -183,8 +185,8 @@ def evaluate(
         reference, search, disparity = disparity.reference, disparity.search, disparity.disparity
     if reference not in ("left", "right"):
         raise ValueError("reference: must be 'left' or 'right' where the disparities are an array")
-    found, wanted = _disparities("disparity", disparity), _disparities("truth", truth)
-    other = None if other_truth is None else _disparities("other_truth", other_truth)
+    found, wanted = _disparities("disparity", disparity), _disparities("truth", truth, unknown)
+    other = None if other_truth is None else _disparities("other_truth", other_truth, unknown)
     shown = None if image is None else _shown("image", image, pixel_bits)
     for name, array in (("disparity", found), ("other_truth", other), ("image", shown)):
         if array is not None and array.shape != wanted.shape:
@@ -263,7 +265,7 @@ def _shown(name: str, value: ArrayLike, pixel_bits: int | None) -> NDArray[np.ui
     return _core.shown(name, array, _number("pixel_bits", pixel_bits, 8, 16))
 
 
-def _disparities(name: str, value: ArrayLike) -> NDArray[np.float32]:
+def _disparities(name: str, value: ArrayLike, unknown: float | None = None) -> NDArray[np.float32]:
     mask = np.ma.getmaskarray(value) if np.ma.is_masked(value) else None
     array = np.asarray(value)
     if not np.issubdtype(array.dtype, np.floating):
@@ -273,6 +275,8 @@ def _disparities(name: str, value: ArrayLike) -> NDArray[np.float32]:
     _plane(name, array)
     if mask is not None:
         array = np.where(mask, np.nan, array)
+    if unknown is not None:
+        array = np.where(array == array.dtype.type(unknown), np.nan, array)
     return np.ascontiguousarray(array, dtype=np.float32)
 
 

@@ -46,14 +46,14 @@ class Pair:
     right: Path
     truth_left: Path | None
     truth_right: Path | None
-    scale: float = 1
+    scale: float | None = None  # what the user says; else the kind of the file has one
 
     def words(self) -> list[Word]:
         words: list[Word] = ["--left", self.left, "--right", self.right]
         for word, path in (("--truth-left", self.truth_left), ("--truth-right", self.truth_right)):
             if path:
                 words += [word, path]
-        if self.scale != 1:
+        if self.scale is not None:
             words += ["--truth-scale", f"{self.scale:g}"]
         return words
 
