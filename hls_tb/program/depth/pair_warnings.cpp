@@ -93,7 +93,7 @@ std::string pair_warning(const ImagePair& pair, const MapGeometry& geometry) {
 }
 
 std::string last_disparity_warning(const DisparityMap& map, const MapGeometry& geometry) {
-   constexpr int kFewestDisparities = 8;  // of fewer, one holds many pixels anyway
+   constexpr int kFewestDisparities = 16, kFewestPixels = 1000;  // of fewer, one holds many pixels anyway
    if (geometry.disparities < kFewestDisparities) return "";
    std::vector<double> pixels(std::size_t(geometry.disparities), 0);
    double all = 0;
@@ -106,7 +106,7 @@ std::string last_disparity_warning(const DisparityMap& map, const MapGeometry& g
          ++all;
       }
    const double last = pixels.back(), before = (pixels[pixels.size() - 2] + pixels[pixels.size() - 3]) / 2;
-   if (last < kManyAtLast * all || last < kMoreThanBefore * before || all == 0) return "";
+   if (last < kManyAtLast * all || last < kMoreThanBefore * before || all < kFewestPixels) return "";
    std::ostringstream text;
    text << "warning: the range of disparities looks too short: " << std::fixed << std::setprecision(1)
         << 100 * last / all << " % of the pixels have the last one, "

@@ -82,11 +82,12 @@ TEST(LastDisparityWarning, IsOfManyPixelsThere) {
       EXPECT_EQ(warning(kDisparities, subpixel), "");
       EXPECT_NE(warning(16, subpixel).find("have the last one, 15 px"), std::string::npos) << warning(16, subpixel);
    }
-   DisparityMap none(20, 10, 15);
+   DisparityMap none(50, 40, 15);
    std::fill(none.valid.begin(), none.valid.end(), uint8_t(0));
    EXPECT_EQ(last_disparity_warning(none, geometry_of(0, 16)), "") << "no pixel is valid";
-   EXPECT_NE(last_disparity_warning(DisparityMap(20, 10, 15), geometry_of(0, 16)), "");
-   EXPECT_EQ(last_disparity_warning(DisparityMap(20, 10, 3), geometry_of(0, 4)), "") << "of few, one holds many";
+   EXPECT_NE(last_disparity_warning(DisparityMap(50, 40, 15), geometry_of(0, 16)), "");
+   EXPECT_EQ(last_disparity_warning(DisparityMap(20, 10, 15), geometry_of(0, 16)), "") << "a few pixels say nothing";
+   EXPECT_EQ(last_disparity_warning(DisparityMap(50, 40, 7), geometry_of(0, 8)), "") << "of few, one holds many";
 }
 
 }  // namespace
