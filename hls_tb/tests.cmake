@@ -114,8 +114,10 @@ stereo_add_unit_tests(
   program/commands/options_json_test.cpp
   program/depth/benchmark_calibration_test.cpp
   program/depth/camera_calibrations_test.cpp
+  program/depth/damaged_calibrations_test.cpp
   program/depth/depth_test.cpp
   program/depth/pair_warnings_test.cpp
+  program/depth/rectification_test.cpp
   program/depth/rectified_geometry_test.cpp
   program/evaluation/camera_difference_test.cpp
   program/evaluation/masks_test.cpp
