@@ -4,29 +4,24 @@
 #include "block_matching/matching.hpp"
 #include "support/image.hpp"
 #include "support/least_size.hpp"
+#include "support/structure_groups.hpp"
 
 namespace stereo::block_matching {
 
-/// How the core is built. None of it changes a result; docs/features.md shows what each costs and gives.
-struct Structure {
-   Aggregation aggregation = Aggregation::direct;
-   int slice_disparities = 25;  ///< disparities between two registers of the chain that carries the pixels, at least 2
+struct CostSteps {
    int cost_clocks = 3;       ///< of direct SAD sums, 1: all in one clock; 2: differences apart; 3: each addition apart
    bool sign_memory = false;  ///< of direct SAD sums in 3 clocks: remember which pixel of a pair is the larger one
-   int winner_group = 2;      ///< candidates that one clock of the winner-take-all tree compares: 2 ... 16
-   bool run_time_settings = false;  ///< thresholds from ports, taken over with each start of frame
-   bool run_time_size = false;  ///< image width and height from ports, up to the configuration's, taken over at a reset
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
-      visit("aggregation", self.aggregation);
-      visit("slice_disparities", self.slice_disparities, 2, kUnlimited, "the number of disparities of a slice");
       visit("cost_clocks", self.cost_clocks, 1, 3, "the number of clocks of the cost");
       visit("sign_memory", self.sign_memory);
-      visit("winner_group", self.winner_group, 2, 16, "the number of candidates of a winner group");
-      visit("run_time_settings", self.run_time_settings);
-      visit("run_time_size", self.run_time_size);
    }
+};
+
+/// How the core is built; docs/features.md shows what each option costs and gives.
+struct Structure : OptionGroups<Summation, SliceSize, CostSteps, WinnerGroup, RunTime> {
+   using OptionGroups::OptionGroups;
 };
 
 /// One hardware configuration of the block-matching core. Every block is a template over one; the named ones are in

@@ -8,16 +8,9 @@
 
 namespace stereo::dynamic_range {
 
-/// How the core is built. None of it changes a result.
-struct Structure {
-   int slice_disparities = 25;  ///< of the coarse search: disparities between two registers of its chain, at least 2
-   int winner_group = 2;        ///< candidates that one clock of a winner-take-all tree compares: 2 ... 16
-
-   template <class Self, class Visitor>
-   static constexpr void options(Self& self, Visitor& visit) {
-      visit("slice_disparities", self.slice_disparities, 2, kUnlimited, "the number of disparities of a slice");
-      visit("winner_group", self.winner_group, 2, 16, "the number of candidates of a winner group");
-   }
+/// How the core is built. The slices are those of the coarse search.
+struct Structure : OptionGroups<SliceSize, WinnerGroup> {
+   using OptionGroups::OptionGroups;
 };
 
 /// One hardware configuration of the core with a dynamic range. The named ones are in configurations.hpp.
@@ -32,42 +25,24 @@ struct Config : Image, Matching, Structure {
       return {.width_px = coarse_columns() + coarse_disparities(), .height_px = coarse_rows()};
    }
    constexpr phase_correlation::Config coarse_phase_config() const {
-      phase_correlation::Structure structure;
-      structure.slice_disparities = slice_disparities;
-      structure.winner_group = winner_group;
-      return {coarse_image(), coarse_phase(), structure};
+      return {coarse_image(), coarse_phase(), shared_options<phase_correlation::Structure>(*this)};
    }
    constexpr block_matching::Config coarse_census_config() const {
-      block_matching::Structure structure;
-      structure.slice_disparities = slice_disparities;
-      structure.winner_group = winner_group;
-      return {coarse_image(), coarse_census(), structure};
+      return {coarse_image(), coarse_census(), shared_options<block_matching::Structure>(*this)};
    }
 
    // What each search window does, as if it stood still: D disparities with recursive sums.
    constexpr phase_correlation::Config window_phase_config() const {
-      phase_correlation::Matching matching{.disparities = window_disparities, .window_px = window_px};
-      matching.pixel_bits = pixel_bits;
-      matching.phase_scales = phase_scales;
-      matching.subpixel = subpixel;
-      phase_correlation::Structure structure;
-      structure.aggregation = Aggregation::recursive;
-      structure.slice_disparities = window_disparities;
-      structure.winner_group = winner_group;
-      return {Image(*this), matching, structure};
+      return {Image(*this),
+              {DisparityCount{window_disparities}, MatchingWindow(*this), PixelFormat(*this), PhaseScales(*this),
+               SubpixelSteps(*this)},
+              {Summation{Aggregation::recursive}, SliceSize{window_disparities}, WinnerGroup(*this)}};
    }
    constexpr block_matching::Config window_census_config() const {
-      block_matching::Matching matching{.disparities = window_disparities, .window_px = window_px};
-      matching.pixel_bits = pixel_bits;
-      matching.cost = Cost::census;
-      matching.census_width_px = census_width_px;
-      matching.census_height_px = census_height_px;
-      matching.subpixel = subpixel;
-      block_matching::Structure structure;
-      structure.aggregation = Aggregation::recursive;
-      structure.slice_disparities = window_disparities;
-      structure.winner_group = winner_group;
-      return {Image(*this), matching, structure};
+      return {Image(*this),
+              {DisparityCount{window_disparities}, MatchingWindow(*this), PixelFormat(*this), Comparison{Cost::census},
+               CensusWindow(*this), SubpixelSteps(*this)},
+              {Summation{Aggregation::recursive}, SliceSize{window_disparities}, WinnerGroup(*this)}};
    }
 
    // Blocks of pixels for which it is known where surfaces are.

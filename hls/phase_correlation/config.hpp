@@ -8,22 +8,9 @@
 
 namespace stereo::phase_correlation {
 
-/// How the core is built. None of it changes a result.
-struct Structure {
-   Aggregation aggregation = Aggregation::direct;
-   int slice_disparities = 25;  ///< disparities between two registers of the chain that carries the pixels, at least 2
-   int winner_group = 2;        ///< candidates that one clock of the winner-take-all tree compares: 2 ... 16
-   bool run_time_settings = false;  ///< thresholds from ports, taken over with each start of frame
-   bool run_time_size = false;  ///< image width and height from ports, up to the configuration's, taken over at a reset
-
-   template <class Self, class Visitor>
-   static constexpr void options(Self& self, Visitor& visit) {
-      visit("aggregation", self.aggregation);
-      visit("slice_disparities", self.slice_disparities, 2, kUnlimited, "the number of disparities of a slice");
-      visit("winner_group", self.winner_group, 2, 16, "the number of candidates of a winner group");
-      visit("run_time_settings", self.run_time_settings);
-      visit("run_time_size", self.run_time_size);
-   }
+/// How the core is built.
+struct Structure : OptionGroups<Summation, SliceSize, WinnerGroup, RunTime> {
+   using OptionGroups::OptionGroups;
 };
 
 /// The cost of this family, for the blocks that it shares with block matching: one more than the costs that have words.
@@ -75,15 +62,9 @@ struct CodeConfig : block_matching::Config {
 /// One hardware configuration of the phase-correlation core. The named ones are in configurations.hpp.
 struct Config : Image, Matching, Structure {
    constexpr CodeConfig codes() const {
-      block_matching::Structure structure;
-      structure.aggregation = aggregation;
-      structure.slice_disparities = slice_disparities;
-      structure.winner_group = winner_group;
-      structure.run_time_settings = run_time_settings;
-      structure.run_time_size = run_time_size;
       block_matching::Matching matching = block_matching();
       matching.cost = kPhaseCost;
-      return {{Image(*this), matching, structure}, phase_scales};
+      return {{Image(*this), matching, shared_options<block_matching::Structure>(*this)}, phase_scales};
    }
 
    /// As in Matching; ports may leave any disparity out.

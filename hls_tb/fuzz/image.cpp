@@ -15,7 +15,7 @@ constexpr int kWidth = 32, kHeight = 12;
 
 /// As `stereo_hls match` does with a pair of any size.
 void match_any_size(const ImagePair& pair) {
-   const block_matching::Matching parameters{.disparities = 4, .left_right_threshold = 1};
+   const block_matching::Matching parameters{DisparityCount{4}, LeftRightThreshold{1}};
    if (map_width(pair.left.width, parameters) < 1) return;
    const DisparityMap map = match_fast(pair.left, pair.right, parameters);
    promise(map.width == map_width(pair.left.width, parameters) && map.height == pair.left.height,

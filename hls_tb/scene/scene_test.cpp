@@ -70,7 +70,8 @@ TEST(Scene, HasDepthAndOcclusions) {
 
 TEST(Scene, IsWhatAMatcherFinds) {
    const Scene scene = make_scene({.seed = test_seed()});
-   const DisparityMap map = match_fast(scene.images.left, scene.images.right, block_matching::Matching{100, 7});
+   const DisparityMap map = match_fast(scene.images.left, scene.images.right,
+                                       block_matching::Matching{DisparityCount{100}, MatchingWindow{7}});
    int visible = 0, good = 0;
    for (int y = 0; y < map.height; ++y)
       for (int x = 0; x < map.width; ++x) {
@@ -83,8 +84,8 @@ TEST(Scene, IsWhatAMatcherFinds) {
 
 TEST(Scene, IsWhatAMatcherFindsFromTheLeft) {
    const Scene scene = make_scene({.seed = test_seed()});
-   const block_matching::Matching parameters{
-       .disparities = 100, .window_px = 7, .reference = Reference::left, .left_right_threshold = 1};
+   const block_matching::Matching parameters{DisparityCount{100}, MatchingWindow{7}, ReferenceImage{Reference::left},
+                                             LeftRightThreshold{1}};
    const DisparityMap map = match_fast(scene.images.left, scene.images.right, parameters);
    const int first = map_first_column(parameters);
    int valid = 0, good = 0, invalid_hidden = 0, hidden = 0;

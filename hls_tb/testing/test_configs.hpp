@@ -15,9 +15,10 @@ namespace stereo::test {
 /// S: disparities a slice; K: clocks of the cost; G: candidates of a winner group.
 template <int W, int H, int D, int B, int P, int S, int K, int G>
 struct Config {
-   static constexpr block_matching::Config kConfig{{.width_px = W, .height_px = H, .pixels_per_clock = P},
-                                                   {.disparities = D, .window_px = B},
-                                                   {.slice_disparities = S, .cost_clocks = K, .winner_group = G}};
+   static constexpr block_matching::Config kConfig{
+       {.width_px = W, .height_px = H, .pixels_per_clock = P},
+       {DisparityCount{D}, MatchingWindow{B}},
+       {SliceSize{S}, block_matching::CostSteps{.cost_clocks = K}, WinnerGroup{G}}};
    static_assert(kCanBeBuilt<kConfig>);
 };
 
@@ -97,29 +98,29 @@ using SmallConfigs = ::testing::Types<
     Config<40, 8, 27, 3, 2, 25, 1, 2>, Config<8, 8, 2, 3, 4, 5, 1, 2>, Config<10, 8, 9, 5, 4, 4, 2, 3>,
     Config<8, 2, 2, 2, 1, 2, 2, 3>,
     Exactly<block_matching::Config{{.width_px = 17, .height_px = 6, .pixels_per_clock = 2},
-                                   {.disparities = 6, .window_px = 4, .reference = Reference::left},
-                                   {.slice_disparities = 5, .cost_clocks = 1}}>,
-    Exactly<block_matching::Config{{.width_px = 16, .height_px = 8, .pixels_per_clock = 4},
-                                   {.disparities = 7, .window_px = 6, .min_disparity = 2, .reference = Reference::left},
-                                   {.slice_disparities = 3}}>,
+                                   {DisparityCount{6}, MatchingWindow{4}, ReferenceImage{Reference::left}},
+                                   {SliceSize{5}, block_matching::CostSteps{.cost_clocks = 1}}}>,
     Exactly<block_matching::Config{
-        {.width_px = 20, .height_px = 5}, {.disparities = 8, .min_disparity = -11}, {.slice_disparities = 3}}>,
+        {.width_px = 16, .height_px = 8, .pixels_per_clock = 4},
+        {DisparityCount{7}, MatchingWindow{6}, SmallestDisparity{2}, ReferenceImage{Reference::left}},
+        {SliceSize{3}}}>,
+    Exactly<block_matching::Config{
+        {.width_px = 20, .height_px = 5}, {DisparityCount{8}, SmallestDisparity{-11}}, {SliceSize{3}}}>,
     Exactly<block_matching::Config{{.width_px = 19, .height_px = 8, .pixels_per_clock = 4},
-                                   {.disparities = 5, .window_px = 4, .min_disparity = -2},
-                                   {.slice_disparities = 2, .cost_clocks = 2}}>>;
+                                   {DisparityCount{5}, MatchingWindow{4}, SmallestDisparity{-2}},
+                                   {SliceSize{2}, block_matching::CostSteps{.cost_clocks = 2}}}>>;
 
 /// Recursive sums, of odd and even windows.
 using RecursiveConfigs = ::testing::Types<
-    Exactly<block_matching::Config{{.width_px = 12, .height_px = 5},
-                                   {.disparities = 4},
-                                   {.aggregation = Aggregation::recursive, .slice_disparities = 3}}>,
     Exactly<block_matching::Config{
-        {.width_px = 13, .height_px = 10, .pixels_per_clock = 2},
-        {.disparities = 6, .window_px = 8, .min_disparity = 1, .reference = Reference::left, .cost = Cost::ssd},
-        {.aggregation = Aggregation::recursive, .slice_disparities = 3}}>,
+        {.width_px = 12, .height_px = 5}, {DisparityCount{4}}, {Summation{Aggregation::recursive}, SliceSize{3}}}>,
+    Exactly<block_matching::Config{{.width_px = 13, .height_px = 10, .pixels_per_clock = 2},
+                                   {DisparityCount{6}, MatchingWindow{8}, SmallestDisparity{1},
+                                    ReferenceImage{Reference::left}, Comparison{Cost::ssd}},
+                                   {Summation{Aggregation::recursive}, SliceSize{3}}}>,
     Exactly<block_matching::Config{{.width_px = 15, .height_px = 12, .pixels_per_clock = 4},
-                                   {.disparities = 6, .window_px = 5, .min_disparity = -1},
-                                   {.aggregation = Aggregation::recursive, .slice_disparities = 6}}>>;
+                                   {DisparityCount{6}, MatchingWindow{5}, SmallestDisparity{-1}},
+                                   {Summation{Aggregation::recursive}, SliceSize{6}}}>>;
 
 using AllSmallConfigs = Both<SmallConfigs, RecursiveConfigs>::Configs;
 

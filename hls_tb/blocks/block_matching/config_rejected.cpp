@@ -7,7 +7,7 @@
 
 namespace {
 constexpr stereo::block_matching::Config changed() {
-   stereo::block_matching::Config config{{.width_px = 320, .height_px = 240}, {.disparities = 100}, {}};
+   stereo::block_matching::Config config{{.width_px = 320, .height_px = 240}, {stereo::DisparityCount{100}}, {}};
    config.STEREO_WRONG;
    return config;
 }

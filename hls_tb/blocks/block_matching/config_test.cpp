@@ -34,8 +34,8 @@ TEST(BlockMatchingConfig, RowsOfTheWindowsFollowFromTheirSide) {
       for (const int window : {2, 3, 4, 5, 8, 31})
          for (const int pixels : {1, 2, 4}) {
             const block_matching::Config config{{.width_px = 64, .height_px = 48, .pixels_per_clock = pixels},
-                                                {.disparities = 32, .window_px = window},
-                                                {.aggregation = aggregation}};
+                                                {DisparityCount{32}, MatchingWindow{window}},
+                                                {Summation{aggregation}}};
             SCOPED_TRACE(config_name(config));
             int above = 0, below = 0;  // rows beside the centre: of an even window one more above
             for (int row = 1; row < window; ++row) ++(row % 2 == 1 ? above : below);
@@ -57,13 +57,11 @@ TEST(BlockMatchingConfig, TheSizeOfTheMapIsThatOfTheModels) {
    for (const Reference reference : {Reference::right, Reference::left})
       for (int min_disparity = -40; min_disparity <= 20; ++min_disparity)
          for (const bool full_width : {false, true}) {
-            const block_matching::Config config{{.width_px = 50, .height_px = 20},
-                                                {.disparities = 10,
-                                                 .window_px = 4,
-                                                 .min_disparity = min_disparity,
-                                                 .reference = reference,
-                                                 .full_width = full_width},
-                                                {}};
+            const block_matching::Config config{
+                {.width_px = 50, .height_px = 20},
+                {DisparityCount{10}, MatchingWindow{4}, SmallestDisparity{min_disparity}, ReferenceImage{reference},
+                 FullWidth{.full_width = full_width}},
+                {}};
             const block_matching::Matching& parameters = config;
             SCOPED_TRACE(config_name(config));
             EXPECT_EQ(config.cost_columns(), cost_columns(50, parameters));
@@ -73,7 +71,7 @@ TEST(BlockMatchingConfig, TheSizeOfTheMapIsThatOfTheModels) {
 }
 
 TEST(BlockMatchingConfig, WidthsFollowFromThePixels) {
-   block_matching::Config config{{.width_px = 32, .height_px = 12}, {.disparities = 8, .pixel_bits = 12}, {}};
+   block_matching::Config config{{.width_px = 32, .height_px = 12}, {DisparityCount{8}, PixelFormat{12}}, {}};
    EXPECT_EQ(config.feature_bits(), 12);
    EXPECT_EQ(config.largest_window_cost(), 4095 * 9);
    config.prefilter = Prefilter::xsobel;
@@ -85,7 +83,7 @@ TEST(BlockMatchingConfig, WidthsFollowFromThePixels) {
 }
 
 TEST(BlockMatchingConfig, SaysWhichPixelsItDoesNotTake) {
-   block_matching::Config config{{.width_px = 32, .height_px = 32}, {.disparities = 16}, {}};
+   block_matching::Config config{{.width_px = 32, .height_px = 32}, {DisparityCount{16}}, {}};
    config.pixel_bits = 9;
    EXPECT_EQ(config.problem().text, std::string("the number of bits of a pixel is 9 but must be 8, 10 or 12"));
    config.pixel_bits = 16;
@@ -106,7 +104,7 @@ TEST(BlockMatchingConfig, SaysWhichPixelsItDoesNotTake) {
 
 TEST(BlockMatchingConfig, SaysWhichSizesARunTimeSizeCanHave) {
    block_matching::Config config{
-       {.width_px = 640, .height_px = 480, .pixels_per_clock = 2}, {.disparities = 64, .window_px = 9}, {}};
+       {.width_px = 640, .height_px = 480, .pixels_per_clock = 2}, {DisparityCount{64}, MatchingWindow{9}}, {}};
    config.run_time_size = true;
    EXPECT_EQ(config.problem().text, std::string());
    EXPECT_EQ(least_size(config).width_px, 63 + 9);
@@ -140,7 +138,8 @@ TEST(BlockMatchingConfig, SaysWhichSizesARunTimeSizeCanHave) {
 }
 
 TEST(BlockMatchingConfig, SaysWhereAMapOfFullWidthIsNone) {
-   block_matching::Config config{{.width_px = 20, .height_px = 30}, {.disparities = 10, .full_width = true}, {}};
+   block_matching::Config config{
+       {.width_px = 20, .height_px = 30}, {DisparityCount{10}, FullWidth{.full_width = true}}, {}};
    EXPECT_EQ(config.problem().text, std::string());
    config.window_px = 20;
    EXPECT_EQ(config.problem().text, std::string("with a map of full width the image must be wider than the window"));
@@ -162,7 +161,7 @@ TEST(BlockMatchingConfig, SaysWhereAMapOfFullWidthIsNone) {
    config.run_time_settings = true;
    EXPECT_EQ(config.problem().text, std::string());
    EXPECT_TRUE(config.has_check()) << "the ports may leave any disparity out";
-   config = {{.width_px = 20, .height_px = 30}, {.disparities = 10, .first_disparity = 1}, {}};
+   config = {{.width_px = 20, .height_px = 30}, {DisparityCount{10}, FullWidth{.first_disparity = 1}}, {}};
    EXPECT_EQ(config.problem().text, std::string("first_disparity and last_disparity need a map of full width"));
 }
 
@@ -172,41 +171,44 @@ TEST(BlockMatchingConfig, FlushGroupsBringOutTheLastDisparity) {
    EXPECT_EQ(Core<block_matching::configurations::ambrosch2007>::kSchedule.flush_groups, 320);
    EXPECT_EQ(Core<block_matching::configurations::tiny>::kSchedule.flush_groups, 32);
    // No row and no column below its centre, and the map lacks the last column.
-   static constexpr block_matching::Config kSmallWindow{{32, 12}, {.disparities = 8, .window_px = 2}, {}};
+   static constexpr block_matching::Config kSmallWindow{{32, 12}, {DisparityCount{8}, MatchingWindow{2}}, {}};
    EXPECT_EQ(Core<kSmallWindow>::kSchedule.flush_groups, 0);
    static constexpr block_matching::Config kOfTheLeft{
-       {32, 12}, {.disparities = 8, .window_px = 2, .reference = Reference::left}, {}};
+       {32, 12}, {DisparityCount{8}, MatchingWindow{2}, ReferenceImage{Reference::left}}, {}};
    EXPECT_EQ(Core<kOfTheLeft>::kSchedule.flush_groups, 1);
 }
 
 TEST(BlockMatchingConfig, LargestCosts) {
-   EXPECT_EQ((block_matching::Config{{.width_px = 320, .height_px = 240}, {.disparities = 64, .cost = Cost::ssd}, {}})
-                 .largest_pixel_cost(),
-             65025);
    EXPECT_EQ(
-       (block_matching::Config{{.width_px = 320, .height_px = 240}, {.disparities = 64, .cost = Cost::census}, {}})
+       (block_matching::Config{{.width_px = 320, .height_px = 240}, {DisparityCount{64}, Comparison{Cost::ssd}}, {}})
+           .largest_pixel_cost(),
+       65025);
+   EXPECT_EQ(
+       (block_matching::Config{{.width_px = 320, .height_px = 240}, {DisparityCount{64}, Comparison{Cost::census}}, {}})
            .largest_pixel_cost(),
        24);
-   EXPECT_EQ(
-       (block_matching::Config{{.width_px = 320, .height_px = 240},
-                               {.disparities = 64, .cost = Cost::census, .census_width_px = 9, .census_height_px = 7},
-                               {}})
-           .largest_pixel_cost(),
-       62);
-   EXPECT_EQ((block_matching::Config{
-                  {.width_px = 320, .height_px = 240}, {.disparities = 64, .prefilter = Prefilter::xsobel}, {}})
+   EXPECT_EQ((block_matching::Config{{.width_px = 320, .height_px = 240},
+                                     {DisparityCount{64}, Comparison{Cost::census},
+                                      CensusWindow{.census_width_px = 9, .census_height_px = 7}},
+                                     {}})
                  .largest_pixel_cost(),
              62);
-   EXPECT_EQ((block_matching::Config{
-                  {.width_px = 320, .height_px = 240},
-                  {.disparities = 64, .cost = Cost::ssd, .prefilter = Prefilter::xsobel, .prefilter_cap = 63},
-                  {}})
+   EXPECT_EQ((block_matching::Config{{.width_px = 320, .height_px = 240},
+                                     {DisparityCount{64}, Prefiltering{.prefilter = Prefilter::xsobel}},
+                                     {}})
+                 .largest_pixel_cost(),
+             62);
+   EXPECT_EQ((block_matching::Config{{.width_px = 320, .height_px = 240},
+                                     {DisparityCount{64}, Comparison{Cost::ssd},
+                                      Prefiltering{.prefilter = Prefilter::xsobel, .prefilter_cap = 63}},
+                                     {}})
                  .largest_pixel_cost(),
              126 * 126);
-   EXPECT_EQ((block_matching::Config{
-                  {.width_px = 320, .height_px = 240}, {.disparities = 64, .window_px = 31, .cost = Cost::ssd}, {}})
-                 .largest_window_cost(),
-             65025 * 961);
+   EXPECT_EQ(
+       (block_matching::Config{
+            {.width_px = 320, .height_px = 240}, {DisparityCount{64}, MatchingWindow{31}, Comparison{Cost::ssd}}, {}})
+           .largest_window_cost(),
+       65025 * 961);
 }
 
 TEST(BlockMatchingConfig, OnlyTheRowsAtOnceTellThePapersConfigurationsApart) {

@@ -28,12 +28,12 @@ class DisparitySliceTest : public ::testing::Test {};
 using SliceConfigs = ::testing::Types<
     Exactly<block_matching::Config{
         {.width_px = 20, .height_px = 6},
-        {.disparities = 9, .ties = Ties::largest, .uniqueness_percent = 10, .subpixel = true},
-        {.slice_disparities = 2}}>,
-    Exactly<block_matching::Config{
-        {.width_px = 20, .height_px = 6, .pixels_per_clock = 2},
-        {.disparities = 8, .window_px = 2, .reference = Reference::left, .uniqueness_percent = 10, .subpixel = true},
-        {.slice_disparities = 3}}>>;
+        {DisparityCount{9}, TieRule{Ties::largest}, UniquenessPercent{10}, SubpixelSteps{true}},
+        {SliceSize{2}}}>,
+    Exactly<block_matching::Config{{.width_px = 20, .height_px = 6, .pixels_per_clock = 2},
+                                   {DisparityCount{8}, MatchingWindow{2}, ReferenceImage{Reference::left},
+                                    UniquenessPercent{10}, SubpixelSteps{true}},
+                                   {SliceSize{3}}}>>;
 using Configs = Both<SmallConfigs, SliceConfigs>::Configs;
 TYPED_TEST_SUITE(DisparitySliceTest, Configs, ConfigNames);
 

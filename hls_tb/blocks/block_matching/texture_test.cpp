@@ -24,15 +24,11 @@ namespace stereo::test {
 namespace {
 
 template <int B, int P, int Cap, int Threshold, Cost Kind, Reference Side, int CostClocks>
-using TextureConfig = Exactly<block_matching::Config{{.width_px = 30, .height_px = 12, .pixels_per_clock = P},
-                                                     {.disparities = 8,
-                                                      .window_px = B,
-                                                      .reference = Side,
-                                                      .cost = Kind,
-                                                      .prefilter = Prefilter::xsobel,
-                                                      .prefilter_cap = Cap,
-                                                      .texture_threshold = Threshold},
-                                                     {.slice_disparities = 3, .cost_clocks = CostClocks}}>;
+using TextureConfig = Exactly<block_matching::Config{
+    {.width_px = 30, .height_px = 12, .pixels_per_clock = P},
+    {DisparityCount{8}, MatchingWindow{B}, ReferenceImage{Side}, Comparison{Kind},
+     Prefiltering{.prefilter = Prefilter::xsobel, .prefilter_cap = Cap}, block_matching::TextureThreshold{Threshold}},
+    {SliceSize{3}, block_matching::CostSteps{.cost_clocks = CostClocks}}}>;
 
 template <class Config>
 class TextureTest : public ::testing::Test {};

@@ -117,8 +117,8 @@ struct ColumnBench {
 template <Cost Kind, int B, int P, Aggregation How>
 using ColumnConfig = Exactly<block_matching::Config{
     {.width_px = 11, .height_px = 12, .pixels_per_clock = P},
-    {.disparities = 7, .window_px = B, .cost = Kind, .census_width_px = 9, .census_height_px = 7},
-    {.aggregation = How}}>;
+    {DisparityCount{7}, MatchingWindow{B}, Comparison{Kind}, CensusWindow{.census_width_px = 9, .census_height_px = 7}},
+    {Summation{How}}}>;
 
 template <class Config>
 class ColumnCostTest : public ::testing::Test {};

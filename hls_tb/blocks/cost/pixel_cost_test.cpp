@@ -29,14 +29,12 @@ int naive_cost(uint64_t a, uint64_t b) {
 }
 
 template <Cost Kind, int P = 1, int CensusWidth = 5, int CensusHeight = 5, Prefilter Filter = Prefilter::none>
-using CostConfig = Exactly<block_matching::Config{{.width_px = 16, .height_px = 8, .pixels_per_clock = P},
-                                                  {.disparities = 4,
-                                                   .cost = Kind,
-                                                   .census_width_px = CensusWidth,
-                                                   .census_height_px = CensusHeight,
-                                                   .prefilter = Filter,
-                                                   .prefilter_cap = 63},
-                                                  {}}>;
+using CostConfig =
+    Exactly<block_matching::Config{{.width_px = 16, .height_px = 8, .pixels_per_clock = P},
+                                   {DisparityCount{4}, Comparison{Kind},
+                                    CensusWindow{.census_width_px = CensusWidth, .census_height_px = CensusHeight},
+                                    Prefiltering{.prefilter = Filter, .prefilter_cap = 63}},
+                                   {}}>;
 
 template <class Config>
 class PixelCostTest : public ::testing::Test {};

@@ -21,8 +21,8 @@ namespace {
 
 template <int B, int P>
 using Remembering = Exactly<block_matching::Config{{.width_px = 8, .height_px = 12, .pixels_per_clock = P},
-                                                   {.disparities = 5, .window_px = B},
-                                                   {.slice_disparities = 5, .sign_memory = true}}>;
+                                                   {DisparityCount{5}, MatchingWindow{B}},
+                                                   {SliceSize{5}, block_matching::CostSteps{.sign_memory = true}}}>;
 
 template <class Config>
 class SignMemoryTest : public ::testing::Test {};

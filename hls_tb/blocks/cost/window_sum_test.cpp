@@ -138,9 +138,10 @@ void sums_the_windows_of_each_row() {
 }
 
 template <int W, int B, int P, Reference Side, Cost Kind>
-using RowConfig = Exactly<block_matching::Config{{.width_px = W, .height_px = 36, .pixels_per_clock = P},
-                                                 {.disparities = 16, .window_px = B, .reference = Side, .cost = Kind},
-                                                 {}}>;
+using RowConfig =
+    Exactly<block_matching::Config{{.width_px = W, .height_px = 36, .pixels_per_clock = P},
+                                   {DisparityCount{16}, MatchingWindow{B}, ReferenceImage{Side}, Comparison{Kind}},
+                                   {}}>;
 
 template <class Config>
 class WindowRowsTest : public ::testing::Test {};

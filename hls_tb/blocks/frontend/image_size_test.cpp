@@ -12,10 +12,11 @@ namespace stereo::test {
 namespace {
 
 template <Reference Side, int MinDisparity, int Window>
-using SizeConfig = Exactly<block_matching::Config{
-    {.width_px = 30, .height_px = 16, .pixels_per_clock = 2},
-    {.disparities = 7, .window_px = Window, .min_disparity = MinDisparity, .reference = Side, .full_width = true},
-    {.run_time_size = true}}>;
+using SizeConfig =
+    Exactly<block_matching::Config{{.width_px = 30, .height_px = 16, .pixels_per_clock = 2},
+                                   {DisparityCount{7}, MatchingWindow{Window}, SmallestDisparity{MinDisparity},
+                                    ReferenceImage{Side}, FullWidth{.full_width = true}},
+                                   {RunTime{.run_time_size = true}}}>;
 
 /// The reference lags behind by 6, 9, 0, 0, 4 and 11 columns.
 using Configs = ::testing::Types<SizeConfig<Reference::right, 0, 3>, SizeConfig<Reference::right, 3, 6>,

@@ -40,21 +40,20 @@ template <class Config>
 class PairDelayTest : public ::testing::Test {};
 /// Beside the small ones: offsets of 0 and 1 for both references, and ranges that lie wholly on one side.
 using Offsets = ::testing::Types<
-    Exactly<block_matching::Config{{.width_px = 12, .height_px = 4}, {.disparities = 5, .min_disparity = -4}, {}}>,
-    Exactly<block_matching::Config{{.width_px = 12, .height_px = 4}, {.disparities = 5, .min_disparity = -5}, {}}>,
-    Exactly<block_matching::Config{{.width_px = 12, .height_px = 4}, {.disparities = 5, .min_disparity = 6}, {}}>,
+    Exactly<block_matching::Config{{.width_px = 12, .height_px = 4}, {DisparityCount{5}, SmallestDisparity{-4}}, {}}>,
+    Exactly<block_matching::Config{{.width_px = 12, .height_px = 4}, {DisparityCount{5}, SmallestDisparity{-5}}, {}}>,
+    Exactly<block_matching::Config{{.width_px = 12, .height_px = 4}, {DisparityCount{5}, SmallestDisparity{6}}, {}}>,
+    Exactly<block_matching::Config{{.width_px = 12, .height_px = 4},
+                                   {DisparityCount{5}, SmallestDisparity{-1}, ReferenceImage{Reference::left}},
+                                   {}}>,
+    Exactly<block_matching::Config{{.width_px = 14, .height_px = 4},
+                                   {DisparityCount{5}, SmallestDisparity{-8}, ReferenceImage{Reference::left}},
+                                   {}}>,
     Exactly<block_matching::Config{
-        {.width_px = 12, .height_px = 4}, {.disparities = 5, .min_disparity = -1, .reference = Reference::left}, {}}>,
-    Exactly<block_matching::Config{
-        {.width_px = 14, .height_px = 4}, {.disparities = 5, .min_disparity = -8, .reference = Reference::left}, {}}>,
-    Exactly<block_matching::Config{{.width_px = 12, .height_px = 8, .pixels_per_clock = 2},
-                                   {.disparities = 5,
-                                    .min_disparity = 1,
-                                    .reference = Reference::left,
-                                    .cost = Cost::census,
-                                    .census_width_px = 9,
-                                    .census_height_px = 7},
-                                   {}}>>;
+        {.width_px = 12, .height_px = 8, .pixels_per_clock = 2},
+        {DisparityCount{5}, SmallestDisparity{1}, ReferenceImage{Reference::left}, Comparison{Cost::census},
+         CensusWindow{.census_width_px = 9, .census_height_px = 7}},
+        {}}>>;
 using Configs = Both<AllSmallConfigs, Offsets>::Configs;
 TYPED_TEST_SUITE(PairDelayTest, Configs, ConfigNames);
 

@@ -19,19 +19,16 @@ namespace stereo::test {
 namespace {
 
 template <int W, int H, int P, int Cap, Reference Side = Reference::right>
-using SobelConfig = Exactly<block_matching::Config{
-    {.width_px = W, .height_px = H, .pixels_per_clock = P},
-    {.disparities = 4, .window_px = 2, .reference = Side, .prefilter = Prefilter::xsobel, .prefilter_cap = Cap},
-    {}}>;
+using SobelConfig = Exactly<block_matching::Config{{.width_px = W, .height_px = H, .pixels_per_clock = P},
+                                                   {DisparityCount{4}, MatchingWindow{2}, ReferenceImage{Side},
+                                                    Prefiltering{.prefilter = Prefilter::xsobel, .prefilter_cap = Cap}},
+                                                   {}}>;
 template <int W, int H, int P, int CensusWidth, int CensusHeight, Reference Side = Reference::right>
-using CensusConfig = Exactly<block_matching::Config{{.width_px = W, .height_px = H, .pixels_per_clock = P},
-                                                    {.disparities = 4,
-                                                     .window_px = 2,
-                                                     .reference = Side,
-                                                     .cost = Cost::census,
-                                                     .census_width_px = CensusWidth,
-                                                     .census_height_px = CensusHeight},
-                                                    {}}>;
+using CensusConfig = Exactly<block_matching::Config{
+    {.width_px = W, .height_px = H, .pixels_per_clock = P},
+    {DisparityCount{4}, MatchingWindow{2}, ReferenceImage{Side}, Comparison{Cost::census},
+     CensusWindow{.census_width_px = CensusWidth, .census_height_px = CensusHeight}},
+    {}}>;
 
 template <class Config>
 class TransformTest : public ::testing::Test {};

@@ -12,7 +12,7 @@ namespace {
 
 constexpr phase_correlation::Config kChecked{
     {.width_px = 40, .height_px = 18},
-    {.disparities = 12, .window_px = 5, .left_right_threshold = 1, .uniqueness_percent = 10},
+    {DisparityCount{12}, MatchingWindow{5}, LeftRightThreshold{1}, UniquenessPercent{10}},
     {}};
 
 TEST(PhaseCorrelationConfig, SettingsAreThoseOfItsChecks) {

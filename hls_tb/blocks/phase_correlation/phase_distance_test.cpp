@@ -12,7 +12,7 @@ namespace {
 
 template <int Scales>
 constexpr phase_correlation::Config kWithScales{
-    {.width_px = 40, .height_px = 20}, {.disparities = 8, .phase_scales = Scales}, {}};
+    {.width_px = 40, .height_px = 20}, {DisparityCount{8}, phase_correlation::PhaseScales{Scales}}, {}};
 
 template <int Scales>
 void expect_distances() {

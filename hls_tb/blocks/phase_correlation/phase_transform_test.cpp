@@ -20,7 +20,8 @@ using PhaseConfig = phase_correlation::Config;
 
 constexpr PhaseConfig config(int width, int height, int scales, Reference reference, int bits = 8) {
    return {{.width_px = width, .height_px = height},
-           {.disparities = 4, .window_px = 2, .pixel_bits = bits, .reference = reference, .phase_scales = scales},
+           {DisparityCount{4}, MatchingWindow{2}, PixelFormat{bits}, ReferenceImage{reference},
+            phase_correlation::PhaseScales{scales}},
            {}};
 }
 

@@ -267,7 +267,7 @@ TYPED_TEST(RectificationCore, NamesEachRegisterOnce) {
 
 constexpr Config kBefore{{.width_px = 32, .height_px = 20}, {.grid_px = 8, .rows_above = 5, .rows_below = 5}};
 constexpr block_matching::Config kMatching{
-    {.width_px = 32, .height_px = 20}, {.disparities = 8, .window_px = 3}, {.slice_disparities = 4}};
+    {.width_px = 32, .height_px = 20}, {DisparityCount{8}, MatchingWindow{3}}, {SliceSize{4}}};
 
 /// What leaves goes into a matching core as it is: the second of two frames needs the rows of nothing but the flush.
 TEST(RectificationBeforeMatching, IsTheMapOfTheRectifiedPair) {

@@ -13,7 +13,7 @@ namespace {
 
 using semi_global::Config;
 
-constexpr Config kGood{{.width_px = 40, .height_px = 12}, {.disparities = 12}, {}};
+constexpr Config kGood{{.width_px = 40, .height_px = 12}, {DisparityCount{12}}, {}};
 
 std::string problem(void (*change)(Config&)) {
    Config config = kGood;

@@ -19,13 +19,9 @@ using SgmConfig = semi_global::Config;
 
 constexpr SgmConfig config(Reference reference, int disparities, int slice, int window, int shift, int cap) {
    return {{.width_px = 40, .height_px = 12},
-           {.disparities = disparities,
-            .window_px = window,
-            .reference = reference,
-            .cost = Cost::sad,
-            .cost_shift = shift,
-            .cost_cap = cap},
-           {.slice_disparities = slice}};
+           {DisparityCount{disparities}, MatchingWindow{window}, ReferenceImage{reference}, Comparison{Cost::sad},
+            CostScale{.cost_shift = shift, .cost_cap = cap}},
+           {SliceSize{slice}}};
 }
 
 // One slice, whole ones, a rest, a rest of one.

@@ -15,7 +15,8 @@ using SgmConfig = semi_global::Config;
 
 constexpr SgmConfig config(int width, int disparities, int cost_cap, int p1, int p2) {
    return {{.width_px = width, .height_px = 20},
-           {.disparities = disparities, .cost_shift = 0, .cost_cap = cost_cap, .p1 = p1, .p2 = p2},
+           {DisparityCount{disparities}, CostScale{.cost_shift = 0, .cost_cap = cost_cap},
+            semi_global::Paths{.p1 = p1, .p2 = p2}},
            {}};
 }
 

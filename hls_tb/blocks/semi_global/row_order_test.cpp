@@ -93,8 +93,9 @@ TEST(RowOrder, GivesNarrowerRowsBackToo) {
       expect_order<Order>(kMap - narrower, Width{{uint16_t(kWide.width_px - 1 - narrower)}});
 }
 
-constexpr semi_global::Config kWhole{{.width_px = 30, .height_px = 9}, {.disparities = 12}, {}};
-constexpr semi_global::Config kSixteenths{{.width_px = 30, .height_px = 9}, {.disparities = 12, .subpixel = true}, {}};
+constexpr semi_global::Config kWhole{{.width_px = 30, .height_px = 9}, {DisparityCount{12}}, {}};
+constexpr semi_global::Config kSixteenths{
+    {.width_px = 30, .height_px = 9}, {DisparityCount{12}, SubpixelSteps{true}}, {}};
 
 template <const semi_global::Config& C>
 void expect_winners() {

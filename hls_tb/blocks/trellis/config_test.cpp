@@ -10,7 +10,7 @@
 namespace stereo::test {
 namespace {
 
-constexpr trellis::Config kGood{{.width_px = 40, .height_px = 12}, {.disparities = 12}, {}};
+constexpr trellis::Config kGood{{.width_px = 40, .height_px = 12}, {DisparityCount{12}}, {}};
 
 TEST(TrellisConfig, SettingsGoUpToTheConfigurations) {
    trellis::Config config = kGood;

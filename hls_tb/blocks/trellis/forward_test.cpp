@@ -15,13 +15,9 @@ using TrellisConfig = trellis::Config;
 constexpr TrellisConfig config(int disparities, int cost_cap, int drop_cost, int occlusion_cost, int far_drop,
                                bool run_time_settings = false) {
    return {{.width_px = 100, .height_px = 20},
-           {.disparities = disparities,
-            .cost_shift = 0,
-            .cost_cap = cost_cap,
-            .drop_cost = drop_cost,
-            .occlusion_cost = occlusion_cost,
-            .far_drop = far_drop},
-           {.run_time_settings = run_time_settings}};
+           {DisparityCount{disparities}, CostScale{.cost_shift = 0, .cost_cap = cost_cap},
+            trellis::Drops{.drop_cost = drop_cost, .occlusion_cost = occlusion_cost, .far_drop = far_drop}},
+           {RunTime{.run_time_settings = run_time_settings}}};
 }
 
 constexpr TrellisConfig kPlain = config(12, 13, 4, 7, 6), kFree = config(17, 40, 0, 1, 2),

@@ -18,8 +18,8 @@ namespace {
 template <Reference Side, int MinDisparity, bool RunTimeSize = false>
 using MaskConfig = Exactly<block_matching::Config{
     {.width_px = 24, .height_px = 8},
-    {.disparities = 7, .min_disparity = MinDisparity, .reference = Side, .full_width = true},
-    {.run_time_size = RunTimeSize}}>;
+    {DisparityCount{7}, SmallestDisparity{MinDisparity}, ReferenceImage{Side}, FullWidth{.full_width = true}},
+    {RunTime{.run_time_size = RunTimeSize}}}>;
 
 template <class Config>
 class CandidateMaskTest : public ::testing::Test {};

@@ -14,7 +14,7 @@ namespace {
 template <Ties Rule, int Uniqueness, bool Subpixel>
 using CandidateConfig = Exactly<block_matching::Config{
     {.width_px = 64, .height_px = 32},
-    {.disparities = 32, .window_px = 16, .ties = Rule, .uniqueness_percent = Uniqueness, .subpixel = Subpixel},
+    {DisparityCount{32}, MatchingWindow{16}, TieRule{Rule}, UniquenessPercent{Uniqueness}, SubpixelSteps{Subpixel}},
     {}}>;
 
 template <class Config>

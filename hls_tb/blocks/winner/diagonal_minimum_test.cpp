@@ -19,7 +19,7 @@ namespace {
 template <Reference Side, Ties Rule, int P>
 using DiagonalConfig =
     Exactly<block_matching::Config{{.width_px = 40, .height_px = 8, .pixels_per_clock = P},
-                                   {.disparities = 7, .reference = Side, .ties = Rule, .left_right_threshold = 1},
+                                   {DisparityCount{7}, ReferenceImage{Side}, TieRule{Rule}, LeftRightThreshold{1}},
                                    {}}>;
 
 template <class Config>

@@ -25,8 +25,8 @@ namespace {
 template <int D, int P, int Threshold, Reference Side, bool Subpixel = false, int Group = 2>
 using CheckConfig = Exactly<block_matching::Config{
     {.width_px = 300, .height_px = 12, .pixels_per_clock = P},
-    {.disparities = D, .reference = Side, .left_right_threshold = Threshold, .subpixel = Subpixel},
-    {.slice_disparities = 100, .winner_group = Group}}>;
+    {DisparityCount{D}, ReferenceImage{Side}, LeftRightThreshold{Threshold}, SubpixelSteps{Subpixel}},
+    {SliceSize{100}, WinnerGroup{Group}}}>;
 
 template <class Config>
 class LeftRightCheckTest : public ::testing::Test {};

@@ -19,7 +19,7 @@ namespace {
 template <int W, int H, int D, int B, int P, Reference Side = Reference::right, bool Subpixel = false>
 using MedianConfig = Exactly<block_matching::Config{
     {.width_px = W, .height_px = H, .pixels_per_clock = P},
-    {.disparities = D, .window_px = B, .reference = Side, .subpixel = Subpixel, .median = true},
+    {DisparityCount{D}, MatchingWindow{B}, ReferenceImage{Side}, SubpixelSteps{Subpixel}, MedianFilter{true}},
     {}}>;
 
 template <class Config>

@@ -26,7 +26,7 @@ namespace {
 template <int Uniqueness, bool Subpixel, int P = 1, Cost Kind = Cost::ssd, int B = 16>
 using RefinementConfig = Exactly<block_matching::Config{
     {.width_px = 300, .height_px = 32, .pixels_per_clock = P},
-    {.disparities = 256, .window_px = B, .cost = Kind, .uniqueness_percent = Uniqueness, .subpixel = Subpixel},
+    {DisparityCount{256}, MatchingWindow{B}, Comparison{Kind}, UniquenessPercent{Uniqueness}, SubpixelSteps{Subpixel}},
     {}}>;
 
 /// What the block reads of the last slice and of the texture block.
@@ -165,7 +165,7 @@ TYPED_TEST(SubpixelTest, IsTheFormula) {
 }
 
 TEST(Refinement, WithoutChecksPassesTheWinnerOnAtOnce) {
-   static constexpr block_matching::Config C{{.width_px = 32, .height_px = 12}, {.disparities = 8}, {}};
+   static constexpr block_matching::Config C{{.width_px = 32, .height_px = 12}, {DisparityCount{8}}, {}};
    RefinementBench<C> bench;
    static_assert(Refinement<C>::kClocks == 0);
    for (int d = 0; d < 8; ++d) bench.clock(WindowCandidate<C>::single(WindowCost<C>(10 * d), uint8_t(d)), true, d);
@@ -194,11 +194,12 @@ void needs_texture_too() {
 TEST(Refinement, PixelsWithoutTextureDoNotPass) {
    static constexpr block_matching::Config alone{
        {.width_px = 32, .height_px = 12},
-       {.disparities = 8, .prefilter = Prefilter::xsobel, .texture_threshold = 10},
+       {DisparityCount{8}, Prefiltering{.prefilter = Prefilter::xsobel}, block_matching::TextureThreshold{10}},
        {}};
    static constexpr block_matching::Config with_uniqueness{
        {.width_px = 32, .height_px = 12},
-       {.disparities = 8, .prefilter = Prefilter::xsobel, .uniqueness_percent = 20, .texture_threshold = 10},
+       {DisparityCount{8}, Prefiltering{.prefilter = Prefilter::xsobel}, UniquenessPercent{20},
+        block_matching::TextureThreshold{10}},
        {}};
    needs_texture_too<alone>();
    needs_texture_too<with_uniqueness>();

@@ -25,12 +25,10 @@ template <int Pixels, int N, int Group, int Spare = 0, Ties Rule = Ties::smalles
 struct TreeType {
    static constexpr block_matching::Config kConfig{
        {.width_px = 64, .height_px = 32, .pixels_per_clock = Pixels},
-       {.disparities = 32,
-        .window_px = 16,
-        .ties = Rule,
-        .uniqueness_percent = Needs == Extras::second || Needs == Extras::both ? 5 : 0,
-        .subpixel = Needs == Extras::neighbours || Needs == Extras::both},
-       {.winner_group = Group}};
+       {DisparityCount{32}, MatchingWindow{16}, TieRule{Rule},
+        UniquenessPercent{Needs == Extras::second || Needs == Extras::both ? 5 : 0},
+        SubpixelSteps{Needs == Extras::neighbours || Needs == Extras::both}},
+       {WinnerGroup{Group}}};
    static constexpr int kCandidates = N;
    static constexpr bool kGated = MayGate && can_be_gated<WindowCandidate<kConfig>>(Largest, Group);
    static constexpr int kLevels = winner_clocks(kGated, Largest, Group) + Spare;

@@ -12,28 +12,17 @@ namespace {
 template <class Config>
 class LargeStereoCoreTest : public ::testing::Test {};
 /// The largest disparity ranges, windows and costs.
-using LargeConfigs =
-    ::testing::Types<Config<270, 4, 256, 3, 1, 25, 3, 2>, Config<270, 8, 256, 3, 2, 100, 2, 16>,
-                     Exactly<block_matching::Config{{.width_px = 70, .height_px = 40, .pixels_per_clock = 2},
-                                                    {.disparities = 33,
-                                                     .window_px = 31,
-                                                     .reference = Reference::left,
-                                                     .cost = Cost::ssd,
-                                                     .left_right_threshold = 1,
-                                                     .subpixel = true},
-                                                    {.aggregation = Aggregation::recursive, .slice_disparities = 16}}>,
-                     Exactly<block_matching::Config{
-                         {.width_px = 290, .height_px = 12},
-                         {.disparities = 256,
-                          .window_px = 10,
-                          .min_disparity = -100,
-                          .cost = Cost::census,
-                          .census_width_px = 9,
-                          .census_height_px = 7,
-                          .left_right_threshold = 2,
-                          .uniqueness_percent = 5,
-                          .median = true},
-                         {.aggregation = Aggregation::recursive, .slice_disparities = 64, .winner_group = 4}}>>;
+using LargeConfigs = ::testing::Types<
+    Config<270, 4, 256, 3, 1, 25, 3, 2>, Config<270, 8, 256, 3, 2, 100, 2, 16>,
+    Exactly<block_matching::Config{{.width_px = 70, .height_px = 40, .pixels_per_clock = 2},
+                                   {DisparityCount{33}, MatchingWindow{31}, ReferenceImage{Reference::left},
+                                    Comparison{Cost::ssd}, LeftRightThreshold{1}, SubpixelSteps{true}},
+                                   {Summation{Aggregation::recursive}, SliceSize{16}}}>,
+    Exactly<block_matching::Config{{.width_px = 290, .height_px = 12},
+                                   {DisparityCount{256}, MatchingWindow{10}, SmallestDisparity{-100},
+                                    Comparison{Cost::census}, CensusWindow{.census_width_px = 9, .census_height_px = 7},
+                                    LeftRightThreshold{2}, UniquenessPercent{5}, MedianFilter{true}},
+                                   {Summation{Aggregation::recursive}, SliceSize{64}, WinnerGroup{4}}}>>;
 TYPED_TEST_SUITE(LargeStereoCoreTest, LargeConfigs, ConfigNames);
 
 TYPED_TEST(LargeStereoCoreTest, EqualsTheReference) {
@@ -45,7 +34,7 @@ TYPED_TEST(LargeStereoCoreTest, EqualsTheReference) {
 }
 
 inline constexpr block_matching::Config kAwkward{
-    {.width_px = 311, .height_px = 239}, {.disparities = 37}, {.winner_group = 7}};
+    {.width_px = 311, .height_px = 239}, {DisparityCount{37}}, {WinnerGroup{7}}};
 
 TEST(StereoCore, EqualsTheReferenceAtAnAwkwardSize) {
    expect_reference<kAwkward>(random_pair(kAwkward.width_px, kAwkward.height_px, test_seed(), 16), 20);

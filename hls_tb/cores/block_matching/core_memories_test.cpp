@@ -36,30 +36,21 @@ void no_number_serves_twice() {
 }
 
 /// Every bank there is, as large as they get: 31x31 windows, 256 disparities in one slice, four rows at once.
-inline constexpr block_matching::Config kLargest{{.width_px = 400, .height_px = 40, .pixels_per_clock = 4},
-                                                 {.disparities = 256,
-                                                  .window_px = 31,
-                                                  .prefilter = Prefilter::xsobel,
-                                                  .left_right_threshold = 1,
-                                                  .texture_threshold = 1,
-                                                  .subpixel = true,
-                                                  .median = true},
-                                                 {.aggregation = Aggregation::recursive, .slice_disparities = 256}};
+inline constexpr block_matching::Config kLargest{
+    {.width_px = 400, .height_px = 40, .pixels_per_clock = 4},
+    {DisparityCount{256}, MatchingWindow{31}, Prefiltering{.prefilter = Prefilter::xsobel}, LeftRightThreshold{1},
+     block_matching::TextureThreshold{1}, SubpixelSteps{true}, MedianFilter{true}},
+    {Summation{Aggregation::recursive}, SliceSize{256}}};
 /// The same in the smallest slices.
 inline constexpr block_matching::Config kMostSlices{{.width_px = 400, .height_px = 40, .pixels_per_clock = 4},
-                                                    {.disparities = 24, .window_px = 31},
-                                                    {.aggregation = Aggregation::recursive, .slice_disparities = 2}};
+                                                    {DisparityCount{24}, MatchingWindow{31}},
+                                                    {Summation{Aggregation::recursive}, SliceSize{2}}};
 /// The widest words: 62 bits of census in each of 31 stored rows.
-inline constexpr block_matching::Config kWidest{{.width_px = 40, .height_px = 36, .pixels_per_clock = 4},
-                                                {.disparities = 16,
-                                                 .window_px = 31,
-                                                 .min_disparity = 3,
-                                                 .cost = Cost::census,
-                                                 .census_width_px = 9,
-                                                 .census_height_px = 7,
-                                                 .left_right_threshold = 1,
-                                                 .median = true},
-                                                {.slice_disparities = 16}};
+inline constexpr block_matching::Config kWidest{
+    {.width_px = 40, .height_px = 36, .pixels_per_clock = 4},
+    {DisparityCount{16}, MatchingWindow{31}, SmallestDisparity{3}, Comparison{Cost::census},
+     CensusWindow{.census_width_px = 9, .census_height_px = 7}, LeftRightThreshold{1}, MedianFilter{true}},
+    {SliceSize{16}}};
 
 TEST(CoreMemories, NoNumberServesTwoMemoriesOfACore) {
    no_number_serves_twice<block_matching::configurations::tiny_all_recursive>();

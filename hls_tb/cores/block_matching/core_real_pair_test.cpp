@@ -11,10 +11,10 @@ namespace stereo::test {
 namespace {
 
 inline constexpr block_matching::Config kTeddy{
-    {.width_px = 450, .height_px = 375}, {.disparities = 60, .window_px = 5}, {}};
+    {.width_px = 450, .height_px = 375}, {DisparityCount{60}, MatchingWindow{5}}, {}};
 /// Its rows as far as they fill groups of four.
 inline constexpr block_matching::Config kTeddyTop{
-    {.width_px = 450, .height_px = 372, .pixels_per_clock = 4}, {.disparities = 60, .window_px = 5}, {}};
+    {.width_px = 450, .height_px = 372, .pixels_per_clock = 4}, {DisparityCount{60}, MatchingWindow{5}}, {}};
 
 GrayImage top_rows(GrayImage image, int height) {
    image.height = height;

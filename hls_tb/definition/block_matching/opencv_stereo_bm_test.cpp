@@ -61,16 +61,15 @@ struct BmOptions {
 
 /// As StereoBM matches: ties to the largest disparity, the left image as reference.
 block_matching::Matching like_stereo_bm(const BmOptions& options) {
-   return {.disparities = options.disparities,
-           .window_px = options.window_px,
-           .min_disparity = options.min_disparity,
-           .reference = Reference::left,
-           .prefilter = Prefilter::xsobel,
-           .prefilter_cap = options.cap,
-           .ties = Ties::largest,
-           .uniqueness_percent = options.uniqueness_percent,
-           .texture_threshold = options.texture_threshold,
-           .subpixel = true};
+   return {DisparityCount{options.disparities},
+           MatchingWindow{options.window_px},
+           SmallestDisparity{options.min_disparity},
+           ReferenceImage{Reference::left},
+           Prefiltering{.prefilter = Prefilter::xsobel, .prefilter_cap = options.cap},
+           TieRule{Ties::largest},
+           UniquenessPercent{options.uniqueness_percent},
+           TextureThreshold{options.texture_threshold},
+           SubpixelSteps{true}};
 }
 
 cv::Mat_<short> stereo_bm(const ImagePair& pair, const BmOptions& options) {

@@ -48,27 +48,27 @@ TEST(ReferenceOptions, CensusByHand) {
 
 TEST(ReferenceOptions, SquaredDifferencesByHand) {
    EXPECT_TRUE(same_volume(volume(3, 1, 2, {100, 0, 100, 0, 0, 100}),
-                           pixel_costs(kLeft, kRight, {.disparities = 2, .cost = Cost::ssd})));
+                           pixel_costs(kLeft, kRight, {DisparityCount{2}, Comparison{Cost::ssd}})));
 }
 
 TEST(ReferenceOptions, CensusCostsByHand) {
    // Bits 3 and 4: the pixels to the left and to the right are larger.
    const GrayImage left = image(3, 1, {0, 5, 0}), right = image(3, 1, {5, 0, 5});
-   const block_matching::Matching parameters{
-       .disparities = 1, .cost = Cost::census, .census_width_px = 3, .census_height_px = 3};
+   const block_matching::Matching parameters{DisparityCount{1}, Comparison{Cost::census},
+                                             CensusWindow{.census_width_px = 3, .census_height_px = 3}};
    EXPECT_TRUE(same_volume(volume(3, 1, 1, {1, 2, 1}), pixel_costs(left, right, parameters)));
 }
 
 TEST(ReferenceOptions, PrefilteredCostsByHand) {
    // Filtered: 31 39 51 31 and 31 62 31 31, of the slopes 2, 5 and 20, 0, four times each.
    const GrayImage left = image(4, 1, {0, 1, 2, 6}), right = image(4, 1, {0, 0, 20, 0});
-   const block_matching::Matching parameters{.disparities = 1, .prefilter = Prefilter::xsobel};
+   const block_matching::Matching parameters{DisparityCount{1}, Prefiltering{.prefilter = Prefilter::xsobel}};
    EXPECT_TRUE(same_volume(volume(4, 1, 1, {0, 62 - 39, 51 - 31, 0}), pixel_costs(left, right, parameters)));
 }
 
 TEST(ReferenceOptions, SmallestDisparityByHand) {
    const auto costs = [](int min_disparity) {
-      return pixel_costs(kLeft, kRight, {.disparities = 2, .min_disparity = min_disparity});
+      return pixel_costs(kLeft, kRight, {DisparityCount{2}, SmallestDisparity{min_disparity}});
    };
    EXPECT_TRUE(same_volume(volume(2, 1, 2, {0, 10, 0, 10}), costs(1)));
    EXPECT_TRUE(same_volume(volume(3, 1, 2, {20, 10, 10, 0, 69, 59}), costs(-1)));
@@ -115,8 +115,9 @@ TEST(ReferenceOptions, UniquenessByHand) {
 
 TEST(ReferenceOptions, TextureByHand) {
    const auto passes = [](std::vector<uint8_t> filtered, int window, int threshold) {
-      const block_matching::Matching parameters{
-          .disparities = 2, .window_px = window, .prefilter = Prefilter::xsobel, .texture_threshold = threshold};
+      const block_matching::Matching parameters{DisparityCount{2}, MatchingWindow{window},
+                                                Prefiltering{.prefilter = Prefilter::xsobel},
+                                                TextureThreshold{threshold}};
       return texture_check(image(4, 1, std::move(filtered)), parameters);
    };
    EXPECT_TRUE(same_map(image(2, 1, {1, 1}), passes({31, 41, 21, 31}, 3, 10)));
@@ -156,7 +157,7 @@ TEST(ReferenceOptions, MedianByHand) {
 
 TEST(ReferenceOptions, LeftReferenceByHand) {
    const GrayImage right = image(4, 1, {20, 30, 0, 40});
-   const block_matching::Matching parameters{.disparities = 2, .window_px = 1, .reference = Reference::left};
+   const block_matching::Matching parameters{DisparityCount{2}, MatchingWindow{1}, ReferenceImage{Reference::left}};
    EXPECT_EQ(map_first_column(parameters), 2);
    EXPECT_TRUE(same_map(map(2, 1, {1, 0}), match_reference(kLeft, right, parameters)));
 }
@@ -185,8 +186,8 @@ int left_winner(const ImagePair& pair, const block_matching::Matching& p, int x,
 TEST(ReferenceOptions, LeftReferenceIsTheMirrorImageAlsoForEvenWindows) {
    for (const int window : {1, 2, 3, 4, 5})
       for (const int min_disparity : {-9, -2, 0, 3}) {
-         const block_matching::Matching parameters{
-             .disparities = 6, .window_px = window, .min_disparity = min_disparity, .reference = Reference::left};
+         const block_matching::Matching parameters{DisparityCount{6}, MatchingWindow{window},
+                                                   SmallestDisparity{min_disparity}, ReferenceImage{Reference::left}};
          const ImagePair pair = random_pair(24, 7, test_seed() + uint64_t(window), 6);
          const DisparityMap got = match_reference(pair.left, pair.right, parameters);
          DisparityMap expected(map_width(24, parameters), 7);
@@ -199,7 +200,8 @@ TEST(ReferenceOptions, LeftReferenceIsTheMirrorImageAlsoForEvenWindows) {
 
 TEST(ReferenceOptions, ChecksOnlyTakeValidity) {
    const ImagePair pair = random_pair(40, 12, test_seed(), 8);
-   block_matching::Matching parameters{.disparities = 8, .window_px = 5, .prefilter = Prefilter::xsobel};
+   block_matching::Matching parameters{DisparityCount{8}, MatchingWindow{5},
+                                       Prefiltering{.prefilter = Prefilter::xsobel}};
    const DisparityMap without = match_reference(pair.left, pair.right, parameters);
    parameters.left_right_threshold = 1;
    parameters.uniqueness_percent = 5;
@@ -215,12 +217,9 @@ TEST(ReferenceOptions, FindsAKnownShiftWithEveryCostAndReference) {
    for (const Cost cost : {Cost::sad, Cost::ssd, Cost::census})
       for (const Reference reference : {Reference::right, Reference::left})
          for (const int min_disparity : {0, 5, -4}) {
-            const block_matching::Matching parameters{.disparities = 12,
-                                                      .window_px = 3,
-                                                      .min_disparity = min_disparity,
-                                                      .reference = reference,
-                                                      .cost = cost,
-                                                      .left_right_threshold = 0};
+            const block_matching::Matching parameters{
+                DisparityCount{12},        MatchingWindow{3}, SmallestDisparity{min_disparity},
+                ReferenceImage{reference}, Comparison{cost},  LeftRightThreshold{0}};
             const ImagePair pair = shifted_pair(60, 9, 7, test_seed());
             const DisparityMap got = match_reference(pair.left, pair.right, parameters);
             // Census windows and costs that reach beyond the shifted part may be wrong: look inside.
@@ -235,7 +234,7 @@ TEST(ReferenceOptions, FindsAKnownShiftWithEveryCostAndReference) {
 TEST(ReferenceOptions, FullWidthByHand) {
    // Windows of 2x2: of column x, the columns x-1 and x of the only row. Columns 1 ... 3 of the map.
    const GrayImage left = image(4, 1, {10, 20, 30, 40}), right = image(4, 1, {20, 30, 30, 99});
-   const Matching matching{.disparities = 2, .window_px = 2, .full_width = true};
+   const Matching matching{DisparityCount{2}, MatchingWindow{2}, FullWidth{.full_width = true}};
    const CostVolume sums = full_width_sums(all_window_sums(pixel_costs(left, right, matching), 2), 2, {0, 0, 1});
    EXPECT_TRUE(same_volume(volume(3, 1, 2, {20, 0, 10, 10, 59, kNoCandidate}), sums));
    EXPECT_TRUE(same_map(map(3, 1, {1, 0, 0}), match_reference(left, right, matching)));
@@ -255,7 +254,8 @@ TEST(ReferenceOptions, APartOfTheRangeIsARangeOfItsOwn) {
    Random random(test_seed());
    int invalid = 0;
    for (int i = 0; i < 60; ++i) {
-      Matching whole{.disparities = 2 + random.below(9), .window_px = 2 + random.below(4), .full_width = true};
+      Matching whole{DisparityCount{2 + random.below(9)}, MatchingWindow{2 + random.below(4)},
+                     FullWidth{.full_width = true}};
       whole.min_disparity = random.below(13) - 8;
       whole.reference = random.percent(50) ? Reference::left : Reference::right;
       whole.ties = random.percent(50) ? Ties::largest : Ties::smallest;
@@ -289,7 +289,7 @@ TEST(ReferenceOptions, APartOfTheRangeIsARangeOfItsOwn) {
 TEST(ReferenceOptions, FullWidthIsTheSameWhereAllDisparitiesFit) {
    Random random(test_seed());
    for (int i = 0; i < 40; ++i) {
-      Matching matching{.disparities = 2 + random.below(6), .window_px = 2 + random.below(4)};
+      Matching matching{DisparityCount{2 + random.below(6)}, MatchingWindow{2 + random.below(4)}};
       matching.min_disparity = random.below(9) - 4;
       matching.reference = random.percent(50) ? Reference::left : Reference::right;
       matching.subpixel = random.percent(50);

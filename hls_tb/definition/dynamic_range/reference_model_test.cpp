@@ -54,7 +54,8 @@ ImagePair spotted_pair(int width, int height, int shift, uint64_t seed) {
 TEST(DynamicRange, FindsAShiftAnywhereInTheRange) {
    for (const Codes codes : {Codes::phase, Codes::census})
       for (const int shift : {0, 5, 17, 30, 47, 60}) {
-         const Matching matching{.disparities = 64, .window_disparities = 16, .window_px = 7, .codes = codes};
+         const Matching matching{DisparityCount{64}, dynamic_range::WindowRange{16}, MatchingWindow{7},
+                                 dynamic_range::ComparedCodes{codes}};
          const ImagePair pair = spotted_pair(160, 48, shift, test_seed());
          const DisparityMap map = match_reference(pair.left, pair.right, matching);
          // Without the border, and where the other image shows the pixel.
@@ -67,7 +68,7 @@ TEST(DynamicRange, FindsAShiftAnywhereInTheRange) {
 
 /// The paper rejects systems with a dynamic range for the frames that they need to find a new object.
 TEST(DynamicRange, FindsANewObjectInTheFrameInWhichItAppears) {
-   const Matching matching{.disparities = 128, .window_disparities = 16};
+   const Matching matching{DisparityCount{128}, dynamic_range::WindowRange{16}};
    SceneOptions options{.width = 480, .height = 360, .disparities = 128, .seed = test_seed()};
    double worst = 0, before = 0;
    for (options.frame = kNewObjectFrames - 1; options.frame <= 3 * kNewObjectFrames; ++options.frame) {
@@ -81,22 +82,23 @@ TEST(DynamicRange, FindsANewObjectInTheFrameInWhichItAppears) {
 
 TEST(DynamicRange, MatchesWhatSearchesTheWholeRange) {
    const Scene scene = make_scene({.width = 480, .height = 360, .disparities = 128, .seed = test_seed()});
-   const phase_correlation::Matching whole{.disparities = 128};
-   const Matching matching{.disparities = 128, .window_disparities = 16};
+   const phase_correlation::Matching whole{DisparityCount{128}};
+   const Matching matching{DisparityCount{128}, dynamic_range::WindowRange{16}};
    const double searched = bad_percent(match_fast(scene.images.left, scene.images.right, whole), scene);
    const double followed = bad_percent(match_fast(scene.images.left, scene.images.right, matching), scene);
    EXPECT_LT(followed, searched + 6) << "percent, " << searched << " with all disparities";
 }
 
 TEST(DynamicRange, RejectsWhatItCannotMatch) {
-   const Matching matching{.disparities = 64};
+   const Matching matching{DisparityCount{64}};
    EXPECT_THROW(match_reference(GrayImage(104, 7), GrayImage(104, 7), matching), std::invalid_argument);
    EXPECT_THROW(match_reference(GrayImage(64, 48), GrayImage(64, 48), matching), std::invalid_argument);
    EXPECT_THROW(match_reference(GrayImage(104, 48), GrayImage(104, 40), matching), std::invalid_argument);
-   EXPECT_THROW(match_reference(GrayImage(104, 48), GrayImage(104, 48), Matching{.disparities = 66}),
+   EXPECT_THROW(match_reference(GrayImage(104, 48), GrayImage(104, 48), Matching{DisparityCount{66}}),
                 std::invalid_argument);
-   EXPECT_THROW(match_reference(GrayImage(104, 48), GrayImage(104, 48), Matching{.disparities = 64, .window_px = 4}),
-                std::invalid_argument);
+   EXPECT_THROW(
+       match_reference(GrayImage(104, 48), GrayImage(104, 48), Matching{DisparityCount{64}, MatchingWindow{4}}),
+       std::invalid_argument);
 }
 
 }  // namespace

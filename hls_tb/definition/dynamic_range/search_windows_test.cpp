@@ -13,7 +13,7 @@ namespace {
 using namespace dynamic_range;
 using Ranges = Blocks<std::optional<Range>>;
 
-constexpr Matching kSmall{.disparities = 64, .window_disparities = 16};
+constexpr Matching kSmall{DisparityCount{64}, dynamic_range::WindowRange{16}};
 
 TEST(SearchWindows, CoarsePixelsAreRoundedMeans) {
    GrayImage image(8, 8, 10);
@@ -93,8 +93,8 @@ TEST(SearchWindows, WhatIsLeftAtTheEndBelongsToTheLastBlocks) {
    EXPECT_EQ(ranges.height, 2);
    Blocks<int> targets(6, 2);  // 51 columns, 20 rows
    targets.at(5, 1) = 9;
-   const std::vector<int> bases = window_bases(targets, 19, 51, {.disparities = 32, .window_disparities = 16});
-   EXPECT_EQ(bases, window_bases(targets, 8, 51, {.disparities = 32, .window_disparities = 16}));
+   const std::vector<int> bases = window_bases(targets, 19, 51, {DisparityCount{32}, dynamic_range::WindowRange{16}});
+   EXPECT_EQ(bases, window_bases(targets, 8, 51, {DisparityCount{32}, dynamic_range::WindowRange{16}}));
    EXPECT_EQ(bases.size(), 36u);
 }
 

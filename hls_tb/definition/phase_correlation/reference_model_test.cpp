@@ -110,7 +110,7 @@ TEST(PhaseCorrelation, TheFinestScaleCountsTwice) {
 }
 
 TEST(PhaseCorrelation, FindsAShift) {
-   phase_correlation::Matching matching{.disparities = 12, .window_px = 5};
+   phase_correlation::Matching matching{DisparityCount{12}, MatchingWindow{5}};
    for (const Reference reference : {Reference::right, Reference::left}) {
       matching.reference = reference;
       const ImagePair pair = shifted_pair(60, 30, 7, test_seed());

@@ -37,7 +37,7 @@ CostVolume random_costs(int width, int height, int disparities, int largest, uin
 TEST(SemiGlobalReference, RowPathByHand) {
    // P1 = 2, P2 = 5, D = 3, so the fresh start looks back 6 columns, beyond this row.
    const CostVolume costs = one_row({{4, 0, 7}, {4, 1, 1}, {0, 6, 6}});
-   const Matching matching{.disparities = 3, .p1 = 2, .p2 = 5};
+   const Matching matching{DisparityCount{3}, semi_global::Paths{.p1 = 2, .p2 = 5}};
    // Column 0: g = 0 + 5: K = -1 -5 2, A = 1 -3 4.
    // Column 1: g = 1: c - g = 3 0 0. Stay: min(0, K, A) = -1 -5 0. K = 2 -5 0. Step: -5 -1 -5: A = 0 1 -3.
    // Column 2: g = 0: c - g = 0 6 6. Stay: 0 -5 -3. K = 0 1 3.
@@ -48,7 +48,7 @@ TEST(SemiGlobalReference, RowPathByHand) {
 TEST(SemiGlobalReference, TheFreshStartMakesUpForWhatTheBestPathHasLost) {
    // Disparity 0 costs nothing, disparity 1 more than any jump, but in column 2 it is the other way round.
    // D = 2, look back 5. P2 = 4: q(0) = 4, then 0 until column 5 sees column 0, whose best path stands at -4.
-   const Matching matching{.disparities = 2, .p1 = 100, .p2 = 4};
+   const Matching matching{DisparityCount{2}, semi_global::Paths{.p1 = 100, .p2 = 4}};
    std::vector<std::vector<int>> columns(8, {0, 9});
    columns[2] = {3, 0};  // the best path loses 3 here
    const CostVolume path = semi_global::row_path(one_row(columns), RowDirection::from_left, matching);
@@ -61,7 +61,7 @@ TEST(SemiGlobalReference, TheFreshStartMakesUpForWhatTheBestPathHasLost) {
 TEST(SemiGlobalReference, PathFromAboveByHand) {
    CostVolume costs(1, 3, 3);
    costs.values = {4, 0, 7, 4, 1, 1, 0, 6, 6};
-   const Matching matching{.disparities = 3, .p1 = 2, .p2 = 5};
+   const Matching matching{DisparityCount{3}, semi_global::Paths{.p1 = 2, .p2 = 5}};
    // Row 0: T = 5: K = 4 0 7; min(K, 5) = 4 0 5; T = 2 0 2. Row 1: 6 1 3: K = 5 0 2; T = 2 0 2.
    // Row 2: 2 6 8: K = 0 4 6.
    EXPECT_EQ(path_from_above(costs, matching).values, (std::vector<int>{4, 0, 7, 5, 0, 2, 0, 4, 6}));
@@ -69,7 +69,7 @@ TEST(SemiGlobalReference, PathFromAboveByHand) {
 
 /// The classical recurrence (Hirschmueller): L = c + min(L(d), L(d-1) + P1, L(d+1) + P1, min L + P2) - min L.
 TEST(SemiGlobalReference, PathFromAboveIsTheClassicalOne) {
-   const Matching matching{.disparities = 7, .p1 = 3, .p2 = 11};
+   const Matching matching{DisparityCount{7}, semi_global::Paths{.p1 = 3, .p2 = 11}};
    const CostVolume costs = random_costs(5, 20, 7, 15, test_seed());
    const CostVolume path = path_from_above(costs, matching);
    for (int x = 0; x < costs.width; ++x) {
@@ -96,7 +96,7 @@ TEST(SemiGlobalReference, PathFromAboveIsTheClassicalOne) {
 }
 
 TEST(SemiGlobalReference, TheRowPathsAreMirrorImages) {
-   const Matching matching{.disparities = 6, .p1 = 3, .p2 = 12};
+   const Matching matching{DisparityCount{6}, semi_global::Paths{.p1 = 3, .p2 = 12}};
    const CostVolume costs = random_costs(40, 3, 6, 13, test_seed());
    CostVolume turned = costs;
    for (int y = 0; y < costs.height; ++y)
@@ -113,7 +113,8 @@ TEST(SemiGlobalReference, RowPathsStayWithinTheirBounds) {
    Random random(test_seed());
    for (int i = 0; i < 60; ++i) {
       const int largest = 1 + random.below(30), disparities = 2 + random.below(20);
-      const Matching matching{.disparities = disparities, .p1 = random.below(20), .p2 = 1 + random.below(60)};
+      const Matching matching{DisparityCount{disparities},
+                              semi_global::Paths{.p1 = random.below(20), .p2 = 1 + random.below(60)}};
       CostVolume costs = random_costs(120, 1, disparities, largest, test_seed() + uint64_t(i));
       if (i % 2 == 0)
          for (int& value : costs.values) value = value > largest / 2 ? largest : 0;
@@ -126,7 +127,7 @@ TEST(SemiGlobalReference, RowPathsStayWithinTheirBounds) {
 
 TEST(SemiGlobalReference, SumsThePathsThatAreOn) {
    const CostVolume costs = random_costs(30, 8, 5, 13, test_seed());
-   const Matching all{.disparities = 5};
+   const Matching all{DisparityCount{5}};
    const CostVolume left = row_path(costs, RowDirection::from_left, all);
    const CostVolume right = row_path(costs, RowDirection::from_right, all), above = path_from_above(costs, all);
    for (int set = 1; set < 8; ++set) {
@@ -141,7 +142,7 @@ TEST(SemiGlobalReference, SumsThePathsThatAreOn) {
 
 TEST(SemiGlobalReference, ScalesAndCapsTheWindowCosts) {
    const ImagePair pair = random_pair(30, 12, test_seed());
-   Matching matching{.disparities = 6, .cost = Cost::sad, .cost_shift = 0};
+   Matching matching{DisparityCount{6}, Comparison{Cost::sad}, CostScale{.cost_shift = 0}};
    const CostVolume plain = path_costs(pair.left, pair.right, matching);
    matching.cost_shift = 5;
    matching.cost_cap = 20;
@@ -164,8 +165,8 @@ TEST(SemiGlobalReference, DistanceCheckLooksBeyondTheNeighbours) {
 TEST(SemiGlobalReference, FindsAKnownShiftEverywhere) {
    const ImagePair pair = shifted_pair(48, 16, 5, test_seed());
    for (const Cost cost : {Cost::census, Cost::sad}) {
-      const DisparityMap map =
-          match_reference(pair.left, pair.right, Matching{.disparities = 12, .cost = cost, .cost_shift = 4});
+      const DisparityMap map = match_reference(
+          pair.left, pair.right, Matching{DisparityCount{12}, Comparison{cost}, CostScale{.cost_shift = 4}});
       // The columns beside the border of the image have a census that sees beyond it.
       int found = 0;
       for (int y = 0; y < map.height; ++y)
@@ -176,7 +177,8 @@ TEST(SemiGlobalReference, FindsAKnownShiftEverywhere) {
 
 TEST(SemiGlobalReference, ALeftReferenceIsTheMirrorImage) {
    const ImagePair pair = random_pair(40, 9, test_seed(), 8);
-   const Matching matching{.disparities = 9, .path_right = false, .left_right_threshold = 1, .subpixel = true};
+   const Matching matching{DisparityCount{9}, semi_global::Paths{.path_right = false}, LeftRightThreshold{1},
+                           SubpixelSteps{true}};
    const DisparityMap map = match_reference(pair.left, pair.right, matching);
    const ImagePair turned = mirrored(pair);
    EXPECT_TRUE(same_map(mirrored(map), match_reference(turned.left, turned.right, semi_global::mirrored(matching))));
@@ -185,12 +187,13 @@ TEST(SemiGlobalReference, ALeftReferenceIsTheMirrorImage) {
 TEST(SemiGlobalInput, SaysWhatIsWrong) {
    const auto problem = [](const Matching& matching) { return std::string(matching.problem().text); };
    EXPECT_EQ(problem({}), "");
-   EXPECT_EQ(problem({.disparities = 1}), "the disparity range is 1 but must be 2 ... 256");
-   EXPECT_EQ(problem({.p2 = 4096}), "the penalty P2 is 4096 but must be 0 ... 4095");
-   EXPECT_EQ(problem({.census_width_px = 4}), "the census window is 4x5 but both sides must be odd");
-   EXPECT_EQ(problem({.path_left = false, .path_right = false, .path_above = false}), "at least one path must be on");
-   EXPECT_THROW(match_reference(GrayImage(9, 9), GrayImage(9, 8), Matching{.disparities = 4}), std::invalid_argument);
-   EXPECT_THROW(match_reference(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 9}), std::invalid_argument);
+   EXPECT_EQ(problem({DisparityCount{1}}), "the disparity range is 1 but must be 2 ... 256");
+   EXPECT_EQ(problem({semi_global::Paths{.p2 = 4096}}), "the penalty P2 is 4096 but must be 0 ... 4095");
+   EXPECT_EQ(problem({CensusWindow{.census_width_px = 4}}), "the census window is 4x5 but both sides must be odd");
+   EXPECT_EQ(problem({semi_global::Paths{.path_left = false, .path_right = false, .path_above = false}}),
+             "at least one path must be on");
+   EXPECT_THROW(match_reference(GrayImage(9, 9), GrayImage(9, 8), Matching{DisparityCount{4}}), std::invalid_argument);
+   EXPECT_THROW(match_reference(GrayImage(9, 9), GrayImage(9, 9), Matching{DisparityCount{9}}), std::invalid_argument);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ CostVolume costs_for(const std::vector<int>& wanted, int states, int wrong) {
 }
 
 TEST(Trellis, ForwardPassByHand) {
-   const Matching matching{.disparities = 3, .drop_cost = 1, .occlusion_cost = 4, .far_drop = 2};
+   const Matching matching{DisparityCount{3}, trellis::Drops{.drop_cost = 1, .occlusion_cost = 4, .far_drop = 2}};
    const trellis::Row row = trellis::forward(row_of({{5, 0, 9}, {1, 9, 9}, {2, 9, 9}}), 0, matching);
    // E(0) = c. P(0) = {6, 1, 10}.
    EXPECT_EQ(row.path[0], (std::vector<int>{5, 0, 9}));
@@ -52,7 +52,7 @@ TEST(Trellis, ForwardPassByHand) {
 }
 
 TEST(Trellis, FindsAnObjectWithTheOcclusionOnItsLeft) {
-   const Matching matching{.disparities = 12, .drop_cost = 2, .occlusion_cost = 5, .far_drop = 6};
+   const Matching matching{DisparityCount{12}, trellis::Drops{.drop_cost = 2, .occlusion_cost = 5, .far_drop = 6}};
    // Background 2, an object of 8: six pixels of the background are hidden to its left; it ends with a far drop.
    std::vector<int> wanted{2, 2, 2, 2, -1, -1, -1, -1, -1, -1, 8, 8, 8, 8, 8, 8, 2, 2, 2, 2, 2};
    const std::vector<int> found = disparities_of(costs_for(wanted, 12, 13), matching);
@@ -94,10 +94,9 @@ int cheapest(const CostVolume& costs, const Matching& matching) {
 TEST(Trellis, NoPathIsCheaper) {
    Random random(test_seed());
    for (int i = 0; i < 300; ++i) {
-      const Matching matching{.disparities = 2 + random.below(5),
-                              .drop_cost = random.below(6),
-                              .occlusion_cost = 1 + random.below(6),
-                              .far_drop = 2 + random.below(3)};
+      const Matching matching{DisparityCount{2 + random.below(5)}, trellis::Drops{.drop_cost = random.below(6),
+                                                                                  .occlusion_cost = 1 + random.below(6),
+                                                                                  .far_drop = 2 + random.below(3)}};
       CostVolume costs(1 + random.below(7), 1, matching.disparities);
       for (int& value : costs.values) value = random.below(10);
       const std::vector<int> last = trellis::forward(costs, 0, matching).path.back();

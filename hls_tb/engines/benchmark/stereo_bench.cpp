@@ -55,7 +55,8 @@ void fast_model_options(benchmark::State& state, const stereo::block_matching::M
 
 /// The paper's algorithm.
 void fast_model(benchmark::State& state) {
-   fast_model_options(state, {.disparities = int(state.range(1)), .window_px = int(state.range(2))});
+   fast_model_options(state,
+                      {stereo::DisparityCount{int(state.range(1))}, stereo::MatchingWindow{int(state.range(2))}});
 }
 
 /// (W-D+1) x (H-B+1) outputs: all left pixels with a complete disparity range, in rows with a complete window. StereoBM
@@ -104,30 +105,33 @@ void clocked_core(benchmark::State& state, const char* name) {
    count_evaluations(state, map.width, image.height_px, map.disparities);
 }
 
-const stereo::block_matching::Matching kCensus5x5{.disparities = 64, .window_px = 5, .cost = stereo::Cost::census};
-const stereo::block_matching::Matching kCensus7x7{.disparities = 64,
-                                                  .window_px = 7,
-                                                  .cost = stereo::Cost::census,
-                                                  .census_width_px = 7,
-                                                  .census_height_px = 7,
-                                                  .left_right_threshold = 1,
-                                                  .median = true};
-const stereo::block_matching::Matching kSsd{.disparities = 64, .window_px = 7, .cost = stereo::Cost::ssd};
+const stereo::block_matching::Matching kCensus5x5{stereo::DisparityCount{64}, stereo::MatchingWindow{5},
+                                                  stereo::Comparison{stereo::Cost::census}};
+const stereo::block_matching::Matching kCensus7x7{stereo::DisparityCount{64},
+                                                  stereo::MatchingWindow{7},
+                                                  stereo::Comparison{stereo::Cost::census},
+                                                  stereo::CensusWindow{.census_width_px = 7, .census_height_px = 7},
+                                                  stereo::LeftRightThreshold{1},
+                                                  stereo::MedianFilter{true}};
+const stereo::block_matching::Matching kSsd{stereo::DisparityCount{64}, stereo::MatchingWindow{7},
+                                            stereo::Comparison{stereo::Cost::ssd}};
 /// What StereoBM does by default.
-const stereo::block_matching::Matching kOpenCvBm{.disparities = 64,
-                                                 .window_px = 15,
-                                                 .reference = stereo::Reference::left,
-                                                 .prefilter = stereo::Prefilter::xsobel,
-                                                 .ties = stereo::Ties::largest,
-                                                 .uniqueness_percent = 15,
-                                                 .texture_threshold = 10,
-                                                 .subpixel = true};
-const stereo::semi_global::Matching kSemiGlobal{.disparities = 64};
-const stereo::semi_global::Matching kSemiGlobal128{.disparities = 128};
+const stereo::block_matching::Matching kOpenCvBm{stereo::DisparityCount{64},
+                                                 stereo::MatchingWindow{15},
+                                                 stereo::ReferenceImage{stereo::Reference::left},
+                                                 stereo::Prefiltering{.prefilter = stereo::Prefilter::xsobel},
+                                                 stereo::TieRule{stereo::Ties::largest},
+                                                 stereo::UniquenessPercent{15},
+                                                 stereo::block_matching::TextureThreshold{10},
+                                                 stereo::SubpixelSteps{true}};
+const stereo::semi_global::Matching kSemiGlobal{stereo::DisparityCount{64}};
+const stereo::semi_global::Matching kSemiGlobal128{stereo::DisparityCount{128}};
 /// Wide penalties: the paths need 16 bits.
-const stereo::semi_global::Matching kSemiGlobalWide{.disparities = 64, .cost_shift = 0, .p1 = 80, .p2 = 350};
-const stereo::semi_global::Matching kSemiGlobalAll{
-    .disparities = 64, .left_right_threshold = 1, .uniqueness_distance = 3, .subpixel = true, .median = true};
+const stereo::semi_global::Matching kSemiGlobalWide{stereo::DisparityCount{64}, stereo::CostScale{.cost_shift = 0},
+                                                    stereo::semi_global::Paths{.p1 = 80, .p2 = 350}};
+const stereo::semi_global::Matching kSemiGlobalAll{stereo::DisparityCount{64}, stereo::LeftRightThreshold{1},
+                                                   stereo::semi_global::UniquenessDistance{3},
+                                                   stereo::SubpixelSteps{true}, stereo::MedianFilter{true}};
 
 BENCHMARK(fast_model)->Apply([](Bench* bench) {
    with_sizes_and_threads(bench, {{100, 3}, {96, 5}, {112, 5}, {64, 15}, {100, 21}});

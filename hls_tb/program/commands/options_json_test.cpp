@@ -9,7 +9,7 @@
 namespace stereo::app {
 namespace {
 
-const block_matching::Matching kPlainOptions{.disparities = 16};
+const block_matching::Matching kPlainOptions{DisparityCount{16}};
 
 std::shared_ptr<const Algorithm> algorithm(const block_matching::Matching& matching) {
    return std::make_shared<AlgorithmOf<block_matching::Matching>>(matching);
@@ -27,25 +27,21 @@ std::string sentence(const std::string& setting) {
 }
 
 TEST(Options, EveryNameOfTheJsonCanBeSet) {
-   const block_matching::Matching others{.disparities = 20,
-                                         .window_px = 7,
-                                         .min_disparity = -3,
-                                         .pixel_bits = 10,
-                                         .reference = Reference::left,
-                                         .cost = Cost::ssd,
-                                         .census_width_px = 7,
-                                         .census_height_px = 3,
-                                         .prefilter = Prefilter::xsobel,
-                                         .prefilter_cap = 9,
-                                         .ties = Ties::largest,
-                                         .left_right_threshold = 2,
-                                         .uniqueness_percent = 8,
-                                         .texture_threshold = 4,
-                                         .subpixel = true,
-                                         .median = true,
-                                         .full_width = true,
-                                         .first_disparity = 2,
-                                         .last_disparity = 9};
+   const block_matching::Matching others{DisparityCount{20},
+                                         MatchingWindow{7},
+                                         SmallestDisparity{-3},
+                                         PixelFormat{10},
+                                         ReferenceImage{Reference::left},
+                                         Comparison{Cost::ssd},
+                                         CensusWindow{.census_width_px = 7, .census_height_px = 3},
+                                         Prefiltering{.prefilter = Prefilter::xsobel, .prefilter_cap = 9},
+                                         TieRule{Ties::largest},
+                                         LeftRightThreshold{2},
+                                         UniquenessPercent{8},
+                                         block_matching::TextureThreshold{4},
+                                         SubpixelSteps{true},
+                                         MedianFilter{true},
+                                         FullWidth{.full_width = true, .first_disparity = 2, .last_disparity = 9}};
    const nlohmann::json wanted = options_json(algorithm(others)->options()), plain = options_json(kPlain->options());
    ASSERT_EQ(wanted.size(), 19u);
    std::vector<std::string> settings;

@@ -152,12 +152,9 @@ TEST(Rectification, DepthOfTurnedCamerasIsThatOfTheScene) {
    ImagePair copy = cameras.seen;
    const ImagePair pair{gray_of_any(rectification.left(as_mat(copy.left))),
                         gray_of_any(rectification.right(as_mat(copy.right)))};
-   const block_matching::Matching parameters{.disparities = 80,
-                                             .window_px = 11,
-                                             .reference = Reference::left,
-                                             .cost = Cost::census,
-                                             .left_right_threshold = 1,
-                                             .subpixel = true};
+   const block_matching::Matching parameters{
+       DisparityCount{80},       MatchingWindow{11},    ReferenceImage{Reference::left},
+       Comparison{Cost::census}, LeftRightThreshold{1}, SubpixelSteps{true}};
    const DisparityImage found =
        at_image_size(match_fast(pair.left, pair.right, parameters), map_geometry(parameters, 480), 480);
    std::vector<float> depths, true_depths;

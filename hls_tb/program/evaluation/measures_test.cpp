@@ -58,8 +58,8 @@ TEST(Measures, AMapOfTheCoreStandsInItsImage) {
    map.at(1, 0) = 41;
    map.valid_at(2, 1) = 0;
    for (const Reference reference : {Reference::left, Reference::right}) {
-      const block_matching::Matching parameters{
-          .disparities = 4, .min_disparity = 2, .reference = reference, .subpixel = true};
+      const block_matching::Matching parameters{DisparityCount{4}, SmallestDisparity{2}, ReferenceImage{reference},
+                                                SubpixelSteps{true}};
       ASSERT_EQ(map_width(9, parameters), 3);
       const int first = reference == Reference::left ? 6 : 0;
       const DisparityImage image = at_image_size(map, map_geometry(parameters, 9), 9);

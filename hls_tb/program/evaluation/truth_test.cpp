@@ -26,7 +26,7 @@ std::ostream& operator<<(std::ostream& out, const Counts& c) {
 TEST(Truth, CountsPixelsOffByMoreThanOne) {
    const DisparityImage truth(20, 3, 7);
    const GrayImage visible(20, 3, 255);
-   const block_matching::Matching parameters{.disparities = 10};
+   const block_matching::Matching parameters{DisparityCount{10}};
    DisparityMap map(10, 3, 7);
    EXPECT_EQ(counts(map, parameters, truth, visible), (Counts{30, 0, 0}));
    map.at(0, 0) = 8;
@@ -44,14 +44,14 @@ TEST(Truth, LeavesOutWhatIsHiddenOrInvalid) {
    DisparityMap map(10, 3, 0);
    map.valid_at(4, 1) = 0;
    map.valid_at(5, 1) = 0;
-   EXPECT_EQ(counts(map, block_matching::Matching{.disparities = 10}, truth, visible), (Counts{28, 28, 1}))
+   EXPECT_EQ(counts(map, block_matching::Matching{DisparityCount{10}}, truth, visible), (Counts{28, 28, 1}))
        << "hidden ones are not invalid";
 }
 
 TEST(Truth, KnowsSixteenths) {
    const DisparityImage truth(20, 1, 7);
    const GrayImage visible(20, 1, 255);
-   const block_matching::Matching parameters{.disparities = 10, .subpixel = true};
+   const block_matching::Matching parameters{DisparityCount{10}, SubpixelSteps{true}};
    DisparityMap map(10, 1, 7 * 16, true);
    map.at(0, 0) = 8 * 16;
    map.at(1, 0) = 8 * 16 + 1;
@@ -62,8 +62,8 @@ TEST(Truth, KnowsSixteenths) {
 TEST(Truth, StandsAtTheMapsFirstColumnAndCountsFromTheSmallestDisparity) {
    for (const auto& [reference, min_disparity] :
         {std::pair{Reference::left, 0}, {Reference::left, 3}, {Reference::right, -3}, {Reference::right, 2}}) {
-      const block_matching::Matching parameters{
-          .disparities = 10, .min_disparity = min_disparity, .reference = reference};
+      const block_matching::Matching parameters{DisparityCount{10}, SmallestDisparity{min_disparity},
+                                                ReferenceImage{reference}};
       DisparityImage truth(30, 2);
       const GrayImage visible(30, 2, 255);
       for (int y = 0; y < 2; ++y)
@@ -83,7 +83,7 @@ TEST(Truth, WhatIsNotKnownDoesNotCount) {
    DisparityImage truth(20, 3, 7);
    truth.at(4, 1) = kNoDisparity;
    const DisparityMap map(10, 3, 7);
-   EXPECT_EQ(counts(map, block_matching::Matching{.disparities = 10}, truth, GrayImage(20, 3, 255)),
+   EXPECT_EQ(counts(map, block_matching::Matching{DisparityCount{10}}, truth, GrayImage(20, 3, 255)),
              (Counts{29, 0, 0}));
 }
 

@@ -73,7 +73,7 @@ TEST(Images, ColoursAreThoseOfPixelsWhateverTheUnit) {
 TEST(Images, TheOverviewPutsTheMapWhereItBelongs) {
    const ImagePair pair{GrayImage(300, 200, 90), GrayImage(300, 200, 90)};
    const auto columns_of_the_map = [&pair](Reference reference) {
-      const block_matching::Matching parameters{.disparities = 60, .reference = reference};
+      const block_matching::Matching parameters{DisparityCount{60}, ReferenceImage{reference}};
       DisparityMap map(map_width(300, parameters), 200, 30);
       const cv::Mat page = decoded(encode_overview_png(pair, map, map_geometry(parameters, 300)));
       std::vector<int> columns;  // of colour, left of the colour bar

@@ -135,7 +135,7 @@ TEST(Confidence, NoneWithoutAPartnerThatAgrees) {
 /// Block matching of either reference: the other image's map is the one that the other reference gives.
 TEST(Confidence, TheOtherMapIsThatOfTheOtherReference) {
    const ImagePair pair = make_scene({.width = 80, .height = 24, .disparities = 12, .seed = test_seed()}).images;
-   block_matching::Matching matching{.disparities = 12, .window_px = 3, .subpixel = true};
+   block_matching::Matching matching{DisparityCount{12}, MatchingWindow{3}, SubpixelSteps{true}};
    const auto match = [&](const ImagePair& images) {
       return block_matching::match_reference(images.left, images.right, matching);
    };
@@ -146,7 +146,7 @@ TEST(Confidence, TheOtherMapIsThatOfTheOtherReference) {
 
 TEST(Postprocessing, DoesWhatIsOn) {
    const ImagePair pair = make_scene({.width = 80, .height = 40, .disparities = 12, .seed = test_seed()}).images;
-   const block_matching::Matching matching{.disparities = 12, .window_px = 5};
+   const block_matching::Matching matching{DisparityCount{12}, MatchingWindow{5}};
    const MapGeometry geometry = map_geometry(matching, pair.left.width);
    int runs = 0;
    const auto match = [&](const ImagePair& images) {

@@ -25,10 +25,13 @@ _CPP = re.compile(
 _DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
 # Names of the file and of the compiler, which say nothing of the code.
 _NO_CODE = re.compile(r"^(; ModuleID|source_filename|!llvm\.ident|!\d+ = !\{!\"[^\"]*clang version).*\n", re.MULTILINE)
+# Names of C++ types, functions and objects; those of the top and of its ports are C.
+_CPP_NAME = re.compile(r"%\"(?:struct|class|union)\.[^\"]*\"|%(?:struct|class|union)\.[\w.]+|[@$]_Z[\w.]+|[@$]\"_Z[^\"]*\"")
 
 
 class Code(TypedDict, total=False):
-    """What clang makes of the hardware top before it optimises anything; empty where it was not there."""
+    """What clang makes of the hardware top with its first optimisations, which leave nothing of the configuration but
+    its numbers; empty where it was not there."""
 
     compiler: str
     digest: str
@@ -79,11 +82,17 @@ def code(options: Sequence[str]) -> Code:
         clang = find_clang()
     except FlowError:
         return {}
-    text = run([clang, *options, "-O0", "-S", "-emit-llvm", "-Wno-everything", "-o", "-"], cwd=ROOT)
+    text = run([clang, *options, "-O1", "-S", "-emit-llvm", "-Wno-everything", "-o", "-"], cwd=ROOT)
     return {
         "compiler": run([clang, "--version"]).splitlines()[0],
-        "digest": hashlib.sha256(_NO_CODE.sub("", text).encode()).hexdigest(),
+        "digest": hashlib.sha256(without_names(text).encode()).hexdigest(),
     }
+
+
+def without_names(code: str) -> str:
+    """The intermediate code with the names of C++ replaced by their order."""
+    order: dict[str, str] = {}
+    return _CPP_NAME.sub(lambda name: order.setdefault(name[0], f"{name[0][0]}{len(order)}"), _NO_CODE.sub("", code))
 
 
 def is_same_code(then: Code, options: Sequence[str]) -> bool:

@@ -37,7 +37,7 @@ TEST(FastModel, EqualsTheReference) {
       for (const NamedPair& pair : pairs_for(c)) {
          SCOPED_TRACE(pair.name + " " + std::to_string(c.width) + "x" + std::to_string(c.height) +
                       " D=" + std::to_string(c.disparities) + " B=" + std::to_string(c.window_px));
-         const block_matching::Matching parameters{c.disparities, c.window_px};
+         const block_matching::Matching parameters{DisparityCount{c.disparities}, MatchingWindow{c.window_px}};
          EXPECT_TRUE(same_map(match_reference(pair.images.left, pair.images.right, parameters),
                               match_fast(pair.images.left, pair.images.right, parameters)));
       }
@@ -49,16 +49,19 @@ TEST(FastModel, EqualsTheReferenceWithRandomParameters) {
       const int disparities = 1 + random.below(70), width = disparities + 1 + random.below(80);
       const int height = 1 + random.below(30), window = 1 + 2 * random.below(12);
       const ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), 2 + random.below(254));
-      EXPECT_TRUE(same_map(match_reference(pair.left, pair.right, block_matching::Matching{disparities, window}),
-                           match_fast(pair.left, pair.right, block_matching::Matching{disparities, window})))
+      EXPECT_TRUE(
+          same_map(match_reference(pair.left, pair.right,
+                                   block_matching::Matching{DisparityCount{disparities}, MatchingWindow{window}}),
+                   match_fast(pair.left, pair.right,
+                              block_matching::Matching{DisparityCount{disparities}, MatchingWindow{window}})))
           << width << 'x' << height << " D=" << disparities << " B=" << window;
    }
 }
 
 /// Any options that the models take, for images of this size.
 block_matching::Matching random_parameters(Random& random, int width) {
-   block_matching::Matching p{.disparities =
-                                  1 + random.below(random.percent(20) ? width - 1 : std::min(width - 1, 20))};
+   block_matching::Matching p{
+       DisparityCount{1 + random.below(random.percent(20) ? width - 1 : std::min(width - 1, 20))}};
    p.window_px = 1 + random.below(21);
    p.reference = random.percent(50) ? Reference::left : Reference::right;
    p.cost = Cost(random.below(3));
@@ -128,7 +131,7 @@ TEST(FastModel, IsTheSameForAnyNumberOfThreads) {
    for (int i = 0; i < 120; ++i) {
       const int width = 3 + random.below(200), height = 1 + random.below(60);
       block_matching::Matching parameters = random_parameters(random, width);
-      if (i % 4 == 0) parameters = {.disparities = parameters.disparities, .window_px = 3 + 2 * random.below(2)};
+      if (i % 4 == 0) parameters = {DisparityCount{parameters.disparities}, MatchingWindow{3 + 2 * random.below(2)}};
       const ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
       const DisparityMap expected = match_fast(pair.left, pair.right, parameters);
       for (const int threads : {2, 3, 7})
@@ -151,12 +154,9 @@ TEST(FastModel, EqualsTheReferenceOnEveryKindOfPair) {
 TEST(FastModel, EqualsTheReferenceWithWindowsBeyondTheImage) {
    for (const Cost cost : {Cost::sad, Cost::ssd, Cost::census})
       for (const int window : {39, 40, 1000}) {
-         const block_matching::Matching parameters{.disparities = 10,
-                                                   .window_px = window,
-                                                   .reference = Reference::left,
-                                                   .cost = cost,
-                                                   .left_right_threshold = 1,
-                                                   .uniqueness_percent = 1};
+         const block_matching::Matching parameters{
+             DisparityCount{10}, MatchingWindow{window}, ReferenceImage{Reference::left},
+             Comparison{cost},   LeftRightThreshold{1},  UniquenessPercent{1}};
          const ImagePair pair = random_pair(50, 40, test_seed(), 8);
          EXPECT_TRUE(same_map(match_reference(pair.left, pair.right, parameters),
                               match_fast(pair.left, pair.right, parameters)))
@@ -169,7 +169,7 @@ TEST(FastModel, EqualsTheReferenceWhereSumsPass16Bits) {
    ImagePair pair = random_pair(80, 40, test_seed(), 54);
    for (uint8_t& pixel : pair.left.pixels) pixel = uint8_t(200 + pixel / 5);
    pair.right = GrayImage(80, 40, 0);
-   const block_matching::Matching parameters{30, 17};
+   const block_matching::Matching parameters{DisparityCount{30}, MatchingWindow{17}};
    EXPECT_TRUE(
        same_map(match_reference(pair.left, pair.right, parameters), match_fast(pair.left, pair.right, parameters)));
 }
@@ -182,14 +182,15 @@ TEST(FastModel, FindsTheSmallestSumInAWindowOfMillionsOfPixels) {
    const GrayImage right(4, kHeight, 0);
    for (int y = 0; y < kHeight; ++y) left.at(3, y) = 0;
    EXPECT_TRUE(
-       same_map(DisparityMap(2, kHeight, 1), match_fast(left, right, block_matching::Matching{2, 2 * kHeight + 1})));
+       same_map(DisparityMap(2, kHeight, 1),
+                match_fast(left, right, block_matching::Matching{DisparityCount{2}, MatchingWindow{2 * kHeight + 1}})));
 }
 
 TEST(FastModel, EqualsTheReferenceWhereSumsAreTheLargestOf16Bits) {
    // 257 saturated differences are 65535, 256 of them 65280.
    for (const int width : {265, 266}) {
-      const block_matching::Matching parameters{
-          .disparities = 10, .window_px = 1000, .ties = Ties::largest, .left_right_threshold = 0};
+      const block_matching::Matching parameters{DisparityCount{10}, MatchingWindow{1000}, TieRule{Ties::largest},
+                                                LeftRightThreshold{0}};
       const ImagePair pair{GrayImage(width, 1, 255), GrayImage(width, 1, 0)};
       EXPECT_TRUE(
           same_map(match_reference(pair.left, pair.right, parameters), match_fast(pair.left, pair.right, parameters)));
@@ -261,7 +262,7 @@ TEST(FastModel, PixelsOf8BitsAreTakenAsTheyAre) {
 
 TEST(FastModel, RejectsPixelsBeyondTheRange) {
    for (const int bits : {8, 10, 12}) {
-      const block_matching::Matching parameters{.disparities = 4, .pixel_bits = bits};
+      const block_matching::Matching parameters{DisparityCount{4}, PixelFormat{bits}};
       DeepPair pair{DeepImage(9, 9, uint16_t((1 << bits) - 1)), DeepImage(9, 9)};
       EXPECT_NO_THROW(match_fast(pair.left, pair.right, parameters));
       EXPECT_NO_THROW(match_reference(pair.left, pair.right, parameters));
@@ -271,14 +272,20 @@ TEST(FastModel, RejectsPixelsBeyondTheRange) {
    }
    for (const int bits : {7, 9, 11, 13, 16})
       EXPECT_THROW(
-          match_fast(DeepImage(9, 9), DeepImage(9, 9), block_matching::Matching{.disparities = 4, .pixel_bits = bits}),
+          match_fast(DeepImage(9, 9), DeepImage(9, 9), block_matching::Matching{DisparityCount{4}, PixelFormat{bits}}),
           std::invalid_argument);
 }
 
 TEST(FastModel, RejectsWhatTheReferenceRejects) {
-   EXPECT_THROW(match_fast(GrayImage(1, 1), GrayImage(1, 1), block_matching::Matching{1, 3}), std::invalid_argument);
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), block_matching::Matching{4, 3}), std::invalid_argument);
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), block_matching::Matching{4, 0}), std::invalid_argument);
+   EXPECT_THROW(
+       match_fast(GrayImage(1, 1), GrayImage(1, 1), block_matching::Matching{DisparityCount{1}, MatchingWindow{3}}),
+       std::invalid_argument);
+   EXPECT_THROW(
+       match_fast(GrayImage(9, 9), GrayImage(9, 8), block_matching::Matching{DisparityCount{4}, MatchingWindow{3}}),
+       std::invalid_argument);
+   EXPECT_THROW(
+       match_fast(GrayImage(9, 9), GrayImage(9, 9), block_matching::Matching{DisparityCount{4}, MatchingWindow{0}}),
+       std::invalid_argument);
 }
 
 }  // namespace

@@ -77,19 +77,20 @@ TEST(DynamicRangeFastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
 }
 
 TEST(DynamicRangeFastModel, RejectsPixelsBeyondTheRange) {
-   const Matching matching{.disparities = 32, .pixel_bits = 10};
+   const Matching matching{DisparityCount{32}, PixelFormat{10}};
    DeepPair pair{DeepImage(40, 9, 1023), DeepImage(40, 9)};
    EXPECT_NO_THROW(match_fast(pair.left, pair.right, matching));
    pair.right.at(3, 8) = 1024;
    EXPECT_THROW(match_fast(pair.left, pair.right, matching), std::invalid_argument);
    EXPECT_THROW(match_reference(pair.left, pair.right, matching), std::invalid_argument);
-   EXPECT_THROW(match_fast(GrayImage(40, 9), GrayImage(40, 9), Matching{.disparities = 32, .pixel_bits = 11}),
+   EXPECT_THROW(match_fast(GrayImage(40, 9), GrayImage(40, 9), Matching{DisparityCount{32}, PixelFormat{11}}),
                 std::invalid_argument);
 }
 
 TEST(DynamicRangeFastModel, RejectsWhatTheReferenceRejects) {
-   EXPECT_THROW(match_fast(GrayImage(100, 7), GrayImage(100, 7), Matching{.disparities = 64}), std::invalid_argument);
-   EXPECT_THROW(match_fast(GrayImage(104, 48), GrayImage(104, 48), Matching{.disparities = 66}), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(100, 7), GrayImage(100, 7), Matching{DisparityCount{64}}), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(104, 48), GrayImage(104, 48), Matching{DisparityCount{66}}),
+                std::invalid_argument);
 }
 
 }  // namespace

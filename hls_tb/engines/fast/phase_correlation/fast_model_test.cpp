@@ -20,7 +20,7 @@ using phase_correlation::Matching;
 
 /// Any options that the models take, for images of this width.
 Matching random_options(Random& random, int width) {
-   Matching m{.disparities = 1 + random.below(std::min(width - 2, 40))};
+   Matching m{DisparityCount{1 + random.below(std::min(width - 2, 40))}};
    m.window_px = random.percent(60) ? 1 + random.below(9) : 1 + random.below(30);
    if (random.percent(40)) m.min_disparity = random.below(2 * width) - width;
    while (block_matching::cost_columns(width, m.block_matching()) < 2) m.min_disparity /= 2;
@@ -79,20 +79,20 @@ TEST(PhaseCorrelationFastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
 }
 
 TEST(PhaseCorrelationFastModel, RejectsPixelsBeyondTheRange) {
-   const Matching matching{.disparities = 4, .pixel_bits = 10};
+   const Matching matching{DisparityCount{4}, PixelFormat{10}};
    DeepPair pair{DeepImage(9, 9, 1023), DeepImage(9, 9)};
    EXPECT_NO_THROW(match_fast(pair.left, pair.right, matching));
    pair.right.at(3, 8) = 1024;
    EXPECT_THROW(match_fast(pair.left, pair.right, matching), std::invalid_argument);
    EXPECT_THROW(match_reference(pair.left, pair.right, matching), std::invalid_argument);
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 4, .pixel_bits = 11}),
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{DisparityCount{4}, PixelFormat{11}}),
                 std::invalid_argument);
 }
 
 TEST(PhaseCorrelationFastModel, EqualsTheReferenceOnLargerImages) {
    for (const NamedPair& pair : test_pairs(150, 40, 64, test_seed()))
       for (const int scales : {1, 2, 3}) {
-         const Matching matching{.disparities = 40, .phase_scales = scales, .subpixel = true};
+         const Matching matching{DisparityCount{40}, phase_correlation::PhaseScales{scales}, SubpixelSteps{true}};
          EXPECT_TRUE(same_map(match_reference(pair.images.left, pair.images.right, matching),
                               match_fast(pair.images.left, pair.images.right, matching)))
              << pair.name << ' ' << scales;
@@ -100,10 +100,11 @@ TEST(PhaseCorrelationFastModel, EqualsTheReferenceOnLargerImages) {
 }
 
 TEST(PhaseCorrelationFastModel, RejectsWhatTheReferenceRejects) {
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), Matching{.disparities = 4}), std::invalid_argument);
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 9}), std::invalid_argument);
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 4, .phase_scales = 4}),
-                std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), Matching{DisparityCount{4}}), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{DisparityCount{9}}), std::invalid_argument);
+   EXPECT_THROW(
+       match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{DisparityCount{4}, phase_correlation::PhaseScales{4}}),
+       std::invalid_argument);
 }
 
 }  // namespace

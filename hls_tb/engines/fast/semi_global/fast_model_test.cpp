@@ -33,7 +33,7 @@ std::string text_of(const Matching& matching) {
 
 /// Any options that the models take, for images of this size.
 Matching random_options(Random& random, int width) {
-   Matching m{.disparities = 2 + random.below(std::min(width - 2, random.percent(20) ? 255 : 24))};
+   Matching m{DisparityCount{2 + random.below(std::min(width - 2, random.percent(20) ? 255 : 24))}};
    m.window_px = random.percent(60) ? 1 + random.below(4) : 1 + random.below(30);
    if (random.percent(40)) m.min_disparity = random.below(2 * width) - width;
    while (map_width(width, m) < 2) m.min_disparity /= 2;
@@ -149,7 +149,7 @@ TEST(SemiGlobalFastModel, PixelsOf8BitsAreTakenAsTheyAre) {
 
 TEST(SemiGlobalFastModel, RejectsPixelsBeyondTheRange) {
    for (const int bits : {8, 10, 12}) {
-      const Matching matching{.disparities = 4, .pixel_bits = bits};
+      const Matching matching{DisparityCount{4}, PixelFormat{bits}};
       DeepPair pair{DeepImage(9, 9, uint16_t((1 << bits) - 1)), DeepImage(9, 9)};
       EXPECT_NO_THROW(match_fast(pair.left, pair.right, matching));
       EXPECT_NO_THROW(match_reference(pair.left, pair.right, matching));
@@ -177,15 +177,13 @@ TEST(SemiGlobalFastModel, EqualsTheReferenceAtTheEndsOfTheLanes) {
          ImagePair pair = random_pair(90, 10, test_seed() + uint64_t(p2), 2);
          for (GrayImage* image : {&pair.left, &pair.right})
             for (uint8_t& pixel : image->pixels) pixel = uint8_t(pixel * 255);
-         const Matching matching{.disparities = 33,
-                                 .window_px = 1,
-                                 .cost = Cost::sad,
-                                 .cost_shift = 0,
-                                 .cost_cap = cap,
-                                 .p1 = p2 % 2,
-                                 .p2 = p2,
-                                 .left_right_threshold = 0,
-                                 .uniqueness_distance = 2};
+         const Matching matching{DisparityCount{33},
+                                 MatchingWindow{1},
+                                 Comparison{Cost::sad},
+                                 CostScale{.cost_shift = 0, .cost_cap = cap},
+                                 semi_global::Paths{.p1 = p2 % 2, .p2 = p2},
+                                 LeftRightThreshold{0},
+                                 semi_global::UniquenessDistance{2}};
          EXPECT_TRUE(
              same_map(match_reference(pair.left, pair.right, matching), match_fast(pair.left, pair.right, matching)))
              << text_of(matching);
@@ -195,7 +193,8 @@ TEST(SemiGlobalFastModel, EqualsTheReferenceAtTheEndsOfTheLanes) {
 TEST(SemiGlobalFastModel, EqualsTheReferenceOnLargerImages) {
    const ImagePair scene = random_pair(311, 60, test_seed(), 6);
    for (const int disparities : {31, 32, 33, 64, 128, 256}) {
-      const Matching matching{.disparities = disparities, .left_right_threshold = 1, .subpixel = true, .median = true};
+      const Matching matching{DisparityCount{disparities}, LeftRightThreshold{1}, SubpixelSteps{true},
+                              MedianFilter{true}};
       EXPECT_TRUE(
           same_map(match_reference(scene.left, scene.right, matching), match_fast(scene.left, scene.right, matching)))
           << disparities;
@@ -216,9 +215,9 @@ TEST(SemiGlobalFastModel, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(SemiGlobalFastModel, RejectsWhatTheReferenceRejects) {
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), Matching{.disparities = 4}), std::invalid_argument);
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 9}), std::invalid_argument);
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 4, .p2 = -1}),
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), Matching{DisparityCount{4}}), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{DisparityCount{9}}), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{DisparityCount{4}, semi_global::Paths{.p2 = -1}}),
                 std::invalid_argument);
 }
 

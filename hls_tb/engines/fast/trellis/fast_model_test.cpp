@@ -20,7 +20,7 @@ using trellis::Matching;
 
 /// Any options that the models take, for images of this width.
 Matching random_options(Random& random, int width) {
-   Matching m{.disparities = 2 + random.below(std::min(width - 2, 40))};
+   Matching m{DisparityCount{2 + random.below(std::min(width - 2, 40))}};
    m.window_px = random.percent(60) ? 1 + random.below(4) : 1 + random.below(30);
    if (random.percent(40)) m.min_disparity = random.below(2 * width) - width;
    while (semi_global::map_width(width, m.path_costs()) < 2) m.min_disparity /= 2;
@@ -76,7 +76,7 @@ TEST(TrellisFastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
 }
 
 TEST(TrellisFastModel, RejectsPixelsBeyondTheRange) {
-   const Matching matching{.disparities = 4, .pixel_bits = 10};
+   const Matching matching{DisparityCount{4}, PixelFormat{10}};
    DeepPair pair{DeepImage(9, 9, 1023), DeepImage(9, 9)};
    EXPECT_NO_THROW(match_fast(pair.left, pair.right, matching));
    pair.right.at(3, 8) = 1024;
@@ -87,7 +87,7 @@ TEST(TrellisFastModel, RejectsPixelsBeyondTheRange) {
 TEST(TrellisFastModel, EqualsTheReferenceOnLargerImages) {
    for (const NamedPair& pair : test_pairs(300, 20, 64, test_seed()))
       for (const int disparities : {31, 32, 33, 64, 128, 256}) {
-         const Matching matching{.disparities = disparities, .median = true};
+         const Matching matching{DisparityCount{disparities}, MedianFilter{true}};
          EXPECT_TRUE(same_map(match_reference(pair.images.left, pair.images.right, matching),
                               match_fast(pair.images.left, pair.images.right, matching)))
              << pair.name << ' ' << disparities;
@@ -108,10 +108,11 @@ TEST(TrellisFastModel, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(TrellisFastModel, RejectsWhatTheReferenceRejects) {
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), Matching{.disparities = 4}), std::invalid_argument);
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 9}), std::invalid_argument);
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 4, .occlusion_cost = 0}),
-                std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), Matching{DisparityCount{4}}), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{DisparityCount{9}}), std::invalid_argument);
+   EXPECT_THROW(
+       match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{DisparityCount{4}, trellis::Drops{.occlusion_cost = 0}}),
+       std::invalid_argument);
 }
 
 }  // namespace
