@@ -259,14 +259,18 @@ def test_a_comment_or_a_layout_makes_nothing_stale(project):
         assert manifest.freshness(name, TABLE[name]) == manifest.Freshness([])
 
 
-def test_the_same_code_of_clang_makes_nothing_stale(project, monkeypatch):
-    """A member that nobody uses; then one that is used."""
-    if not manifest.read(committed.folder("tiny"))["code"]:
-        pytest.fail("the manifest has no digest of clang's code")
+def require_clang():
     try:
         sources.find_clang()
     except FlowError as error:
         pytest.skip(f"SKIP: {error}")
+
+
+def test_the_same_code_of_clang_makes_nothing_stale(project, monkeypatch):
+    """A member that nobody uses; then one that is used."""
+    if not manifest.read(committed.folder("tiny"))["code"]:
+        pytest.fail("the manifest has no digest of clang's code")
+    require_clang()
     row, header = TABLE["tiny"], project / "hls" / "cost" / "pixel_cost.hpp"
     text = header.read_text()
     if (
@@ -284,6 +288,37 @@ def test_the_same_code_of_clang_makes_nothing_stale(project, monkeypatch):
     assert changed != cost.read_text()
     cost.write_text(changed)
     assert manifest.freshness("tiny", row).reasons == ["hls/cost/sad_cost.hpp changed"]
+
+
+def test_names_of_cpp_are_not_in_the_code():
+    code = """; ModuleID = 'top.cpp'
+%"struct.stereo::Tag.7" = type { i8, i16 }
+%struct.Plain = type { i8 }
+@_ZN6stereo5wordsILi3EE = internal global [4 x i8] zeroinitializer
+define void @stereo_core(ptr %0) {
+  %2 = alloca %"struct.stereo::Tag.7"
+  %3 = alloca %struct.Plain
+  store i8 0, ptr @_ZN6stereo5wordsILi3EE
+"""
+    renamed = code.replace("Tag.7", "PixelTag.12").replace("5wordsILi3EE", "6memoryILi4EE").replace("'top", "'other")
+    assert sources.without_names(renamed) == sources.without_names(code)
+    for other in (
+        code.replace("i16 }", "i32 }"),
+        code.replace('alloca %"struct.stereo::Tag.7"', "alloca %struct.Plain"),
+        code.replace("@stereo_core", "@stereo"),
+    ):
+        assert sources.without_names(other) != sources.without_names(code)
+
+
+def test_a_pragma_of_the_interface_makes_it_stale(project):
+    """It is not in clang's code; a macro of the top is."""
+    require_clang()
+    top = project / "hls" / "top" / "stereo_top.cpp"
+    text = top.read_text()
+    top.write_text(text.replace("STEREO_PORT", "STEREO_PORT_OF"))
+    assert manifest.freshness("tiny", TABLE["tiny"]) == manifest.Freshness([], by_code=True)
+    top.write_text(text.replace("port = valid mode = none", "port = valid mode = handshake"))
+    assert manifest.freshness("tiny", TABLE["tiny"]).reasons == ["hls/top/stereo_top.cpp changed"]
 
 
 @pytest.mark.parametrize(

@@ -269,8 +269,7 @@ def freshness(name: str, row: Configuration, reads_vhdl: bool = True) -> Freshne
     if manifest["parameters"] != parameters_of(row) or manifest["use"] != row["use"]:
         reasons.append(f"its row in {row['family']}/configurations.hpp changed")
     changes = _changes(manifest["sources"] | manifest["cells"], source_digests(row) | cell_digests())
-    # Pragmas of the top's interface are not in clang's code.
-    is_hardware = all(Path(path).suffix == ".hpp" for path in changes)
+    is_hardware = all(Path(path).suffix in (".cpp", ".hpp") for path in changes)
     if changes and is_hardware and sources.is_same_code(manifest["code"], compiler_options(name, row)):
         return Freshness(reasons, by_code=True)
     return Freshness(reasons + [f"{path} {change}" for path, change in changes.items()])

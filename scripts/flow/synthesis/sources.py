@@ -34,7 +34,8 @@ class Code(TypedDict, total=False):
     its numbers; empty where it was not there."""
 
     compiler: str
-    digest: str
+    digest: str  # without the names of C++
+    interface: str  # of the pragmas of the top, which are not in clang's code
 
 
 def words_digest(path: Path) -> str:
@@ -77,15 +78,18 @@ def find_clang() -> str:
 
 
 def code(options: Sequence[str]) -> Code:
-    """Of the hardware top that `options` compile, in the project's root. Empty where there is no clang."""
+    """Of the hardware top that `options` compile, its file first, in the project's root. Empty where there is no
+    clang."""
     try:
         clang = find_clang()
     except FlowError:
         return {}
     text = run([clang, *options, "-O1", "-S", "-emit-llvm", "-Wno-everything", "-o", "-"], cwd=ROOT)
+    pragmas = [line for line in (ROOT / options[0]).read_text().splitlines() if line.startswith("#pragma HLS")]
     return {
         "compiler": run([clang, "--version"]).splitlines()[0],
         "digest": hashlib.sha256(without_names(text).encode()).hexdigest(),
+        "interface": hashlib.sha256("\n".join(pragmas).encode()).hexdigest(),
     }
 
 
