@@ -3,7 +3,6 @@
 
 #include "block_matching/matching.hpp"
 #include "support/image.hpp"
-#include "support/least_size.hpp"
 #include "support/structure_groups.hpp"
 
 namespace stereo::block_matching {
@@ -121,22 +120,6 @@ struct Config : Image, Matching, Structure {
    /// As in Matching; ports may leave any disparity out.
    constexpr bool has_lost_pixels() const { return Matching::has_lost_pixels() || (run_time_settings && full_width); }
    constexpr bool has_check() const { return Matching::has_check() || has_lost_pixels(); }
-
-   /// What the ports of a core with run-time settings or a run-time size set; nothing of a check that the core does not
-   /// have, nor of one whose threshold is a constant.
-   template <class Visitor>
-   constexpr void settings(Visitor& visit) const {
-      const auto set = [&](const char* name, int bits, bool exists, int largest, int start) {
-         const bool is_set = exists && run_time_settings;
-         visit(name, bits, is_set ? largest : 0, is_set ? start : 0);
-      };
-      set("texture_threshold", 16, has_texture_check(), prefilter_cap * window_px * window_px, texture_threshold);
-      set("uniqueness_percent", 8, has_uniqueness_check(), 100, uniqueness_percent);
-      set("left_right_threshold", 8, has_left_right_check(), disparities - 1, left_right_threshold);
-      set("first_disparity", 8, full_width, disparities - 1, first_disparity);
-      set("last_disparity", 8, full_width, disparities - 1, last_searched());
-      visit_size(*this, visit);
-   }
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {

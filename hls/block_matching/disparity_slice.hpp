@@ -76,9 +76,9 @@ struct DisparitySlice {
    }
    /// This slice and those behind it.
    template <class Visitor>
-   HLS_INLINE void slices(Visitor& visit) {
+   HLS_INLINE void groups(Visitor& visit) {
       visit.block("slice", *this, Number);
-      next.slices(visit);
+      next.groups(visit);
    }
 
    /// `rival`: the slice before this one, or NoRival. early_column: of the rows that come two clocks later; only signs
@@ -146,7 +146,7 @@ struct DisparitySlice<C, 0, Number> {
    HLS_INLINE DisparitySlice(Source&, MemoryId<First>) {}
 
    template <class Visitor>
-   HLS_INLINE void slices(Visitor&) {}
+   HLS_INLINE void groups(Visitor&) {}
    template <class Rival, class Settings = NoSettings, class Size = FixedSize<C>>
    HLS_INLINE void clock(const Feature<C> (&)[C.tap_rows()], const Feature<C> (&)[C.tap_rows()], const PixelTag&,
                          const Rival&, const Settings& = Settings(), const Size& = Size(), uint16_t = 0) {}

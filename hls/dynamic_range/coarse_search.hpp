@@ -35,7 +35,7 @@ struct CoarseCoreOf {
 template <const Config& C>
 struct CoarseSearch {
    using Core = typename CoarseCoreOf<C>::Type;
-   static constexpr int kMemories = Core::kMapMemory + Core::MapBlock::kMemories;
+   static constexpr int kMemories = Core::kBlocks.all().memories;
    static_assert(Core::kSchedule.gap_groups == 0, "coarse frames follow each other as the frames do");
 
    Core core;

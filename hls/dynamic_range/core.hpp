@@ -9,6 +9,7 @@
 #include "dynamic_range/config.hpp"
 #include "dynamic_range/search_rows.hpp"
 #include "dynamic_range/search_window.hpp"
+#include "dynamic_range/shown_map.hpp"
 #include "dynamic_range/stream_delay.hpp"
 #include "dynamic_range/track_choice.hpp"
 #include "dynamic_range/window_bases.hpp"
@@ -18,9 +19,9 @@
 #include "frontend/transform.hpp"
 #include "phase_correlation/phase_distance.hpp"
 #include "phase_correlation/phase_transform.hpp"
+#include "support/blocks.hpp"
 #include "support/pixel_bits.hpp"
 #include "support/schedule.hpp"
-#include "winner/map_group.hpp"
 #include "winner/refinement.hpp"
 
 namespace stereo::dynamic_range {
@@ -76,13 +77,11 @@ struct Core {
    using Compared =
        ComparedRows<C, kWindowConfig<C>, Bases::kClocks + Rows::kClocks + Window::Chain::kClocks - Pairs::kClocks>;
    using Centre = CentreBase<C, Rows::kClocks + Window::kClocks>;
-   using Choice = TrackChoice<C, kWindowConfig<C>>;
    using Refine = Refinement<kWindowConfig<C>>;
 
    static constexpr int kHeldBack = Timing<C>::kFirstTargets - Transform::kLagGroups - C.ahead_groups();
    static_assert(kHeldBack > 0);
    using HoldBack = StreamDelay<2 * kPixelBits<C>, kHeldBack>;
-   using Ahead = StreamDelay<kWindow.feature_bits(), C.ahead_groups()>;
 
    //            a pixel pair
    //                 |
@@ -103,100 +102,44 @@ struct Core {
    //            map                       1
    //                 |
    //            a disparity
-   static constexpr int kLatency = HoldBack::kClocks + Transform::kClocks + Ahead::kClocks +
-                                   Raster<kWindowConfig<C>>::kClocks + Bases::kClocks + Rows::kClocks +
-                                   Window::kClocks + Choice::kClocks + Refine::kClocks + 1;
-   /// Valid groups that the blocks hold back, up to a row's first window centre and the columns after it.
-   static constexpr int kGroupsToFirstOutput = HoldBack::kLagGroups + Transform::kLagGroups + Ahead::kLagGroups +
-                                               kWindow.delay_groups() * C.width_px + kWindow.first_map_column() +
-                                               kWindow.columns_after() + 1;
-   static constexpr int kCoarseGap = Timing<C>::kGapRows * C.width_px;
-   static constexpr Schedule kSchedule =
-       raster_schedule(C, C.output_width_px(), kLatency, kGroupsToFirstOutput,
-                       kCoarseGap > kWindow.gap_groups() ? kCoarseGap : kWindow.gap_groups());
+#define STEREO_BLOCKS(BLOCK, BESIDE, PORTS)                            \
+   BESIDE(coarse_pixels, CoarsePixels<C>)                              \
+   BESIDE(coarse, CoarseSearch<C>)                                     \
+   BESIDE(ranges, BlockRanges<C>)                                      \
+   BESIDE(targets, WindowTargets<C>)                                   \
+   BLOCK(hold_back, HoldBack)                                          \
+   BLOCK(transform, Transform)                                         \
+   BLOCK(ahead, StreamDelay<kWindow.feature_bits(), C.ahead_groups()>) \
+   BLOCK(raster, Raster<kWindowConfig<C>>)                             \
+   BLOCK(bases, Bases)                                                 \
+   BLOCK(rows, Rows)                                                   \
+   BESIDE(pairs, Pairs)                                                \
+   BESIDE(compared, Compared)                                          \
+   BLOCK(low, Window)                                                  \
+   BESIDE(high, Window)                                                \
+   BESIDE(centre, Centre)                                              \
+   BLOCK(choice, TrackChoice<C, kWindowConfig<C>>)                     \
+   BLOCK(refinement, Refine)                                           \
+   BLOCK(map, ShownMap<C, kWindowConfig<C>, Refine::kClocks>)
+   STEREO_CORE(STEREO_BLOCKS);
+#undef STEREO_BLOCKS
 
-   CoarsePixels<C> coarse_pixels;
-   CoarseSearch<C> coarse;
-   BlockRanges<C> ranges;
-   WindowTargets<C> targets;
-   HoldBack hold_back;
-   Transform transform;
-   Ahead ahead;
-   Raster<kWindowConfig<C>> raster;
-   Bases bases;
-   Rows rows;
-   Pairs pairs;
-   Compared compared;
-   Window low, high;
-   Centre centre;
-   Choice choice;
-   Refine refinement;
-   uint16_t base[Refine::kClocks + 1];  ///< [j]: of the choice j clocks ago; [0] is not used
-   MapGroup<kWindowConfig<C>> map;
-
-   // The first memory number of each block.
-   static constexpr int kCoarseMemory = CoarsePixels<C>::kMemories;
-   static constexpr int kRangesMemory = kCoarseMemory + CoarseSearch<C>::kMemories;
-   static constexpr int kTargetsMemory = kRangesMemory + BlockRanges<C>::kMemories;
-   static constexpr int kHoldBackMemory = kTargetsMemory + WindowTargets<C>::kMemories;
-   static constexpr int kTransformMemory = kHoldBackMemory + HoldBack::kMemories;
-   static constexpr int kAheadMemory = kTransformMemory + Transform::kMemories;
-   static constexpr int kBasesMemory = kAheadMemory + Ahead::kMemories;
-   static constexpr int kRowsMemory = kBasesMemory + Bases::kMemories;
-   static constexpr int kPairsMemory = kRowsMemory + Rows::kMemories;
-   static constexpr int kComparedMemory = kPairsMemory + Pairs::kMemories;
-   static constexpr int kLowMemory = kComparedMemory + Compared::kMemories;
-   static constexpr int kHighMemory = kLowMemory + Window::kMemories;
-
-   /// `memories`: see MemoryBank.
-   template <class Source>
-   HLS_INLINE explicit Core(Source& memories)
-       : coarse_pixels(memories, MemoryId<0>()),
-         coarse(memories, MemoryId<kCoarseMemory>()),
-         ranges(memories, MemoryId<kRangesMemory>()),
-         targets(memories, MemoryId<kTargetsMemory>()),
-         hold_back(memories, MemoryId<kHoldBackMemory>()),
-         transform(memories, MemoryId<kTransformMemory>()),
-         ahead(memories, MemoryId<kAheadMemory>()),
-         bases(memories, MemoryId<kBasesMemory>()),
-         rows(memories, MemoryId<kRowsMemory>()),
-         pairs(memories, MemoryId<kPairsMemory>()),
-         compared(memories, MemoryId<kComparedMemory>()),
-         low(memories, MemoryId<kLowMemory>()),
-         high(memories, MemoryId<kHighMemory>()) {
-      fill(base, uint16_t(0));
-   }
-
-   /// In data-flow order.
-   template <class Visitor>
-   HLS_INLINE void registers(Visitor& visit) {
-      visit.block("coarse_pixels", coarse_pixels);
-      visit.block("coarse", coarse);
-      visit.block("ranges", ranges);
-      visit.block("targets", targets);
-      visit.block("hold_back", hold_back);
-      visit.block("transform", transform);
-      visit.block("ahead", ahead);
-      visit.block("raster", raster);
-      visit.block("bases", bases);
-      visit.block("rows", rows);
-      visit.block("pairs", pairs);
-      visit.block("compared", compared);
-      visit.block("low", low);
-      visit.block("high", high);
-      visit.block("centre", centre);
-      visit.block("choice", choice);
-      visit.block("refinement", refinement);
-      visit("base", base);
-      visit("map", map);
-   }
+   /// The windows wait for the rows below them, too; and until a frame's last coarse group no other one may start.
+   static constexpr Schedule kSchedule = [] {
+      BlockSums sums = kBlocks.all();
+      sums.lag_groups += kWindow.delay_groups() * C.width_px;
+      Schedule schedule = window_schedule(C, kWindow, sums);
+      const int coarse_gap = Timing<C>::kGapRows * C.width_px;
+      if (schedule.gap_groups < coarse_gap) schedule.gap_groups = coarse_gap;
+      return schedule;
+   }();
 
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE StereoOutput output() const { return shown(map); }
+   HLS_INLINE StereoOutput output() const { return shown(map.map); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      show();
+      map.clock(refinement, choice);
       refinement.clock(choice, NoTexture());
       const auto &low_root = low.winner.root(), &high_root = high.winner.root();
       choice.clock(low_root.best.get(0, 0), high_root.best.get(0, 0), low_root.tag, centre.base(kLow),
@@ -254,19 +197,6 @@ struct Core {
       group.start_of_frame = ahead.start_of_frame();
       group.valid = ahead.valid();
       return group;
-   }
-
-   HLS_INLINE void show() {
-      map = map_group<kWindowConfig<C>>(refinement.output(choice, NoTexture()));
-      map.disparity[0] = uint16_t(map.disparity[0] + C.steps_per_pixel() * base_of<Refine::kClocks>());
-      HLS_UNROLL
-      for (int j = Refine::kClocks; j > 0; --j) base[j] = j == 1 ? choice.base : base[j - 1];
-   }
-   /// Of the choice so many clocks ago.
-   template <int Clocks>
-   HLS_INLINE uint16_t base_of() const {
-      if constexpr (Clocks == 0) return choice.base;
-      else return base[Clocks];
    }
 };
 

@@ -4,7 +4,6 @@
 #include "block_matching/config.hpp"
 #include "phase_correlation/matching.hpp"
 #include "support/image.hpp"
-#include "support/least_size.hpp"
 
 namespace stereo::phase_correlation {
 
@@ -73,21 +72,6 @@ struct Config : Image, Matching, Structure {
    constexpr int output_width_px() const { return codes().output_width_px(); }
    constexpr int disparity_bits() const { return subpixel ? 16 : 8; }
    constexpr int steps_per_pixel() const { return subpixel ? 16 : 1; }
-
-   /// What the ports of a core with run-time settings or a run-time size set; nothing of a check that the core does not
-   /// have, nor of what is a constant.
-   template <class Visitor>
-   constexpr void settings(Visitor& visit) const {
-      const auto set = [&](const char* name, bool exists, int largest, int start) {
-         const bool is_set = exists && run_time_settings;
-         visit(name, 8, is_set ? largest : 0, is_set ? start : 0);
-      };
-      set("uniqueness_percent", has_uniqueness_check(), 100, uniqueness_percent);
-      set("left_right_threshold", has_left_right_check(), disparities - 1, left_right_threshold);
-      set("first_disparity", full_width, disparities - 1, first_disparity);
-      set("last_disparity", full_width, disparities - 1, codes().last_searched());
-      visit_size(*this, visit);
-   }
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {

@@ -5,7 +5,6 @@
 #include "semi_global/matching.hpp"
 #include "support/hls_support.hpp"
 #include "support/image.hpp"
-#include "support/least_size.hpp"
 
 namespace stereo::semi_global {
 
@@ -92,22 +91,6 @@ struct Config : Image, Matching, Structure {
    /// As in Matching; ports may leave any disparity out.
    constexpr bool has_check() const { return Matching::has_check() || windows().has_lost_pixels(); }
 
-   /// What the ports of a core with run-time settings or a run-time size set; nothing of a check that the core does not
-   /// have, nor of what is a constant.
-   template <class Visitor>
-   constexpr void settings(Visitor& visit) const {
-      const auto set = [&](const char* name, int bits, bool exists, int largest, int start, int least = 0) {
-         const bool is_set = exists && run_time_settings;
-         visit(name, bits, is_set ? largest : 0, is_set ? start : 0, is_set ? least : 0);
-      };
-      set("p1", 16, true, p1, p1, least_p1());
-      set("p2", 16, true, p2, p2);
-      set("uniqueness_distance", 16, has_uniqueness_check(), largest_uniqueness(), uniqueness_distance);
-      set("left_right_threshold", 8, has_left_right_check(), disparities - 1, left_right_threshold);
-      set("first_disparity", 8, full_width, disparities - 1, first_disparity);
-      set("last_disparity", 8, full_width, disparities - 1, windows().last_searched());
-      visit_size(*this, visit);
-   }
    /// Clocks that are enough from the last group that a disparity depends on to the last check.
    constexpr int clocks_to_last_check() const { return 64 + disparities; }
    /// Groups that are enough from the start of a frame to the last one that the check of its first disparity needs.

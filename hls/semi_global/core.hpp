@@ -15,6 +15,7 @@
 #include "semi_global/path_winners.hpp"
 #include "semi_global/settings.hpp"
 #include "semi_global/winner_turn.hpp"
+#include "support/blocks.hpp"
 #include "support/optional_block.hpp"
 #include "support/schedule.hpp"
 #include "winner/left_right_check.hpp"
@@ -37,15 +38,7 @@ struct Core {
    using Matching = semi_global::Matching;
    static constexpr const auto& kWindows = kWindowConfig<C>;
 
-   using TransformBlock = Optional<kWindows.has_transform(), Transform<kWindowConfig<C>>>;
-   using Rows = std::conditional_t<kWindows.window_px == 1, SingleRow<kWindowConfig<C>>, LineBuffer<kWindowConfig<C>>>;
-   using Slices = CostSlice<C>;
-   using Forward = ForwardPaths<C>;
-   using Sums = PathSums<C>;
    using Refine = Refinement<kSumConfig<C>>;
-   using CheckBlock =
-       Optional<C.has_left_right_check(), LeftRightCheck<kSumConfig<C>, PathWinners<C>::kLevels + Refine::kClocks>>;
-   using TurnBlock = Optional<C.path_right, WinnerTurn<C>>;
    /// What makes the map of the winners. Whole disparities without a median are ready as they are.
    using MapBlock =
        std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>;
@@ -69,91 +62,46 @@ struct Core {
    //                 |                    from here on, clocks again
    //            winners                   PathWinners::kClocks
    //            refinement                0, 4, 12    uniqueness, subpixel
-   //            left_right                4 or none   also from the winners, ahead of the refinement
+   //            leftright                 4 or none   also from the winners, ahead of the refinement
    //            turn                      3 or none   rows turned back
-   //            map_block                 11, 1, none median or register
+   //            map                       11, 1, none median or register
    //                 |
    //            a disparity
-   static constexpr int kLatency = TransformBlock::kClocks + Raster<kWindowConfig<C>>::kClocks +
-                                   PairDelay<kWindowConfig<C>>::kClocks + Rows::kClocks + Slices::kClocks +
-                                   PathEntry<C>::kClocks + Sums::kClocks + PathWinners<C>::kClocks + Refine::kClocks +
-                                   CheckBlock::kClocks + TurnBlock::kClocks + MapBlock::kClocks;
-   /// Valid groups that the blocks hold back, up to a row's first window centre and the columns after it.
-   static constexpr int kGroupsToFirstOutput =
-       TransformBlock::kLagGroups + Rows::kLagGroups + kWindows.first_map_column() + kWindows.columns_after() +
-       Sums::kLagGroups + CheckBlock::kLagGroups + TurnBlock::kLagGroups + MapBlock::kLagGroups + 1;
-   static constexpr Schedule kSchedule =
-       raster_schedule(C, C.output_width_px(), kLatency, kGroupsToFirstOutput, kWindows.gap_groups());
+#define STEREO_BLOCKS(BLOCK, BESIDE, PORTS)                                                                            \
+   PORTS(settings, SettingsBlock)                                                                                      \
+   PORTS(size, Size)                                                                                                   \
+   BLOCK(transform, Optional<kWindows.has_transform(), Transform<kWindowConfig<C>>>)                                   \
+   BLOCK(raster, Raster<kWindowConfig<C>>)                                                                             \
+   BLOCK(delay, PairDelay<kWindowConfig<C>>)                                                                           \
+   BLOCK(rows, std::conditional_t<kWindows.window_px == 1, SingleRow<kWindowConfig<C>>, LineBuffer<kWindowConfig<C>>>) \
+   BLOCK(slices, CostSlice<C>)                                                                                         \
+   BLOCK(entry, PathEntry<C>)                                                                                          \
+   BLOCK(forward, ForwardPaths<C>)                                                                                     \
+   BLOCK(sums, PathSums<C>)                                                                                            \
+   BLOCK(winners, PathWinners<C>)                                                                                      \
+   BLOCK(refinement, Refine)                                                                                           \
+   BLOCK(leftright,                                                                                                    \
+         Optional<C.has_left_right_check(), LeftRightCheck<kSumConfig<C>, PathWinners<C>::kLevels + Refine::kClocks>>) \
+   BLOCK(turn, Optional<C.path_right, WinnerTurn<C>>)                                                                  \
+   BLOCK(map, MapBlock)
+   STEREO_CORE(STEREO_BLOCKS);
+#undef STEREO_BLOCKS
 
-   static_assert(!C.run_time_settings || kLatency < C.clocks_to_last_check(), "the bound in Config is too low");
+   static constexpr Schedule kSchedule = window_schedule(C, kWindows, kBlocks.all());
+   static_assert(!C.run_time_settings || kSchedule.latency_clocks < C.clocks_to_last_check(),
+                 "the bound in Config is too low");
    static_assert(!C.run_time_settings ||
-                     kGroupsToFirstOutput - TurnBlock::kLagGroups - MapBlock::kLagGroups <= C.groups_to_last_check(),
+                     window_schedule(C, kWindows, kBlocks.before(turn_number)).groups_to_first_output <=
+                         C.groups_to_last_check(),
                  "the bound in Config is too low");
 
-   [[no_unique_address]] SettingsBlock settings;
-   [[no_unique_address]] Size size;
-   TransformBlock transform;
-   Raster<kWindowConfig<C>> raster;
-   PairDelay<kWindowConfig<C>> delay;
-   Rows rows;
-   Slices slices;
-   PathEntry<C> entry;
-   Forward forward;
-   Sums sums;
-   PathWinners<C> winners;
-   Refine refinement;
-   CheckBlock left_right;
-   TurnBlock turn;
-   MapBlock map_block;
-
-   static constexpr int kDelayMemory = TransformBlock::kMemories;
-   static constexpr int kRowsMemory = kDelayMemory + PairDelay<kWindowConfig<C>>::kMemories;
-   static constexpr int kSlicesMemory = kRowsMemory + Rows::kMemories;
-   static constexpr int kForwardMemory = kSlicesMemory + Slices::kMemories;
-   static constexpr int kSumsMemory = kForwardMemory + Forward::kMemories;
-   static constexpr int kCheckMemory = kSumsMemory + Sums::kMemories;
-   static constexpr int kTurnMemory = kCheckMemory + CheckBlock::kMemories;
-   static constexpr int kMapMemory = kTurnMemory + TurnBlock::kMemories;
-
-   template <class Source>
-   HLS_INLINE explicit Core(Source& memories)
-       : transform(memories, MemoryId<0>()),
-         delay(memories, MemoryId<kDelayMemory>()),
-         rows(memories, MemoryId<kRowsMemory>()),
-         slices(memories, MemoryId<kSlicesMemory>()),
-         forward(memories, MemoryId<kForwardMemory>()),
-         sums(memories, MemoryId<kSumsMemory>()),
-         left_right(memories, MemoryId<kCheckMemory>()),
-         turn(memories, MemoryId<kTurnMemory>()),
-         map_block(memories, MemoryId<kMapMemory>()) {}
-
-   /// In data-flow order. Registers of slice number s begin with "slice<s>".
-   template <class Visitor>
-   HLS_INLINE void registers(Visitor& visit) {
-      if constexpr (C.run_time_settings) visit.block("settings", settings);
-      if constexpr (C.run_time_size) visit.block("size", size);
-      visit.block("transform", transform);
-      visit.block("raster", raster);
-      visit.block("delay", delay);
-      visit.block("rows", rows);
-      slices.slices(visit);
-      visit.block("entry", entry);
-      visit.block("forward", forward);
-      visit.block("sums", sums);
-      visit.block("winners", winners);
-      visit.block("refinement", refinement);
-      visit.block("leftright", left_right);
-      visit.block("turn", turn);
-      visit.block("map", map_block);
-   }
-
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE StereoOutput output() const { return shown(map()); }
+   HLS_INLINE StereoOutput output() const { return shown(shown_group()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (C.median) map_block.clock(turned(), size);
-      else if constexpr (kHasMapBlock) map_block.clock(turned());
+      if constexpr (C.median) map.clock(turned(), size);
+      else if constexpr (kHasMapBlock) map.clock(turned());
       if constexpr (C.path_right) turn.clock(checked(), size);
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(winners, NoTexture(), settings);
@@ -186,11 +134,11 @@ struct Core {
 
    HLS_INLINE void check() {
       uint8_t other_winner[1] = {winners.other.winner[0][PathWinners<C>::Other::kOldest]};
-      left_right.clock(refinement.output(winners, NoTexture()), other_winner, settings);
+      leftright.clock(refinement.output(winners, NoTexture()), other_winner, settings);
    }
 
    HLS_INLINE Winners<kSumConfig<C>> checked() const {
-      if constexpr (C.has_left_right_check()) return left_right.checked;
+      if constexpr (C.has_left_right_check()) return leftright.checked;
       else return refinement.output(winners, NoTexture());
    }
 
@@ -200,8 +148,8 @@ struct Core {
       else return checked();
    }
 
-   HLS_INLINE MapGroup<kSumConfig<C>> map() const {
-      if constexpr (kHasMapBlock) return map_block.out;
+   HLS_INLINE MapGroup<kSumConfig<C>> shown_group() const {
+      if constexpr (kHasMapBlock) return map.out;
       else return map_group<kSumConfig<C>>(turned());
    }
 };

@@ -30,7 +30,7 @@ struct NoCostSlice {
    HLS_INLINE NoCostSlice(Source&, MemoryId<First>) {}
 
    template <class Visitor>
-   HLS_INLINE void slices(Visitor&) {}
+   HLS_INLINE void groups(Visitor&) {}
    template <class... Ignored>
    HLS_INLINE void clock(const Ignored&...) {}
    HLS_INLINE void put(PathCost<C> (&)[C.disparities]) const {}
@@ -85,9 +85,9 @@ struct CostSlice {
    }
    /// This slice and those behind it.
    template <class Visitor>
-   HLS_INLINE void slices(Visitor& visit) {
+   HLS_INLINE void groups(Visitor& visit) {
       visit.block("slice", *this, Number);
-      next.slices(visit);
+      next.groups(visit);
    }
 
    /// Puts the costs of this slice and of those behind it in their places.

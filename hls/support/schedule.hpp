@@ -21,4 +21,12 @@ constexpr Schedule raster_schedule(const Image& image, int map_width, int latenc
    return {latency_clocks, groups_to_first_output, left < 0 ? 0 : left, gap_groups};
 }
 
+/// The same of a core whose blocks hold valid groups back up to a row's first window centre and the columns after it.
+/// windows: the configuration of the windows; blocks: the sums over all blocks (support/blocks.hpp).
+template <class Config, class Windows, class Sums>
+constexpr Schedule window_schedule(const Config& config, const Windows& windows, const Sums& blocks) {
+   const int groups = blocks.lag_groups + windows.first_map_column() + windows.columns_after() + 1;
+   return raster_schedule(config, config.output_width_px(), blocks.clocks, groups, windows.gap_groups());
+}
+
 }  // namespace stereo

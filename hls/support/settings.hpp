@@ -1,30 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // Settings that a core takes from ports at each start of frame, where its configuration has run_time_settings.
+//
+// A family's settings are rows, in the order of their ports:
+//
+//    #define STEREO_SETTINGS_trellis(SETTING)
+//       SETTING(uint8_t, drop_cost, Clamped, true, 0, C.drop_cost, C.drop_cost)
+//       SETTING(uint8_t, occlusion_cost, Clamped, true, 1, C.occlusion_cost, C.occlusion_cost)
+//    STEREO_DEFINE_SETTINGS(STEREO_SETTINGS_trellis);
+//
+// Type and name of the port; what the core does with values beyond the limits; whether the core C has the setting; its
+// limits; the option of the configuration that it replaces, which is its value after a reset. The name is that of the
+// option in Matching, so that the models know it.
 #pragma once
 
 #include <cstdint>
 #include <type_traits>
 
-#include "support/full_width.hpp"
+#include "support/least_size.hpp"
 #include "support/pixel_bits.hpp"
 #include "support/registers.hpp"
 
 namespace stereo {
-
-/// The settings of a family are a list of LIST(PORT): PORT(type, name) for each, in the order of their ports. It makes
-/// their structure here and their ports in hls/top/stereo_top.cpp.
-#define STEREO_SETTING_MEMBER(type, name) type name = 0;
-#define STEREO_SETTING_VISIT(type, name) visit(#name, name);
-#define STEREO_SETTINGS_STRUCT(Name, LIST)        \
-   struct Name {                                  \
-      LIST(STEREO_SETTING_MEMBER)                 \
-      template <class Visitor>                    \
-      HLS_INLINE void registers(Visitor& visit) { \
-         LIST(STEREO_SETTING_VISIT)               \
-      }                                           \
-   }
-/// Of a core with run_time_size, behind the others.
-#define STEREO_SETTINGS_OF_SIZE(PORT) PORT(uint16_t, image_width) PORT(uint16_t, image_height)
 
 /// Whether the configuration's settings come from ports; its own are what they are after a reset.
 template <const auto& C>
@@ -57,8 +53,9 @@ struct SettingList {
    Setting setting[kMost] = {};
    int count = 0;
 
-   constexpr void operator()(const char* name, int bits, int largest, int start, int least = 0) {
-      setting[count++] = {name, bits, largest, start, least};
+   constexpr void operator()(const char* name, int bits, bool exists, int largest, int start, int least) {
+      if (exists) setting[count++] = {name, bits, largest, start, least};
+      else setting[count++] = {name, bits, 0, 0};
    }
    constexpr void held(const char* name, int bits, int largest, int least, int step) {
       setting[count++] = {name, bits, largest, largest, least, step, true};
@@ -67,61 +64,107 @@ struct SettingList {
    constexpr const Setting* end() const { return setting + count; }
 };
 
-/// The thresholds of the checks, and what is searched: with full_width, no disparity below the first one nor above the
-/// last one. A left/right threshold of D-1 lets every disparity pass.
-#define STEREO_SETTINGS_block_matching(PORT) \
-   PORT(uint16_t, texture_threshold)         \
-   PORT(uint8_t, uniqueness_percent)         \
-   PORT(uint8_t, left_right_threshold)       \
-   PORT(uint8_t, first_disparity)            \
-   PORT(uint8_t, last_disparity)
+/// What a port brings, or the next value that the core holds.
+template <int Least, int Largest>
+HLS_INLINE constexpr uint16_t limited(uint16_t value) {
+   const uint16_t high = at_most<Largest>(select<uint16_t>(value > Largest, Largest, value));
+   return at_most<Largest>(select<uint16_t>(high < Least, Least, high));
+}
 
-/// A frame is matched with those that its start of frame brings.
-STEREO_SETTINGS_STRUCT(CheckSettings, STEREO_SETTINGS_block_matching);
+// What a setting does with a value that a port shows.
+struct AsShown {  ///< those around the core let none pass that is beyond the limits
+   template <int Least, int Largest>
+   static HLS_INLINE constexpr uint16_t taken(uint16_t value) {
+      return value;
+   }
+};
+struct Masked {  ///< the same, and the core needs just the bits of the largest
+   template <int Least, int Largest>
+   static HLS_INLINE constexpr uint16_t taken(uint16_t value) {
+      return at_most<Largest>(value);
+   }
+};
+struct Clamped {
+   template <int Least, int Largest>
+   static HLS_INLINE constexpr uint16_t taken(uint16_t value) {
+      return limited<Least, Largest>(value);
+   }
+};
+
+// What a row becomes, each in its place.
+#define STEREO_SETTING_PORT(type, name, ...) type name = 0;
+#define STEREO_SETTING_VISIT(type, name, ...) visit(#name, name);
+#define STEREO_SETTING_REGISTER(type, name, ...) type name;
+#define STEREO_SETTING_START(type, name, taking, exists, least, largest, start) \
+   if constexpr (exists) visit(#name, name, start);
+#define STEREO_SETTING_TAKE(type, name, taking, exists, least, largest, start) \
+   if constexpr (exists) name = select<type>(starts, type(taking::template taken<least, largest>(now.name)), name);
+#define STEREO_SETTING_LIMITS(type, name, taking, exists, least, largest, start) \
+   list(#name, 8 * sizeof(type), (exists) && C.run_time_settings, largest, start, least);
+
+/// The settings of the namespace's `Config` from their rows. Settings: what the ports bring. FrameSettings: those of
+/// the frame that comes in; what needs them takes them over when the frame's first column or disparity reaches it, and
+/// until then has those of the frame that leaves. Config::problem() says which images are too low for that.
+/// setting_list: what those around the core must know.
+// clang-format off
+#define STEREO_DEFINE_SETTINGS(ROWS)                                                      \
+   struct Settings {                                                                  \
+      ROWS(STEREO_SETTING_PORT)                                                       \
+                                                                                      \
+      template <class Visitor>                                                        \
+      HLS_INLINE void registers(Visitor& visit) {                                     \
+         ROWS(STEREO_SETTING_VISIT)                                                   \
+      }                                                                               \
+   };                                                                                 \
+   template <const Config& C>                                                         \
+   struct FrameSettings {                                                             \
+      ROWS(STEREO_SETTING_REGISTER)                                                   \
+                                                                                      \
+      HLS_INLINE FrameSettings() { start(*this); }                                    \
+                                                                                      \
+      template <class Visitor>                                                        \
+      HLS_INLINE void registers(Visitor& visit) {                                     \
+         ROWS(STEREO_SETTING_START)                                                   \
+      }                                                                               \
+                                                                                      \
+      HLS_INLINE void clock(const CoreInput<C>& in, const Settings& now) {            \
+         const bool starts = in.valid & in.start_of_frame;                            \
+         ROWS(STEREO_SETTING_TAKE)                                                    \
+      }                                                                               \
+   };                                                                                 \
+   constexpr SettingList setting_list(const Config& C) {                              \
+      SettingList list;                                                               \
+      ROWS(STEREO_SETTING_LIMITS)                                                     \
+      visit_size(C, list);                                                            \
+      return list;                                                                    \
+   }                                                                                  \
+   static_assert(true, "for the semicolon")
+// clang-format on
+
+// Rows that several families have.
+#define STEREO_UNIQUENESS_PERCENT(SETTING) \
+   SETTING(uint8_t, uniqueness_percent, AsShown, C.has_uniqueness_check(), 0, 100, C.uniqueness_percent)
+/// The left/right check, of which a threshold of D-1 lets every disparity pass; and what is searched: with full_width,
+/// no disparity below the first one nor above the last one.
+#define STEREO_CHECKED_AND_SEARCHED(SETTING)                                                         \
+   SETTING(uint8_t, left_right_threshold, AsShown, C.has_left_right_check(), 0, C.disparities - 1,   \
+           C.left_right_threshold)                                                                   \
+   SETTING(uint8_t, first_disparity, AsShown, C.full_width, 0, C.disparities - 1, C.first_disparity) \
+   SETTING(uint8_t, last_disparity, AsShown, C.full_width, 0, C.disparities - 1,                     \
+           C.last_disparity < 0 ? C.disparities - 1 : C.last_disparity)
+
+/// Of a core with run_time_size, behind the others.
+#define STEREO_SETTINGS_OF_SIZE(SETTING) SETTING(uint16_t, image_width) SETTING(uint16_t, image_height)
 
 /// Those of a family, and the size of the images.
 template <class Settings>
 struct SizedSettings : Settings {
-   STEREO_SETTINGS_OF_SIZE(STEREO_SETTING_MEMBER)
+   STEREO_SETTINGS_OF_SIZE(STEREO_SETTING_PORT)
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       Settings::registers(visit);
       STEREO_SETTINGS_OF_SIZE(STEREO_SETTING_VISIT)
-   }
-};
-
-/// Keeps the settings of the frame that comes in. The checks take them over when its first disparity reaches them:
-/// until then they have those of the frame that leaves. Config::problem() says which images are too low for that.
-template <const auto& C>
-struct FrameSettings {
-   uint16_t texture_threshold;
-   uint8_t uniqueness_percent;
-   uint8_t left_right_threshold;
-   uint8_t first_disparity, last_disparity;
-
-   HLS_INLINE FrameSettings() { start(*this); }
-
-   template <class Visitor>
-   HLS_INLINE void registers(Visitor& visit) {
-      visit("texture_threshold", texture_threshold, C.texture_threshold);
-      visit("uniqueness_percent", uniqueness_percent, C.uniqueness_percent);
-      visit("left_right_threshold", left_right_threshold, C.has_left_right_check() ? C.left_right_threshold : 0);
-      if constexpr (kFullWidth<C>) {
-         visit("first_disparity", first_disparity, C.first_disparity);
-         visit("last_disparity", last_disparity, C.last_searched());
-      }
-   }
-
-   HLS_INLINE void clock(const CoreInput<C>& in, const CheckSettings& now) {
-      const bool starts = in.valid & in.start_of_frame;
-      texture_threshold = select<uint16_t>(starts, now.texture_threshold, texture_threshold);
-      uniqueness_percent = select<uint8_t>(starts, now.uniqueness_percent, uniqueness_percent);
-      left_right_threshold = select<uint8_t>(starts, now.left_right_threshold, left_right_threshold);
-      if constexpr (kFullWidth<C>) {
-         first_disparity = select<uint8_t>(starts, now.first_disparity, first_disparity);
-         last_disparity = select<uint8_t>(starts, now.last_disparity, last_disparity);
-      }
    }
 };
 
@@ -149,13 +192,6 @@ struct NumberHere<true, Start> {
    HLS_INLINE int get() const { return value; }
    HLS_INLINE void take(bool now, uint16_t taken) { value = select<uint16_t>(now, taken, value); }
 };
-
-/// What a port brings, or the next value that the core holds.
-template <int Least, int Largest>
-HLS_INLINE constexpr uint16_t limited(uint16_t value) {
-   const uint16_t high = at_most<Largest>(select<uint16_t>(value > Largest, Largest, value));
-   return at_most<Largest>(select<uint16_t>(high < Least, Least, high));
-}
 
 /// Whether what this tag belongs to is the first disparity of a frame.
 template <class Tag>

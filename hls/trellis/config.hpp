@@ -2,7 +2,6 @@
 #pragma once
 
 #include "semi_global/config.hpp"
-#include "support/least_size.hpp"
 #include "trellis/matching.hpp"
 
 namespace stereo::trellis {
@@ -50,18 +49,6 @@ struct Config : Image, Matching, Structure {
       return 1 + bits_for(largest_spread() + drop_cost + highest + step);
    }
 
-   /// What the ports of a core with run-time settings or a run-time size set. The largest costs are the
-   /// configuration's, so that no path needs more bits.
-   template <class Visitor>
-   constexpr void settings(Visitor& visit) const {
-      const auto set = [&](const char* name, int largest, int least) {
-         if (run_time_settings) visit(name, 8, largest, largest, least);
-         else visit(name, 8, 0, 0);
-      };
-      set("drop_cost", drop_cost, 0);
-      set("occlusion_cost", occlusion_cost, 1);
-      visit_size(*this, visit);
-   }
    /// Clocks that are enough from the last group that a column's costs depend on to the forward pass.
    constexpr int clocks_to_forward() const { return costs().clocks_to_last_check(); }
 

@@ -10,6 +10,7 @@
 #include "semi_global/cost_slice.hpp"
 #include "semi_global/path_entry.hpp"
 #include "semi_global/winner_turn.hpp"
+#include "support/blocks.hpp"
 #include "support/optional_block.hpp"
 #include "support/schedule.hpp"
 #include "trellis/config.hpp"
@@ -37,13 +38,6 @@ struct Core {
    static constexpr const auto& kCosts = kCostConfig<C>;
    static constexpr const auto& kWindows = kWindowConfig<kCosts>;
 
-   using TransformBlock = Optional<kWindows.has_transform(), Transform<kWindowConfig<kCosts>>>;
-   using Rows =
-       std::conditional_t<kWindows.window_px == 1, SingleRow<kWindowConfig<kCosts>>, LineBuffer<kWindowConfig<kCosts>>>;
-   using Slices = semi_global::CostSlice<kCosts>;
-   using Entry = semi_global::PathEntry<kCosts>;
-   using Turn = semi_global::WinnerTurn<kCosts>;
-   using MapBlock = Optional<C.median, Median<semi_global::kSumConfig<kCosts>>>;
    static constexpr bool kTurnsRows = true;
    using Settings = std::conditional_t<C.run_time_size, SizedSettings<trellis::Settings>, trellis::Settings>;
    using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
@@ -65,82 +59,39 @@ struct Core {
    //                 |                    from here on, clocks again
    //            turn                      3           rows turned back
    //            fill                      1           occluded pixels
-   //            map_block                 7 or none   median
+   //            map                       7 or none   median
    //                 |
    //            a disparity
-   static constexpr int kClocksToForward = TransformBlock::kClocks + Raster<kWindowConfig<kCosts>>::kClocks +
-                                           PairDelay<kWindowConfig<kCosts>>::kClocks + Rows::kClocks + Slices::kClocks +
-                                           Entry::kClocks;
-   static constexpr int kLatency =
-       kClocksToForward + Traceback<C>::kClocks + Turn::kClocks + OcclusionFill<C>::kClocks + MapBlock::kClocks;
-   /// Valid groups that the blocks hold back, up to a row's first window centre and the columns after it.
-   static constexpr int kGroupsToFirstOutput = TransformBlock::kLagGroups + Rows::kLagGroups +
-                                               kWindows.first_map_column() + kWindows.columns_after() +
-                                               Traceback<C>::kLagGroups + Turn::kLagGroups + MapBlock::kLagGroups + 1;
-   static constexpr Schedule kSchedule =
-       raster_schedule(C, C.output_width_px(), kLatency, kGroupsToFirstOutput, kWindows.gap_groups());
+#define STEREO_BLOCKS(BLOCK, BESIDE, PORTS)                                                  \
+   PORTS(settings, SettingsBlock)                                                            \
+   PORTS(size, Size)                                                                         \
+   BLOCK(transform, Optional<kWindows.has_transform(), Transform<kWindowConfig<kCosts>>>)    \
+   BLOCK(raster, Raster<kWindowConfig<kCosts>>)                                              \
+   BLOCK(delay, PairDelay<kWindowConfig<kCosts>>)                                            \
+   BLOCK(rows, std::conditional_t<kWindows.window_px == 1, SingleRow<kWindowConfig<kCosts>>, \
+                                  LineBuffer<kWindowConfig<kCosts>>>)                        \
+   BLOCK(slices, semi_global::CostSlice<kCosts>)                                             \
+   BLOCK(entry, semi_global::PathEntry<kCosts>)                                              \
+   BLOCK(forward, Forward<C>)                                                                \
+   BESIDE(decisions, DecisionTurn<C>)                                                        \
+   BESIDE(last, LastState<C>)                                                                \
+   BLOCK(traceback, Traceback<C>)                                                            \
+   BLOCK(turn, semi_global::WinnerTurn<kCosts>)                                              \
+   BLOCK(fill, OcclusionFill<C>)                                                             \
+   BLOCK(map, Optional<C.median, Median<semi_global::kSumConfig<kCosts>>>)
+   STEREO_CORE(STEREO_BLOCKS);
+#undef STEREO_BLOCKS
 
-   static_assert(!C.run_time_settings || kClocksToForward < C.clocks_to_forward(), "the bound in Config is too low");
-
-   [[no_unique_address]] SettingsBlock settings;
-   [[no_unique_address]] Size size;
-   TransformBlock transform;
-   Raster<kWindowConfig<kCosts>> raster;
-   PairDelay<kWindowConfig<kCosts>> delay;
-   Rows rows;
-   Slices slices;
-   Entry entry;
-   Forward<C> forward;
-   DecisionTurn<C> decisions;
-   LastState<C> last;
-   Traceback<C> traceback;
-   Turn turn;
-   OcclusionFill<C> fill;
-   MapBlock map_block;
-
-   static constexpr int kDelayMemory = TransformBlock::kMemories;
-   static constexpr int kRowsMemory = kDelayMemory + PairDelay<kWindowConfig<kCosts>>::kMemories;
-   static constexpr int kSlicesMemory = kRowsMemory + Rows::kMemories;
-   static constexpr int kDecisionsMemory = kSlicesMemory + Slices::kMemories;
-   static constexpr int kTurnMemory = kDecisionsMemory + DecisionTurn<C>::kMemories;
-   static constexpr int kMapMemory = kTurnMemory + Turn::kMemories;
-
-   template <class Source>
-   HLS_INLINE explicit Core(Source& memories)
-       : transform(memories, MemoryId<0>()),
-         delay(memories, MemoryId<kDelayMemory>()),
-         rows(memories, MemoryId<kRowsMemory>()),
-         slices(memories, MemoryId<kSlicesMemory>()),
-         decisions(memories, MemoryId<kDecisionsMemory>()),
-         turn(memories, MemoryId<kTurnMemory>()),
-         map_block(memories, MemoryId<kMapMemory>()) {}
-
-   /// In data-flow order. Registers of slice number s begin with "slice<s>".
-   template <class Visitor>
-   HLS_INLINE void registers(Visitor& visit) {
-      if constexpr (C.run_time_settings) visit.block("settings", settings);
-      if constexpr (C.run_time_size) visit.block("size", size);
-      visit.block("transform", transform);
-      visit.block("raster", raster);
-      visit.block("delay", delay);
-      visit.block("rows", rows);
-      slices.slices(visit);
-      visit.block("entry", entry);
-      visit.block("forward", forward);
-      visit.block("decisions", decisions);
-      visit.block("last", last);
-      visit.block("traceback", traceback);
-      visit.block("turn", turn);
-      visit.block("fill", fill);
-      visit.block("map", map_block);
-   }
+   static constexpr Schedule kSchedule = window_schedule(C, kWindows, kBlocks.all());
+   static_assert(!C.run_time_settings || kBlocks.before(forward_number).clocks < C.clocks_to_forward(),
+                 "the bound in Config is too low");
 
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE StereoOutput output() const { return shown(map()); }
+   HLS_INLINE StereoOutput output() const { return shown(shown_group()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (C.median) map_block.clock(fill.out, size);
+      if constexpr (C.median) map.clock(fill.out, size);
       fill.clock(turn.output());
       turn.clock(traceback.out, size);
       traceback.clock(entry, decisions, last);
@@ -168,8 +119,8 @@ struct Core {
    }
 
   private:
-   HLS_INLINE MapGroup<semi_global::kSumConfig<kCosts>> map() const {
-      if constexpr (C.median) return map_block.out;
+   HLS_INLINE MapGroup<semi_global::kSumConfig<kCosts>> shown_group() const {
+      if constexpr (C.median) return map.out;
       else return map_group<semi_global::kSumConfig<kCosts>>(fill.out);
    }
 };

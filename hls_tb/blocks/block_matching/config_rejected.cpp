@@ -12,5 +12,5 @@ constexpr stereo::block_matching::Config changed() {
    return config;
 }
 constexpr stereo::block_matching::Config kConfig = changed();
-static_assert(stereo::block_matching::Core<kConfig>::kLatency > 0);
+static_assert(stereo::block_matching::Core<kConfig>::kSchedule.latency_clocks > 0);
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "support/settings.hpp"
+#include "phase_correlation/settings.hpp"
 
 namespace stereo::test {
 namespace {
@@ -20,8 +20,7 @@ TEST(PhaseCorrelationConfig, SettingsAreThoseOfItsChecks) {
    config.uniqueness_percent = 0;
    config.run_time_settings = true;
    ASSERT_EQ(config.problem().text, std::string());
-   SettingList list;
-   config.settings(list);
+   const SettingList list = setting_list(config);
    ASSERT_EQ(list.count, 4);
    EXPECT_EQ(list.setting[0].name, std::string("uniqueness_percent"));
    EXPECT_EQ(list.setting[0].largest, 0) << "there is no such check";
@@ -44,8 +43,7 @@ TEST(PhaseCorrelationConfig, PortsMayLeaveOutAnyDisparityOfAMapOfFullWidth) {
    config.first_disparity = 0;
    config.run_time_settings = true;
    EXPECT_TRUE(config.has_check());
-   SettingList list;
-   config.settings(list);
+   const SettingList list = setting_list(config);
    EXPECT_EQ(list.setting[2].name, std::string("first_disparity"));
    EXPECT_EQ(list.setting[3].largest, 11);
    EXPECT_EQ(list.setting[3].start, 11);
@@ -68,8 +66,7 @@ TEST(PhaseCorrelationConfig, ASizeAloneSetsNothingElse) {
    phase_correlation::Config config = kChecked;
    config.run_time_size = true;
    ASSERT_EQ(config.problem().text, std::string());
-   SettingList list;
-   config.settings(list);
+   const SettingList list = setting_list(config);
    ASSERT_EQ(list.count, 6);
    for (int i = 0; i < 4; ++i) EXPECT_EQ(list.setting[i].largest, 0) << list.setting[i].name;
    EXPECT_EQ(list.setting[4].largest, 40);

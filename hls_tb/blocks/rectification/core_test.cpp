@@ -296,7 +296,7 @@ TEST(RectificationBeforeMatching, IsTheMapOfTheRectifiedPair) {
    }
    const int flush = Rectifier::kSchedule.flush_groups + Matcher::kSchedule.flush_groups;
    for (int n = 0; n < flush; ++n) clock({.left = {random.byte()}, .right = {random.byte()}, .valid = true}, {});
-   for (int n = 0; n < Rectifier::kLatency + Matcher::kLatency; ++n) clock({}, {});
+   for (int n = 0; n < Rectifier::kLatency + Matcher::kSchedule.latency_clocks; ++n) clock({}, {});
    EXPECT_EQ(disparities, expected);
 }
 

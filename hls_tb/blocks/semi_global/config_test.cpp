@@ -6,7 +6,7 @@
 #include <string>
 
 #include "semi_global/configurations.hpp"
-#include "support/settings.hpp"
+#include "semi_global/settings.hpp"
 
 namespace stereo::test {
 namespace {
@@ -64,8 +64,7 @@ TEST(SemiGlobalConfig, PortsWidenNoPath) {
    Config config = kGood;
    config.run_time_settings = true;
    config.uniqueness_distance = 3;
-   SettingList list;
-   config.settings(list);
+   const SettingList list = setting_list(config);
    ASSERT_EQ(list.count, 6);
    const int largest[] = {5, 22, config.largest_sum(), 0, 0, 0}, start[] = {5, 22, 3, 0, 0, 0};
    for (int i = 0; i < list.count; ++i) {
@@ -101,8 +100,7 @@ TEST(SemiGlobalConfig, SaysWhichSizesARunTimeSizeCanHave) {
    EXPECT_EQ(config.problem().text, std::string());
    EXPECT_EQ(least_size(config).width_px, 11 + 3);
    EXPECT_EQ(least_size(config).height_px, 3);
-   SettingList list;
-   config.settings(list);
+   const SettingList list = setting_list(config);
    ASSERT_EQ(list.count, 8);
    for (int i = 0; i < 6; ++i) EXPECT_EQ(list.setting[i].largest, 0) << list.setting[i].name;
    EXPECT_EQ(list.setting[6].name, std::string("image_width"));

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "support/settings.hpp"
+#include "trellis/settings.hpp"
 
 namespace stereo::test {
 namespace {
@@ -18,8 +18,7 @@ TEST(TrellisConfig, SettingsGoUpToTheConfigurations) {
    config.occlusion_cost = 9;
    config.run_time_settings = true;
    ASSERT_EQ(config.problem().text, std::string());
-   SettingList list;
-   config.settings(list);
+   const SettingList list = setting_list(config);
    ASSERT_EQ(list.count, 2);
    EXPECT_EQ(list.setting[0].name, std::string("drop_cost"));
    EXPECT_EQ(list.setting[0].least, 0);
@@ -49,8 +48,7 @@ TEST(TrellisConfig, ASizeAloneSetsNothingElse) {
    trellis::Config config = kGood;
    config.run_time_size = true;
    ASSERT_EQ(config.problem().text, std::string());
-   SettingList list;
-   config.settings(list);
+   const SettingList list = setting_list(config);
    ASSERT_EQ(list.count, 4);
    EXPECT_EQ(list.setting[0].largest, 0);
    EXPECT_EQ(list.setting[1].largest, 0);

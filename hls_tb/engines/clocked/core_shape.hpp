@@ -43,7 +43,7 @@ inline constexpr int kDisparities = [] {
 template <class Core>
 constexpr CoreShape core_shape() {
    SettingList settings;
-   if constexpr (kHasSettingPorts<Core::kConfig>) Core::kConfig.settings(settings);
+   if constexpr (kHasSettingPorts<Core::kConfig>) settings = setting_list(Core::kConfig);
    return {Core::kConfig,
            Core::kConfig.output_width_px(),
            Core::kConfig.disparity_bits(),

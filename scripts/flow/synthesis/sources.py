@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Whether sources still say what they said when VHDL was made of them, in two steps: the same words without comments;
-else the same intermediate code of clang, which is what Bambu's front end reads."""
+else the same intermediate code of clang, whose front end is Bambu's, without the names of C++."""
 
 from __future__ import annotations
 
@@ -26,7 +26,9 @@ _DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
 # Names of the file and of the compiler, which say nothing of the code.
 _NO_CODE = re.compile(r"^(; ModuleID|source_filename|!llvm\.ident|!\d+ = !\{!\"[^\"]*clang version).*\n", re.MULTILINE)
 # Names of C++ types, functions and objects; those of the top and of its ports are C.
-_CPP_NAME = re.compile(r"%\"(?:struct|class|union)\.[^\"]*\"|%(?:struct|class|union)\.[\w.]+|[@$]_Z[\w.]+|[@$]\"_Z[^\"]*\"")
+_CPP_NAME = re.compile(
+    r"%\"(?:struct|class|union)\.[^\"]*\"|%(?:struct|class|union)\.[\w.]+|[@$]_Z[\w.]+|[@$]\"_Z[^\"]*\""
+)
 
 
 class Code(TypedDict, total=False):
