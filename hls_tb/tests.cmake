@@ -79,12 +79,14 @@ stereo_add_unit_tests(LINK stereo_small_cores FILES cores/block_matching/core_st
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/named_cores_test.cpp
                       engines/clocked/stimulus_test.cpp engines/clocked/stress_test.cpp engines/rectification/stage_stimulus_test.cpp)
 add_dependencies(cores_named_cores_test tested_cores)
+stereo_add_unit_tests(LINK stereo_testing stereo_core_check FILES cores/named_streams_test.cpp)
+add_dependencies(cores_named_streams_test tested_cores)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/settings_test.cpp)
 add_dependencies(cores_settings_test tested_cores)
 add_dependencies(engines_clocked_stimulus_test tested_cores)
 add_dependencies(engines_clocked_stress_test tested_cores)
 # The slow set takes all cores.
-foreach(test IN ITEMS cores_named_cores_test cores_settings_test)
+foreach(test IN ITEMS cores_named_cores_test cores_named_streams_test cores_settings_test)
   add_test(NAME ${test}_slow COMMAND ${test})
   set_tests_properties(${test}_slow PROPERTIES LABELS "unit;slow" TIMEOUT 3600 ENVIRONMENT STEREO_ALL_CORES=1)
 endforeach()
