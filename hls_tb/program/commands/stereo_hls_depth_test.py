@@ -365,6 +365,12 @@ def test_pairs_that_are_exchanged_or_reach_farther(tmp_path, depth):
         assert "warning" not in succeed(*command, *pair[rectified])
 
 
+def test_a_size_of_one_side(tmp_path, depth):
+    yml = calibration(tmp_path / "c.yml")
+    yml.write_text(yml.read_text() + f"image_width: {WIDTH}\n")
+    fail(tmp_path, *depth, yml, *plane(tmp_path), says=["c.yml: it has one of image_width and image_height"])
+
+
 def test_lens_models_of_others(tmp_path, depth):
     pair = plane(tmp_path)
     yml = with_size(calibration(tmp_path / "c.yml"), more="distortion_model: scaramuzza\n")
@@ -565,6 +571,26 @@ def test_colours_reach_the_cloud(tmp_path, depth):
 IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 CAMERA_TURNED = [FOCAL, 0.0, 0.0, 0.0, FOCAL, 0.0, WIDTH / 2, HEIGHT / 2, 1.0]
 CAMERA_SKEWED = [FOCAL, 0.5, WIDTH / 2, 0.0, FOCAL, HEIGHT / 2, 0.0, 0.0, 1.0]
+OTHER_Q = [
+    1.0,
+    0.0,
+    0.0,
+    -WIDTH / 2,
+    0.0,
+    1.0,
+    0.0,
+    -HEIGHT / 2,
+    0.0,
+    0.0,
+    0.0,
+    FOCAL,
+    0.0,
+    0.0,
+    1 / (2 * BASELINE),
+    0.0,
+]
+P_LEFT = [FOCAL, 0.0, WIDTH / 2, 0.0, 0.0, FOCAL, HEIGHT / 2, 0.0, 0.0, 0.0, 1.0, 0.0]
+P_RIGHT = [FOCAL, 0.0, WIDTH / 2, -2 * FOCAL * BASELINE, *P_LEFT[4:]]
 
 
 def turned(degrees):
@@ -603,6 +629,15 @@ def turned(degrees):
         ({"T": ([0.05, 0.0, 0.0], 1)}, [], ["exchange --left and --right"]),
         ({"T": ([0.0, 0.0, 0.0], 1)}, [], ["--calibration"]),
         ({"T": ([0.05, 0.0, 0.0], 1)}, ["--rectified"], ["exchange --left and --right"]),
+        ({"T": ([-0.01, 0.0, -0.1], 1)}, [], ["one behind the other"]),
+        ({"R": (turned(70), 3)}, [], ["R turns the right camera by 70 degrees"]),
+        ({"R": (turned(180), 3)}, [], ["R turns the right camera by 180 degrees"]),
+        ({"Q": (OTHER_Q, 4)}, ["--rectified"], ["Q has a baseline of 0.1 but its T is 0.05 long"]),
+        (
+            {"P1": (P_LEFT, 4), "P2": (P_RIGHT, 4)},
+            ["--rectified"],
+            ["P2 has a baseline of 0.1 but its T is 0.05 long"],
+        ),
         ({}, ["--unit-mm", "0"], ["--unit-mm"]),
         ({}, ["--unit-mm", "nan"], ["--unit-mm", "no number above 0"]),
         ({}, ["--unit-mm", "inf"], ["--unit-mm", "no number above 0"]),

@@ -29,7 +29,7 @@ const std::string kCamToCam =
     "T_02: 0.06 0 0\nS_rect_02: 1242 375\nR_rect_02: 1 0 0 0 1 0 0 0 1\n"
     "P_rect_02: 700 0 600 42 0 700 180 0 0 0 1 0\n"
     "S_03: 1392 512\nK_03: 961 0 691 0 951 241 0 0 1\nD_03: -0.4 0.3 0.001 0.002 -0.2\nR_03: 0 1 0 -1 0 0 0 0 1\n"
-    "T_03: -0.47 0.01 0.02\nS_rect_03: 1242 375\nP_rect_03: 700 0 600 -336 0 700 180 0 0 0 1 0\n";
+    "T_03: -0.47 0.01 0.02\nS_rect_03: 1242 375\nP_rect_03: 700 0 600 -290.9 0 700 180 0 0 0 1 0\n";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
    return text.replace(text.find(from), from.size(), to);
@@ -75,7 +75,7 @@ TEST(BenchmarkCalibration, CamToCam) {
    EXPECT_EQ(found->unit_mm, 1000);
    EXPECT_EQ(found->image_size, cv::Size(1392, 512));
    EXPECT_EQ(found->rectified_size, cv::Size(1242, 375));
-   EXPECT_NEAR(rectified_geometry(*found).baseline(), 0.54, 1e-12);
+   EXPECT_NEAR(rectified_geometry(*found).baseline(), 332.9 / 700, 1e-12) << "(42 + 290.9) / 700";
    EXPECT_EQ(found->m1.at<double>(0, 0), 960);
    EXPECT_EQ(found->m2.at<double>(1, 2), 241);
    EXPECT_EQ(found->d2.at<double>(0), -0.4);

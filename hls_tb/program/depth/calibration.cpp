@@ -123,6 +123,8 @@ Calibration read_storage(const std::string& path, const std::string& sentence) {
       calibration.lens = Lens::ambiguous;
    calibration.image_size = {side_at(file["image_width"], "image_width"),
                              side_at(file["image_height"], "image_height")};
+   if ((calibration.image_size.width == 0) != (calibration.image_size.height == 0))
+      throw InputError("it has one of image_width and image_height, but not both");
    return calibration;
 }
 

@@ -3,6 +3,7 @@
 
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
+#include <sstream>
 
 #include "definition/gray_image.hpp"
 #include "program/errors.hpp"
@@ -42,10 +43,18 @@ cv::Mat coefficients(const cv::Mat& d) { return d.empty() ? cv::Mat(cv::Mat::zer
    throw InputError("--calibration: its cameras stand one above the other; this matcher needs them side by side");
 }
 
-/// cv::fisheye::stereoRectify takes every pair for one side by side.
+/// OpenCV makes something of every pair: of cameras that look elsewhere or stand one behind the other, and with
+/// cv::fisheye::stereoRectify also one above the other, images that show nothing of both.
 void require_side_by_side(const Calibration& calibration) {
+   constexpr double kLargestTurn = 60;  // degrees
    cv::Mat turn, half;
    cv::Rodrigues(calibration.r, turn);
+   if (const double degrees = cv::norm(turn) * 180 / CV_PI; degrees > kLargestTurn) {
+      std::ostringstream text;
+      text << "--calibration: its R turns the right camera by " << degrees
+           << " degrees against the left one, too far for images that show the same";
+      throw InputError(text.str());
+   }
    cv::Rodrigues(turn * -0.5, half);
    const cv::Mat t = half * calibration.t;
    if (std::abs(t.at<double>(1)) > std::abs(t.at<double>(0))) refuse_upright();
@@ -55,8 +64,8 @@ void require_side_by_side(const Calibration& calibration) {
 
 Rectified rectified(const Calibration& c, cv::Size size) {
    Rectified made;
+   require_side_by_side(c);
    if (c.lens == Lens::fisheye) {
-      require_side_by_side(c);
       cv::fisheye::stereoRectify(c.m1, coefficients(c.d1), c.m2, coefficients(c.d2), size, c.r, c.t, made.r1, made.r2,
                                  made.p1, made.p2, made.q, cv::CALIB_ZERO_DISPARITY, size, 0);
    } else {

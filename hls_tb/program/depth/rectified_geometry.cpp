@@ -110,6 +110,17 @@ void require_agreement(const RectifiedGeometry& q, const RectifiedGeometry& proj
       throw InputError(kOption + "Q has another focal length or baseline than its P1 and P2");
 }
 
+/// T is as long as any rectification of the same cameras has the baseline.
+void require_baseline(const RectifiedGeometry& geometry, const cv::Mat& t, const char* name) {
+   if (t.empty()) return;
+   const double wanted = cv::norm(t);
+   if (std::abs(geometry.baseline() - wanted) <= kLargestTilt * wanted) return;
+   std::ostringstream text;
+   text << kOption << name << " has a baseline of " << geometry.baseline() << " but its T is " << wanted
+        << " long: they are not of one calibration";
+   throw InputError(text.str());
+}
+
 /// How far from the middle, in parts of the image's side.
 double off_middle(double x, double y, cv::Size images) {
    return std::max(std::abs((x + 0.5) / images.width - 0.5), std::abs((y + 0.5) / images.height - 0.5));
@@ -173,9 +184,13 @@ RectifiedGeometry rectified_geometry(const Calibration& calibration) {
    if (!calibration.q.empty()) {
       const RectifiedGeometry geometry = geometry_of_q(calibration.q);
       if (projections) require_agreement(geometry, *projections);
+      require_baseline(geometry, calibration.t, "Q");
       return geometry;
    }
-   if (projections) return *projections;
+   if (projections) {
+      require_baseline(*projections, calibration.t, "P2");
+      return *projections;
+   }
    if (calibration.m1.empty() || calibration.t.empty())
       throw InputError(
           "--calibration: has neither Q, nor P1 and P2, nor M1 and T, of which a rectified pair needs one");
