@@ -94,9 +94,9 @@ TEST(Matching, RejectsOptionsOutOfRange) {
    const auto reject = [&good](block_matching::Matching parameters, const std::string& reason) {
       expect_rejected(good, good, parameters, reason);
    };
-   reject({5, 0}, "window side is 0");
-   reject({5, -1}, "window side is -1");
-   reject({0, 3}, "disparity range is 0");
+   reject({DisparityCount{5}, MatchingWindow{0}}, "window side is 0");
+   reject({DisparityCount{5}, MatchingWindow{-1}}, "window side is -1");
+   reject({DisparityCount{0}, MatchingWindow{3}}, "disparity range is 0");
    expect_rejected(GrayImage(300, 2), GrayImage(300, 2), {DisparityCount{257}, MatchingWindow{3}},
                    "disparity range is 257");
    reject({DisparityCount{5}, SmallestDisparity{15}}, "from the smallest disparity 15 on lies outside");
