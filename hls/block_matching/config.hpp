@@ -60,7 +60,7 @@ struct Config : Image, Matching, Structure {
    /// Largest cost of one pair of pixels.
    constexpr int largest_pixel_cost() const {
       const int largest_difference = prefilter == Prefilter::xsobel ? 2 * prefilter_cap : largest_pixel();
-      return cost == Cost::census ? census_width_px * census_height_px - 1
+      return cost == Cost::census ? census_bits(census_width_px, census_height_px, census_pattern)
              : cost == Cost::ssd  ? largest_difference * largest_difference
                                   : largest_difference;
    }
@@ -104,7 +104,7 @@ struct Config : Image, Matching, Structure {
 
    /// Bits of what is compared: of a grey value, a filtered pixel or a census transform.
    constexpr int feature_bits() const {
-      return cost == Cost::census             ? census_width_px * census_height_px - 1
+      return cost == Cost::census             ? census_bits(census_width_px, census_height_px, census_pattern)
              : prefilter == Prefilter::xsobel ? pixel_bits - 1
                                               : pixel_bits;
    }

@@ -48,13 +48,14 @@ STEREO_ROW(opencv_bm, system, Config(), width_px = 450, height_px = 375, dispari
            texture_threshold = 10, subpixel = true, aggregation = Aggregation::recursive, slice_disparities = 16);
 // The best trade-off that docs/quality.md found at that size.
 STEREO_ROW(census_450, system, Config(), width_px = 450, height_px = 375, disparities = 48, window_px = 9,
-           reference = Reference::left, cost = Cost::census, census_width_px = 9, census_height_px = 3,
-           subpixel = true, median = true, aggregation = Aggregation::recursive, slice_disparities = 16);
+           reference = Reference::left, cost = Cost::census, census_width_px = 9,
+           census_pattern = CensusPattern::even_columns, subpixel = true, median = true,
+           aggregation = Aggregation::recursive, slice_disparities = 16);
 
 STEREO_ROW(census_450_full, system, census_450, full_width = true);
 // For two cameras of 640x480 (examples/camera_system): the same with each check that says how far to trust a disparity.
-STEREO_ROW(vga_64, system, census_450, width_px = 640, height_px = 480, disparities = 64, left_right_threshold = 1,
-           uniqueness_percent = 5);
+STEREO_ROW(vga_64, system, census_450, width_px = 640, height_px = 480, disparities = 64, census_height_px = 3,
+           census_pattern = CensusPattern::all, left_right_threshold = 1, uniqueness_percent = 5);
 
 // study: what one option costs; each beside `study`, which has none (docs/features.md).
 STEREO_ROW(study, study, Config(), width_px = 320, height_px = 64, disparities = 16, window_px = 5,

@@ -58,12 +58,18 @@ struct Config : Image, Matching, Structure {
    /// The K and A of the row paths are kept with a bias of half their range: then their highest bit says that they are
    /// not below 0.
    constexpr int row_path_bits() const {
-      const int highest = 2 * largest_cost() + p1;
+      const int highest = 2 * largest_cost() + p1 + largest_relief();
       const int lowest = p2 + (largest_cost() > p1 ? largest_cost() - p1 : 0);
       int bits = 2;
       while (1 << (bits - 1) <= highest || 1 << (bits - 1) < lowest) ++bits;
       return bits;
    }
+   constexpr int relief_bits() const { return bits_for(largest_relief()); }
+   /// A row path holds K with the relief of the next column added, the same for all disparities. Only the left/right
+   /// check compares sums of two columns, and needs it taken off again.
+   constexpr bool takes_relief_off() const { return has_relief() && has_left_right_check(); }
+   /// Largest number that a row path adds to the sum, without the bias.
+   constexpr int largest_row_path() const { return largest_cost() + (takes_relief_off() ? 0 : largest_relief()); }
    constexpr int row_path_bias() const { return 1 << (row_path_bits() - 1); }
    /// The smallest P1 that ports may bring: that with which the row paths need no more bits, with P2 as it is. The
    /// largest penalties are the configuration's.
@@ -72,13 +78,13 @@ struct Config : Image, Matching, Structure {
       return (path_left || path_right) && least > 0 ? least : 0;
    }
    /// Largest K of the path from above, which is never below 0.
-   constexpr int largest_path_above() const { return p2 + largest_cost(); }
+   constexpr int largest_path_above() const { return p2_above() + largest_cost(); }
    /// Largest sum of the paths that a row is scanned for from its left end on, biases included.
    constexpr int largest_forward_sum() const {
-      return (path_left ? row_path_bias() + largest_cost() : 0) + (path_above ? largest_path_above() : 0);
+      return (path_left ? row_path_bias() + largest_row_path() : 0) + (path_above ? largest_path_above() : 0);
    }
    constexpr int largest_sum() const {
-      return largest_forward_sum() + (path_right ? row_path_bias() + largest_cost() : 0);
+      return largest_forward_sum() + (path_right ? row_path_bias() + largest_row_path() : 0);
    }
    /// Largest distance that ports can bring: no two sums differ by more.
    constexpr int largest_uniqueness() const {
@@ -153,6 +159,8 @@ inline constexpr SumConfig kSumConfig = [] {
 /// Types of a cost, of K and A of a row path, of K of the path from above, and of sums.
 template <const auto& C>
 using PathCost = uint_of_bits<C.cost_bits()>;
+template <const auto& C>
+using Relief = uint_of_bits<C.relief_bits()>;
 template <const auto& C>
 using RowPathValue = uint_of_bits<C.row_path_bits()>;
 template <const auto& C>

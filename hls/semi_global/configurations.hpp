@@ -14,11 +14,15 @@ STEREO_ROW(tiny_sgm, tiny, Config(), width_px = 40, height_px = 12, disparities 
 
 // system: the recommended options.
 STEREO_ROW(sgm_450, system, Config(), width_px = 450, height_px = 375, disparities = 64, reference = Reference::left,
-           median = true, slice_disparities = 16);
+           census_width_px = 9, census_pattern = CensusPattern::sparse, cost_shift = 3, cost_cap = 5, p1 = 7, p2 = 60,
+           p2_least = 20, above_p1 = 5, above_p2 = 31, median = true, slice_disparities = 16);
+
+// The road: a row of KITTI, and as many disparities as the memory of an LFE5U-85F holds beside it (docs/semi_global.md).
+STEREO_ROW(sgm_1242, system, sgm_450, width_px = 1242, disparities = 96, full_width = true);
 
 // Costs of single pixels: fewer look-up tables for each disparity, for a little more error (docs/quality.md).
 STEREO_ROW(sgm_640, system, sgm_450, width_px = 640, height_px = 480, disparities = 128, window_px = 1,
-           census_width_px = 9, cost_shift = 2, p1 = 4, p2 = 24);
+           census_pattern = CensusPattern::checkerboard, cost_shift = 1);
 STEREO_ROW(sgm_1280, system, sgm_640, width_px = 1280, height_px = 720, disparities = 64);
 
 // option: one option after the other, alone and together, at a size that a test can afford.
@@ -58,6 +62,20 @@ STEREO_ROW(tiny_sgm_full_all, option, tiny_sgm_all, reference = Reference::left,
 STEREO_ROW(tiny_sgm_10bit, option, tiny_sgm, pixel_bits = 10);
 STEREO_ROW(tiny_sgm_12bit_all, option, tiny_sgm_all, pixel_bits = 12, reference = Reference::left, cost = Cost::sad,
            prefilter = Prefilter::xsobel, prefilter_cap = 500, cost_shift = 7, cost_cap = 63, full_width = true);
+STEREO_ROW(tiny_sgm_road, tiny, tiny_sgm, census_width_px = 9, census_pattern = CensusPattern::sparse, cost_shift = 3,
+           cost_cap = 5, p1 = 7, p2 = 60, p2_least = 20, above_p1 = 5, above_p2 = 31);
+STEREO_ROW(tiny_sgm_relief, option, tiny_sgm, p2_least = 6);
+STEREO_ROW(tiny_sgm_relief_lr, option, tiny_sgm_relief, reference = Reference::left, left_right_threshold = 1,
+           uniqueness_distance = 3, subpixel = true);
+STEREO_ROW(tiny_sgm_relief_rows, option, tiny_sgm_relief, path_left = false, path_above = false, cost = Cost::sad,
+           cost_shift = 6, cost_cap = 15);
+STEREO_ROW(tiny_sgm_relief_forward, option, tiny_sgm_relief, path_right = false, window_px = 1, cost_shift = 1,
+           census_pattern = CensusPattern::even_columns);
+STEREO_ROW(tiny_sgm_relief_12bit, option, tiny_sgm_12bit_all, p2_least = 3);
+STEREO_ROW(tiny_sgm_above_own, option, tiny_sgm, above_p1 = 3, above_p2 = 40,
+           census_pattern = CensusPattern::checkerboard);
+STEREO_ROW(tiny_sgm_settings_road, option, tiny_sgm_road, cost_cap = 9, full_width = true, left_right_threshold = 1, height_px = 20,
+           run_time_settings = true, run_time_size = true);
 STEREO_ROW(tiny_sgm_settings, option, tiny_sgm_all, run_time_settings = true);
 STEREO_ROW(tiny_sgm_settings_full, option, tiny_sgm_full_all, p1 = 10, p2 = 40, run_time_settings = true);
 STEREO_ROW(tiny_sgm_size, option, tiny_sgm, run_time_size = true);

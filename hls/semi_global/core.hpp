@@ -13,6 +13,7 @@
 #include "semi_global/path_entry.hpp"
 #include "semi_global/path_sums.hpp"
 #include "semi_global/path_winners.hpp"
+#include "semi_global/relief.hpp"
 #include "semi_global/settings.hpp"
 #include "semi_global/winner_turn.hpp"
 #include "support/blocks.hpp"
@@ -83,7 +84,8 @@ struct Core {
    BLOCK(leftright,                                                                                                    \
          Optional<C.has_left_right_check(), LeftRightCheck<kSumConfig<C>, PathWinners<C>::kLevels + Refine::kClocks>>) \
    BLOCK(turn, Optional<C.path_right, WinnerTurn<C>>)                                                                  \
-   BLOCK(map, MapBlock)
+   BLOCK(map, MapBlock)                                                                                                \
+   BESIDE(relief, Optional<C.has_relief(), ReliefStream<C>>)
    STEREO_CORE(STEREO_BLOCKS);
 #undef STEREO_BLOCKS
 
@@ -108,7 +110,14 @@ struct Core {
       winners.clock(sums);
       sums.clock(entry, forward, settings);
       winners.follow(sums.tag, settings, size);
-      forward.clock(entry, settings);
+      if constexpr (C.has_relief()) {
+         forward.clock(entry, settings, relief.entered);
+         relief.clock(slices.shown_tag(), rows, delay, raster, settings);
+         if constexpr (kWindows.has_transform()) relief.compare(transform);
+         else relief.compare(in);
+      } else {
+         forward.clock(entry, settings);
+      }
       entry.clock(slices, size);
       slices.clock(rows.search, rows.reference, rows.tag, settings, size);
       rows.clock(delay);

@@ -53,6 +53,7 @@ struct CostSlice {
    using Window = typename CostWindow<kWindowConfig<C>, kCount, kWindows.window_px == 1>::Block;
    using Mask = std::conditional_t<C.full_width, CandidateMask<kWindowConfig<C>, kCount, kFirst>, NoMask>;
    using Value = PathCost<C>;
+   static constexpr Value kLargest = C.largest_cost();
    static constexpr int kSlices = 1 + Next::kSlices;
    static constexpr int kMemories = Column::kMemories + Window::kMemories + Next::kMemories;
    /// From the rows' arrival to the costs of all slices.
@@ -115,7 +116,7 @@ struct CostSlice {
       HLS_UNROLL
       for (int i = 0; i < kCount; ++i) {
          Value seen = scaled(window.sum[0][i]);
-         if constexpr (C.full_width) seen = select<Value>(mask.has_candidate(i), seen, C.largest_cost());
+         if constexpr (C.full_width) seen = select<Value>(mask.has_candidate(i), seen, kLargest);
          held[0][i] = seen;
       }
       tag[0] = window.tag;

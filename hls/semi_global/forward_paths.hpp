@@ -24,6 +24,25 @@ struct FrameStarts {
    }
 };
 
+/// The reliefs of the columns on their way to the paths.
+template <const Config& C, int Moves>
+struct ReliefMoves {
+   Relief<C> moved[Moves];  ///< [j]: of the column of j+1 moves ago
+
+   HLS_INLINE ReliefMoves() { start(*this); }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("moved", moved);
+   }
+
+   HLS_INLINE void clock(bool move, Relief<C> entered) {
+      HLS_UNROLL
+      for (int j = Moves - 1; j > 0; --j) moved[j] = select<Relief<C>>(move, moved[j - 1], moved[j]);
+      moved[0] = select<Relief<C>>(move, entered, moved[0]);
+   }
+};
+
 /// The paths that go with the stream, from the left and from above, and their sum, kMoves moves behind the costs.
 /// Beside it come the costs and the smallest of them, for the path from the right. Memory: (levels + 1) x D x bits of a
 /// cost, LUT RAM, and that of the path from above.
@@ -52,6 +71,8 @@ struct ForwardPaths {
    // moves ago, or of the one whose smallest cost left its tree then.
    bool first[kMoves];
    [[no_unique_address]] std::conditional_t<C.run_time_settings, FrameStarts<kPathMoves>, NoSettings> starts;
+   [[no_unique_address]] std::conditional_t<C.has_relief(), ReliefMoves<C, (C.path_right ? kMoves : kLevels - 1)>,
+                                            NoSettings> reliefs;
    PathCost<C> cost[kCostMoves][kCount];
    PathCost<C> smallest_cost[kMoves - kLevels];
 
@@ -70,15 +91,23 @@ struct ForwardPaths {
       visit("sum", sum);
       visit("first", first);
       if constexpr (C.run_time_settings) visit("starts", starts);
+      if constexpr (C.has_relief()) visit("reliefs", reliefs);
       visit("cost", cost);
       visit("smallest_cost", smallest_cost);
    }
 
+   /// relief: where P2 falls, that of the entry's column.
    template <class Settings>
-   HLS_INLINE void clock(const PathEntry<C>& entry, const Settings& settings) {
+   HLS_INLINE void clock(const PathEntry<C>& entry, const Settings& settings, Relief<C> relief = 0) {
       const bool move = entry.tag.valid;
       add(entry.moves_costs);
-      if constexpr (C.path_left) left.clock(entry.moves_left, smallest.root(), first[kLevels - 1], cost[0]);
+      if constexpr (C.has_relief()) {
+         if constexpr (C.path_left)
+            left.clock(entry.moves_left, smallest.root(), first[kLevels - 1], cost[0], reliefs.moved[kLevels - 2]);
+         reliefs.clock(move, relief);
+      } else if constexpr (C.path_left) {
+         left.clock(entry.moves_left, smallest.root(), first[kLevels - 1], cost[0]);
+      }
       if constexpr (C.path_above) above.clock(entry);
       if constexpr (C.run_time_settings) take(entry.tag, settings);
       if constexpr (kHasSmallest) keep_costs(entry);
@@ -106,6 +135,7 @@ struct ForwardPaths {
       for (int d = 0; d < kCount; ++d) {
          ForwardSum<C> total = 0;
          if constexpr (C.path_left) total = ForwardSum<C>(total + left.cost[d]);
+         if constexpr (C.path_left && C.takes_relief_off()) total = ForwardSum<C>(total - left.relief.shown());
          if constexpr (C.path_above) total = ForwardSum<C>(total + above.cost[d]);
          sum[d] = select<ForwardSum<C>>(moves.lane(d), total & kMask, sum[d]);
       }

@@ -11,6 +11,18 @@ struct Paths {
    bool path_above = true;  ///< down the column
    int p1 = 5;              ///< penalty of a step by one disparity, 0 ... 4095
    int p2 = 22;             ///< penalty of any other step, 0 ... 4095
+   int p2_least = -1;  ///< along rows, P2 falls with the grey difference, down to this; -1, or P2 and more: it does not
+   int above_p1 = -1;  ///< P1 of the path from above, 0 ... 4095; -1: p1
+   int above_p2 = -1;  ///< P2 of the path from above, 0 ... 4095; -1: p2
+
+   /// By how much P2 falls at most along a row; 0: it is the same everywhere.
+   constexpr int largest_relief() const {
+      return p2_least < 0 || p2_least >= p2 || !(path_left || path_right) ? 0 : p2 - p2_least;
+   }
+   constexpr bool has_relief() const { return largest_relief() > 0; }
+   constexpr bool has_penalties_above() const { return path_above && (above_p1 >= 0 || above_p2 >= 0); }
+   constexpr int p1_above() const { return above_p1 < 0 ? p1 : above_p1; }
+   constexpr int p2_above() const { return above_p2 < 0 ? p2 : above_p2; }
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
@@ -19,6 +31,9 @@ struct Paths {
       visit("path_above", self.path_above);
       visit("p1", self.p1, 0, 4095, "the penalty P1");
       visit("p2", self.p2, 0, 4095, "the penalty P2");
+      visit("p2_least", self.p2_least, -1, 4095, "the least P2");
+      visit("above_p1", self.above_p1, -1, 4095, "the penalty P1 from above");
+      visit("above_p2", self.above_p2, -1, 4095, "the penalty P2 from above");
    }
    template <class Self>
    static constexpr Sentence problem(const Self& self) {
@@ -53,6 +68,9 @@ struct Matching : OptionGroups<DisparityCount, MatchingWindow, SmallestDisparity
    constexpr bool has_check() const {
       return has_left_right_check() || has_uniqueness_check() || window_costs().has_lost_pixels();
    }
+
+   /// P2 falls by the grey difference of two neighbours over 2^relief_shift().
+   constexpr int relief_shift() const { return pixel_bits - 7; }
 
    /// Columns by which the fresh start of a row path looks back: what the core's pipeline needs. It is part of the
    /// definition, since the sums depend on it.

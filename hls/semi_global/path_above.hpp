@@ -18,13 +18,13 @@ template <const Config& C>
 struct PathAbove {
    static constexpr int kCount = C.disparities;
    static constexpr int kWidth = C.output_width_px();
-   static constexpr int kStateBits = bits_for(C.p2);
+   static constexpr int kStateBits = bits_for(C.p2_above());
    static constexpr int kTotalBits = bits_for(C.largest_path_above());
    using Pack = Packed<kStateBits, kCount>;
    using State = typename Pack::Lane;
    using Word = typename Pack::Word;
    using Value = AbovePathValue<C>;
-   using Passed = uint_of_bits<bits_for(C.largest_path_above() + C.p1)>;
+   using Passed = uint_of_bits<bits_for(C.largest_path_above() + C.p1_above())>;
    using Tree = MinimumTree<Value, kCount>;
    using Delay = MoveDelay<kTotalBits, kCount, Tree::kLevels + 1>;
    using Memory = MemoryBank<Word, kWidth, Pack::kWords>;
@@ -37,7 +37,7 @@ struct PathAbove {
    Word ready_words[Pack::kWords];
    PathCost<C> ready_cost[kCount];
    bool ready_top;
-   [[no_unique_address]] SecondPenalty<C> top_p2;  ///< of the column here
+   [[no_unique_address]] SecondPenaltyAbove<C> top_p2;  ///< of the column here
    // move 2
    Value total[kCount];
    // then the tree, and the totals beside it
@@ -48,8 +48,8 @@ struct PathAbove {
    Value cost[kCount];  ///< K
    // then what the row below gets
    Value beside[kCount], own[kCount];         ///< the smaller of the neighbours' K; K
-   [[no_unique_address]] FirstPenalty<C> p1;  ///< of the column there
-   [[no_unique_address]] SecondPenalty<C> p2;
+   [[no_unique_address]] FirstPenaltyAbove<C> p1;  ///< of the column there
+   [[no_unique_address]] SecondPenaltyAbove<C> p2;
    Passed step[kCount];
    State stay[kCount];
    bool comes[kMoves + 2];  ///< [j]: the column of j+1 moves ago is one of the map
@@ -70,7 +70,7 @@ struct PathAbove {
       visit("ready_words", ready_words);
       visit("ready_cost", ready_cost);
       visit("ready_top", ready_top);
-      if constexpr (C.run_time_settings) visit("top_p2", top_p2.value, C.p2);
+      if constexpr (C.run_time_settings) visit("top_p2", top_p2.value, C.p2_above());
       visit("total", total);
       visit("tree", tree);
       visit("delay", delay);
@@ -79,8 +79,8 @@ struct PathAbove {
       visit("beside", beside);
       visit("own", own);
       if constexpr (C.run_time_settings) {
-         visit("p1", p1.value, C.p1);
-         visit("p2", p2.value, C.p2);
+         visit("p1", p1.value, C.p1_above());
+         visit("p2", p2.value, C.p2_above());
       }
       visit("step", step);
       visit("stay", stay);
@@ -130,13 +130,21 @@ struct PathAbove {
    template <class Settings>
    HLS_INLINE void take(bool enters, bool leaves, const Settings& settings) {
       if constexpr (C.run_time_settings) {
-         top_p2.take(enters, settings.p2);
-         p1.take(leaves, settings.p1);
-         p2.take(leaves, settings.p2);
+         if constexpr (C.has_penalties_above()) {
+            take(enters, leaves, settings.above_p1, settings.above_p2);
+         } else {
+            take(enters, leaves, settings.p1, settings.p2);
+         }
       }
    }
 
   private:
+   HLS_INLINE void take(bool enters, bool leaves, uint16_t p1_now, uint16_t p2_now) {
+      top_p2.take(enters, p2_now);
+      p1.take(leaves, p1_now);
+      p2.take(leaves, p2_now);
+   }
+
    static constexpr Value kMask = Value((uint64_t(1) << kTotalBits) - 1);
 
    /// Three moves: neighbours, penalty, minimum.

@@ -153,6 +153,7 @@ struct TurnedSums {
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
          Value total = right.cost[d];
+         if constexpr (C.takes_relief_off()) total = Value(total - right.relief.shown());
          if constexpr (kHasSums) total = Value(total + sum_delay.lane(d));
          sum[0][d] = total & kMask;
       }
@@ -161,7 +162,9 @@ struct TurnedSums {
       if constexpr (Turn::kWaits > 0) frame_follows = tags.held[Turn::kWaits - 1].start_of_frame;
       tags.clock(move, entry.turned);
       const auto& moves = entry.moves_right;
-      right.clock(moves, turn.ready_smallest[0], turn.ready_first, cost[1]);
+      if constexpr (C.has_relief())
+         right.clock(moves, turn.smallest_cost(), turn.ready_first, cost[1], turn.relief());
+      else right.clock(moves, turn.ready_smallest[0], turn.ready_first, cost[1]);
       if constexpr (C.run_time_settings) right.take(move & frame_follows, settings);
       if constexpr (kHasSums) {
          typename SumDelay::Lane lanes[kCount];

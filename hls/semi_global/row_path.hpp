@@ -2,6 +2,7 @@
 #pragma once
 
 #include "semi_global/config.hpp"
+#include "semi_global/path_relief.hpp"
 #include "semi_global/settings.hpp"
 #include "support/fan_out.hpp"
 #include "support/minimum_tree.hpp"
@@ -23,6 +24,8 @@ struct RowPath {
    using Value = RowPathValue<C>;
    static constexpr Value kMask = Value((1 << kBits) - 1);
    using Start = uint_of_bits<bits_for(C.p2)>;
+   /// The smallest cost; with reliefs also what they change in this column.
+   using Smallest = std::conditional_t<C.has_relief(), Value, PathCost<C>>;
 
    /// The smaller of K(d-1) and K(d+1) is needed anyway: every other pair of them, and what is left at the end, covers
    /// all disparities.
@@ -38,9 +41,10 @@ struct RowPath {
    [[no_unique_address]] SecondPenalty<C> p2;
    Start start_cost[kLookBack - 1];  ///< [j]: q of this column and of those before
    Start room;                       ///< P2 less the q of the last kLookBack-1 columns, for the next column
-   PathCost<C> smallest;
+   Smallest smallest;
    Value smallest_less;  ///< less P1
    bool first[3];        ///< [j]: the column of move j+1 is the first of its row
+   [[no_unique_address]] std::conditional_t<C.has_relief(), PathRelief<C>, NoSettings> relief;
    // move 2
    FanOut<Value, kCount> g, g_less;
    // move 3
@@ -63,6 +67,7 @@ struct RowPath {
       visit("smallest", smallest);
       visit("smallest_less", smallest_less);
       visit("first", first);
+      if constexpr (C.has_relief()) visit("relief", relief);
       visit("g", g);
       visit("g_less", g_less);
       visit("stay_change", stay_change);
@@ -71,10 +76,10 @@ struct RowPath {
       visit("arrived", arrived);
    }
 
-   /// smallest_in, first_in: of a column, whose costs are costs_in two moves later.
+   /// smallest_in, first_in: of a column, whose costs are costs_in two moves later. next_relief: of the column behind it.
    template <class Move>
    HLS_INLINE void clock(const Move& moves, PathCost<C> smallest_in, bool first_in,
-                         const PathCost<C> (&costs_in)[kCount]) {
+                         const PathCost<C> (&costs_in)[kCount], Relief<C> next_relief = 0) {
       const bool move = moves.lane(0);
       const Value lowest = tree.root();
       tree.clock(pair, moves);
@@ -87,9 +92,16 @@ struct RowPath {
       }
       g.move(moves, Value(smallest + start_cost[0]) & kMask);
       g_less.move(moves, Value(smallest_less + start_cost[0]) & kMask);
-      find_start(move, lowest, first_in);
-      smallest = select<PathCost<C>>(move, smallest_in, smallest);
-      smallest_less = select<Value>(move, Value(smallest_in - p1.get()) & kMask, smallest_less);
+      if constexpr (C.has_relief()) {
+         const Value change = Value(relief.here(first_in) - next_relief);
+         smallest = select<Value>(move, Value(smallest_in + change) & kMask, smallest);
+         smallest_less = select<Value>(move, Value(Value(smallest_in - p1.get()) + change) & kMask, smallest_less);
+         find_start(move, lowest, first_in, next_relief);
+      } else {
+         find_start(move, lowest, first_in);
+         smallest = select<PathCost<C>>(move, smallest_in, smallest);
+         smallest_less = select<Value>(move, Value(smallest_in - p1.get()) & kMask, smallest_less);
+      }
       HLS_UNROLL
       for (int j = 2; j > 0; --j) first[j] = select<bool>(move, first[j - 1], first[j]);
       first[0] = select<bool>(move, first_in, first[0]);
@@ -134,6 +146,31 @@ struct RowPath {
          cost[d] = select<Value>(moves.lane(d), next_cost[d], cost[d]);
          arrived[d] = select<Value>(moves.lane(d), next_arrived[d], arrived[d]);
       }
+   }
+
+   /// The same where P2 falls: a column's fresh start may rise until it is P2 above the best path of then, and above the
+   /// cheapest fresh start since then.
+   HLS_INLINE void find_start(bool move, Value lowest, bool first_in, Relief<C> next_relief) {
+      const bool lost = lowest >= kBias;  // the best path is no better than the fresh start was
+      const uint32_t below = uint32_t(lowest & (kBias - 1));
+      const bool by_start = lost | (relief.beyond + below >= uint32_t(kBias));
+      const bool start_rises = relief.reach >= kBias;
+      const uint32_t reached = relief.reach_of_best + below;  // with twice the bias
+      const bool best_rises = reached >= 2u * kBias;
+      const Start q_start = select<Start>(start_rises, Start(relief.reach - kBias) & kStartMask, 0);
+      const Start q_best = select<Start>(best_rises, Start(reached - 2 * kBias) & kStartMask, 0);
+      const Start rest_start = select<Start>(start_rises, relief.largest, room);  // room - q
+      const Start rest_best =
+          select<Start>(best_rises, Start(kBias + relief.looked_back() - below) & kStartMask, room);
+      const Start q = select<Start>(first_in, p2.get(), select<Start>(by_start, q_start, q_best));
+      const Start rest = select<Start>(by_start, rest_start, rest_best);
+      const Start room_after = Start((rest + start_cost[kLookBack - 2]) & kStartMask);
+      relief.clock(move, first_in, next_relief, rest, start_cost[kLookBack - 2], start_cost[kLookBack - 3]);
+      room = select<Start>(move, select<Start>(first_in, 0, room_after), room);
+      HLS_UNROLL
+      for (int j = kLookBack - 2; j > 0; --j)
+         start_cost[j] = select<Start>(move, select<Start>(first_in, 0, start_cost[j - 1]), start_cost[j]);
+      start_cost[0] = select<Start>(move, q, start_cost[0]);
    }
 
    /// q. Until the tree shows a column of this row, `room` is 0, and so is q.

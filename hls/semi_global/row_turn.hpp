@@ -43,7 +43,11 @@ struct RowTurn {
    using Costs = Packed<C.cost_bits(), kCount>;
    using SumMemory = MemoryBank<typename Sums::Word, kWidth, (kHasSums ? Sums::kWords : 0)>;
    using CostMemory = MemoryBank<typename Costs::Word, kWidth, Costs::kWords>;
-   using SmallestMemory = MemoryBank<PathCost<C>, kWidth, 1>;
+   /// The smallest cost, and above it the column's relief, where P2 falls.
+   using Smallest = uint_of_bits<C.cost_bits() + (C.has_relief() ? C.relief_bits() : 0)>;
+   static constexpr int kCostBits = C.cost_bits();
+   static constexpr Smallest kSmallestMask = Smallest((1 << kCostBits) - 1);
+   using SmallestMemory = MemoryBank<Smallest, kWidth, 1>;
    static constexpr int kMemories = SumMemory::kMemories + CostMemory::kMemories + 1;
    /// The forward paths' sum is the register that is written: its place and its validity come as many moves later.
    static constexpr int kWriteMoves = Forward::kMoves;
@@ -56,11 +60,11 @@ struct RowTurn {
    // beside the entry's costs
    typename Sums::Word read_sums[Sums::kWords];
    typename Costs::Word read_costs[Costs::kWords];
-   PathCost<C> read_smallest[1];
+   Smallest read_smallest[1];
    // move 1
    typename Sums::Word ready_sums[Sums::kWords];
    typename Costs::Word ready_costs[Costs::kWords];
-   PathCost<C> ready_smallest[1];
+   Smallest ready_smallest[1];
    bool ready_first;
    // what is written
    bool comes[kWriteMoves];  ///< [j]: the column of j+1 moves ago is one of the map
@@ -68,7 +72,7 @@ struct RowTurn {
    MoveFan<kCount, 0> writes;  ///< this clock is a move of a column of the map: what is written changes
    typename Sums::Word write_sums[Sums::kWords];
    typename Costs::Word write_costs[Costs::kWords];
-   PathCost<C> write_smallest[1];
+   Smallest write_smallest[1];
    uint16_t write_place;
    [[no_unique_address]] std::conditional_t<C.full_width, WaitingColumn<kWaits>, NoWaitingColumn> waiting;
 
@@ -99,12 +103,18 @@ struct RowTurn {
       if constexpr (C.full_width) visit("waiting", waiting);
    }
 
+   /// Of the column that the path from the right takes.
+   HLS_INLINE PathCost<C> smallest_cost() const {
+      return C.has_relief() ? PathCost<C>(ready_smallest[0] & (kSmallestMask)) : PathCost<C>(ready_smallest[0]);
+   }
+   HLS_INLINE Relief<C> relief() const { return Relief<C>(ready_smallest[0] >> kCostBits); }
+
    HLS_INLINE void clock(const PathEntry<C>& entry, const Forward& forward) {
       const bool move = entry.tag.valid;
       const auto& moves = entry.moves_turn;
       typename Sums::Word sums[Sums::kWords];
       typename Costs::Word costs[Costs::kWords];
-      PathCost<C> smallest[1];
+      Smallest smallest[1];
       if constexpr (C.full_width) {
          read_all(waiting.read_place, sums, costs, smallest);
          find_read_place(entry);
@@ -128,7 +138,7 @@ struct RowTurn {
          ready_costs[w] = select<typename Costs::Word>(moves.lane(w * Costs::kPerWord), read_costs[w], ready_costs[w]);
          read_costs[w] = costs[w];
       }
-      ready_smallest[0] = select<PathCost<C>>(move, read_smallest[0], ready_smallest[0]);
+      ready_smallest[0] = select<Smallest>(move, read_smallest[0], ready_smallest[0]);
       read_smallest[0] = smallest[0];
       if constexpr (C.full_width) {
          ready_first = select<bool>(move, waiting.first[kWaits - 1], ready_first);
@@ -152,7 +162,7 @@ struct RowTurn {
 
   private:
    HLS_INLINE void read_all(uint16_t address, typename Sums::Word (&sums)[Sums::kWords],
-                            typename Costs::Word (&costs)[Costs::kWords], PathCost<C> (&smallest)[1]) {
+                            typename Costs::Word (&costs)[Costs::kWords], Smallest (&smallest)[1]) {
       if constexpr (kHasSums) sum_memory.read(address, sums);
       cost_memory.read(address, costs);
       smallest_memory.read(address, smallest);
@@ -184,8 +194,10 @@ struct RowTurn {
       HLS_UNROLL
       for (int w = 0; w < Costs::kWords; ++w)
          write_costs[w] = select<typename Costs::Word>(writes.lane(w * Costs::kPerWord), words[w], write_costs[w]);
-      write_smallest[0] = select<PathCost<C>>(writes.lane(0), forward.smallest_cost[kWriteMoves - Forward::kLevels - 1],
-                                              write_smallest[0]);
+      Smallest smallest = forward.smallest_cost[kWriteMoves - Forward::kLevels - 1];
+      if constexpr (C.has_relief())
+         smallest = Smallest(smallest | Smallest(Smallest(forward.reliefs.moved[kWriteMoves - 1]) << kCostBits));
+      write_smallest[0] = select<Smallest>(writes.lane(0), smallest, write_smallest[0]);
       write_place = select<uint16_t>(writes.lane(0), place[kWriteMoves - 1], write_place);
    }
 };

@@ -82,11 +82,13 @@ struct Comparison {
 struct CensusWindow {
    int census_width_px = 5;   ///< 3 ... 9, odd
    int census_height_px = 5;  ///< 3 ... 7, odd
+   CensusPattern census_pattern = CensusPattern::all;
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
       visit("census_width_px", self.census_width_px, 3, 9, "the census window's width");
       visit("census_height_px", self.census_height_px, 3, 7, "the census window's height");
+      visit("census_pattern", self.census_pattern);
    }
    template <class Self>
    static constexpr Sentence problem(const Self& self) {

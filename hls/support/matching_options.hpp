@@ -18,6 +18,31 @@ enum class Cost : uint8_t {
    census  ///< Hamming distance of the census transforms
 };
 
+/// Which pixels of the census window are compared with its centre.
+enum class CensusPattern : uint8_t {
+   all,
+   even_columns,  ///< those of the columns at an even distance from the centre
+   checkerboard,  ///< those whose distances in rows and columns add up to an even number
+   sparse         ///< those of the rows and columns at an even distance from the centre
+};
+
+/// Whether the transform has a bit for the pixel dx columns and dy rows from the centre.
+constexpr bool has_census_bit(CensusPattern pattern, int dx, int dy) {
+   if (dx == 0 && dy == 0) return false;
+   switch (pattern) {
+      case CensusPattern::even_columns: return dx % 2 == 0;
+      case CensusPattern::checkerboard: return (dx + dy) % 2 == 0;
+      case CensusPattern::sparse: return dx % 2 == 0 && dy % 2 == 0;
+      default: return true;
+   }
+}
+constexpr int census_bits(int width_px, int height_px, CensusPattern pattern) {
+   int bits = 0;
+   for (int dy = -(height_px / 2); dy <= height_px / 2; ++dy)
+      for (int dx = -(width_px / 2); dx <= width_px / 2; ++dx) bits += has_census_bit(pattern, dx, dy) ? 1 : 0;
+   return bits;
+}
+
 /// What is done to both images before they are compared.
 enum class Prefilter : uint8_t { none, xsobel };
 
@@ -40,6 +65,12 @@ template <>
 struct Words<Cost> {
    static constexpr const char* kName = "Cost";
    static constexpr const char* kWords[] = {"sad", "ssd", "census"};
+};
+
+template <>
+struct Words<CensusPattern> {
+   static constexpr const char* kName = "CensusPattern";
+   static constexpr const char* kWords[] = {"all", "even_columns", "checkerboard", "sparse"};
 };
 
 template <>

@@ -49,7 +49,7 @@ struct Setting {
 
 /// All of a core, in the order of their ports.
 struct SettingList {
-   static constexpr int kMost = 8;
+   static constexpr int kMost = 12;
    Setting setting[kMost] = {};
    int count = 0;
 

@@ -37,7 +37,12 @@ RasterImage<Pixel> filtered_pixels(const RasterImage<Pixel>& image, int cap) {
 }
 
 template <class Pixel>
-CensusImage transforms(const RasterImage<Pixel>& image, int census_width_px, int census_height_px) {
+CensusImage transforms(const RasterImage<Pixel>& image, int census_width_px, int census_height_px, CensusPattern pattern) {
+   const auto is_compared = [pattern](int dx, int dy) {
+      if (pattern == CensusPattern::even_columns) return dx % 2 == 0;
+      if (pattern == CensusPattern::sparse) return dx % 2 == 0 && dy % 2 == 0;
+      return pattern == CensusPattern::all || (dx % 2 == 0) == (dy % 2 == 0);
+   };
    CensusImage census{image.width, image.height, {}};
    for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) {
@@ -45,7 +50,7 @@ CensusImage transforms(const RasterImage<Pixel>& image, int census_width_px, int
          int place = 0;
          for (int row = y - census_height_px / 2; row <= y + census_height_px / 2; ++row)
             for (int column = x - census_width_px / 2; column <= x + census_width_px / 2; ++column) {
-               if (row == y && column == x) continue;
+               if ((row == y && column == x) || !is_compared(column - x, row - y)) continue;
                const int other = inside(image, column, row) ? image.at(column, row) : 0;
                if (other > image.at(x, y)) bits |= uint64_t(1) << place;
                ++place;
@@ -60,11 +65,11 @@ CensusImage transforms(const RasterImage<Pixel>& image, int census_width_px, int
 GrayImage prefiltered(const GrayImage& image, int cap) { return filtered_pixels(image, cap); }
 DeepImage prefiltered(const DeepImage& image, int cap) { return filtered_pixels(image, cap); }
 
-CensusImage census_transform(const GrayImage& image, int census_width_px, int census_height_px) {
-   return transforms(image, census_width_px, census_height_px);
+CensusImage census_transform(const GrayImage& image, int census_width_px, int census_height_px, CensusPattern pattern) {
+   return transforms(image, census_width_px, census_height_px, pattern);
 }
-CensusImage census_transform(const DeepImage& image, int census_width_px, int census_height_px) {
-   return transforms(image, census_width_px, census_height_px);
+CensusImage census_transform(const DeepImage& image, int census_width_px, int census_height_px, CensusPattern pattern) {
+   return transforms(image, census_width_px, census_height_px, pattern);
 }
 
 CostVolume column_sums(const CostVolume& costs, int window_px) {

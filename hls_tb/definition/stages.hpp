@@ -42,7 +42,7 @@ struct CostVolume {
    }
 };
 
-/// Census transforms, one for each pixel: bit i is the i-th other pixel of the window in raster order.
+/// Census transforms, one for each pixel: bit i is the i-th other pixel of the pattern in raster order.
 struct CensusImage {
    int width = 0;
    int height = 0;
@@ -56,8 +56,10 @@ GrayImage prefiltered(const GrayImage& image, int cap);
 DeepImage prefiltered(const DeepImage& image, int cap);
 
 /// 2. Pixels outside the image count as 0.
-CensusImage census_transform(const GrayImage& image, int census_width_px, int census_height_px);
-CensusImage census_transform(const DeepImage& image, int census_width_px, int census_height_px);
+CensusImage census_transform(const GrayImage& image, int census_width_px, int census_height_px,
+                             CensusPattern pattern = CensusPattern::all);
+CensusImage census_transform(const DeepImage& image, int census_width_px, int census_height_px,
+                             CensusPattern pattern = CensusPattern::all);
 
 /// Sum of c over the rows y-B/2 ... y+(B-1)/2 of one column; rows outside the image count 0. Same size as c.
 CostVolume column_sums(const CostVolume& costs, int window_px);

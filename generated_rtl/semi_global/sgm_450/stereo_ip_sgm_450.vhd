@@ -63,9 +63,9 @@ begin
       disparity_bits => 8,
       output_width_px => 387,
       latency_clocks => 49,
-      flush_groups => 2708,
+      flush_groups => 2710,
       gap_groups => 0,
-      core_id => x"4fa6f86c",
+      core_id => x"43470660",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -120,7 +120,7 @@ begin
       disparity_bits => 8,
       output_width_px => 387,
       latency_clocks => 49,
-      flush_groups => 2708,
+      flush_groups => 2710,
       gap_groups => 0)
     port map (
       clock => aclk,

@@ -17,8 +17,10 @@ CostVolume costs_of(const RasterImage<Pixel>& left, const RasterImage<Pixel>& ri
    const RasterImage<Pixel> l = filters ? prefiltered(left, matching.prefilter_cap) : left;
    const RasterImage<Pixel> r = filters ? prefiltered(right, matching.prefilter_cap) : right;
    const int census_width = matching.census_width_px, census_height = matching.census_height_px;
-   const CensusImage left_bits = is_census ? census_transform(l, census_width, census_height) : CensusImage();
-   const CensusImage right_bits = is_census ? census_transform(r, census_width, census_height) : CensusImage();
+   const auto bits_of = [&](const RasterImage<Pixel>& image) {
+      return is_census ? census_transform(image, census_width, census_height, matching.census_pattern) : CensusImage();
+   };
+   const CensusImage left_bits = bits_of(l), right_bits = bits_of(r);
 
    const int first = first_cost_column(matching);
    CostVolume costs(cost_columns(left.width, matching), left.height, matching.disparities);

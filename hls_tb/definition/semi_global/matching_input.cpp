@@ -2,6 +2,7 @@
 #include "definition/semi_global/matching_input.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
@@ -37,6 +38,20 @@ int largest_path_cost(const Matching& matching) {
    const int64_t window_cost = block_matching::largest_pixel_cost(matching.window_costs()) * side * side;
    return int(std::min<int64_t>(window_cost >> matching.cost_shift, matching.cost_cap));
 }
+
+template <class Pixel>
+DeepImage reliefs(const RasterImage<Pixel>& right, const Matching& matching) {
+   DeepImage relief(map_width(right.width, matching), right.height);
+   const int first = map_geometry(matching, right.width).first_column;
+   for (int y = 0; y < relief.height; ++y)
+      for (int x = 1; x < relief.width; ++x) {
+         const int difference = std::abs(int(right.at(first + x, y)) - int(right.at(first + x - 1, y)));
+         relief.at(x, y) = uint16_t(std::min(difference >> matching.relief_shift(), matching.largest_relief()));
+      }
+   return relief;
+}
+template DeepImage reliefs(const GrayImage&, const Matching&);
+template DeepImage reliefs(const DeepImage&, const Matching&);
 
 int map_width(int width_px, const Matching& matching) {
    const block_matching::Matching costs = matching.window_costs();

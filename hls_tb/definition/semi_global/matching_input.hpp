@@ -20,6 +20,11 @@ Matching mirrored(Matching matching);
 /// Largest cost that a path can see.
 int largest_path_cost(const Matching& matching);
 
+/// By how much P2 falls between the map's columns x-1 and x along a row of the right image, with `matching` for a right
+/// reference: [y][x], 0 in column 0. Image: of grey values, whatever the prefilter.
+template <class Pixel>
+DeepImage reliefs(const RasterImage<Pixel>& right, const Matching& matching);
+
 /// Width of the disparity map: that of the cost columns.
 int map_width(int width_px, const Matching& matching);
 MapGeometry map_geometry(const Matching& matching, int image_width);

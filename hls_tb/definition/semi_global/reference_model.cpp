@@ -28,16 +28,17 @@ class RowPath {
          cost_(std::size_t(matching.disparities)),
          arrived_(cost_) {}
 
-   /// K of the next column: c is its costs.
-   const std::vector<int>& next(const std::vector<int>& c) {
+   /// K of the next column: c is its costs, relief the fall of P2 on the way to it.
+   const std::vector<int>& next(const std::vector<int>& c, int relief) {
       const int smallest = *std::min_element(c.begin(), c.end());
+      discount_.push_back(-relief);
       start_.push_back(next_start());
       const int g = smallest + start_.back();
       const bool is_first = start_.size() == 1;
       std::vector<int> cost(c), arrived(c);
       for (int d = 0; d < int(c.size()); ++d) {
          const std::size_t i = std::size_t(d);
-         const int stay = is_first ? 0 : std::min({0, cost_[i], arrived_[i]});
+         const int stay = is_first ? 0 : std::min({-relief, cost_[i], arrived_[i]});
          const int step = is_first ? 0 : smaller_neighbour(cost_, d);
          cost[i] = c[i] - g + stay;
          arrived[i] = c[i] - g + matching_.p1 + step;
@@ -56,13 +57,16 @@ class RowPath {
       if (i < look_back_) return 0;
       int since = 0;
       for (int j = i - look_back_ + 1; j < i; ++j) since += start_[std::size_t(j)];
-      return std::max(0, matching_.p2 + lowest_[std::size_t(i - look_back_)] - since);
+      const int cheapest = *std::min_element(discount_.end() - look_back_, discount_.end());
+      const int best = std::min(cheapest, lowest_[std::size_t(i - look_back_)]);
+      return std::max(0, matching_.p2 + best - since);
    }
 
    const Matching& matching_;
    int look_back_;
    std::vector<int> cost_, arrived_;  ///< K and A of the last column
    std::vector<int> start_, lowest_;  ///< q and the smallest K of all columns so far
+   std::vector<int> discount_;        ///< f of all columns so far
 };
 
 std::vector<int> column_of(const CostVolume& volume, int x, int y) {
@@ -92,7 +96,7 @@ DisparityMap matched(const Image& left, const Image& right, const Matching& matc
    check_matching_input(left, right, matching);
    if (matching.reference == Reference::left)
       return mirrored(matched(mirrored(right), mirrored(left), mirrored(matching)));
-   CostVolume sums = path_sums(costs_of(left, right, matching), matching);
+   CostVolume sums = path_sums(costs_of(left, right, matching), reliefs(right, matching), matching);
    if (matching.full_width) keep_candidates(sums, range_of(matching));
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
@@ -113,13 +117,15 @@ CostVolume path_costs(const DeepImage& left, const DeepImage& right, const Match
    return costs_of(left, right, matching);
 }
 
-CostVolume row_path(const CostVolume& costs, RowDirection direction, const Matching& matching) {
+CostVolume row_path(const CostVolume& costs, const DeepImage& relief, RowDirection direction, const Matching& matching) {
    CostVolume path(costs.width, costs.height, costs.disparities);
    for (int y = 0; y < costs.height; ++y) {
       RowPath row(matching);
       for (int i = 0; i < costs.width; ++i) {
-         const int x = direction == RowDirection::from_left ? i : costs.width - 1 - i;
-         const std::vector<int>& cost = row.next(column_of(costs, x, y));
+         const bool from_left = direction == RowDirection::from_left;
+         const int x = from_left ? i : costs.width - 1 - i;
+         const int fall = i == 0 ? 0 : relief.at(from_left ? x : x + 1, y);
+         const std::vector<int>& cost = row.next(column_of(costs, x, y), fall);
          for (int d = 0; d < costs.disparities; ++d) path.at(x, y, d) = cost[std::size_t(d)];
       }
    }
@@ -127,9 +133,10 @@ CostVolume row_path(const CostVolume& costs, RowDirection direction, const Match
 }
 
 CostVolume path_from_above(const CostVolume& costs, const Matching& matching) {
+   const int p1 = matching.p1_above(), p2 = matching.p2_above();
    CostVolume path(costs.width, costs.height, costs.disparities);
    for (int x = 0; x < costs.width; ++x) {
-      std::vector<int> from_above(std::size_t(costs.disparities), matching.p2);  // T(x,y,d)
+      std::vector<int> from_above(std::size_t(costs.disparities), p2);  // T(x,y,d)
       for (int y = 0; y < costs.height; ++y) {
          std::vector<int> total = column_of(costs, x, y);
          for (std::size_t d = 0; d < total.size(); ++d) total[d] += from_above[d];
@@ -137,22 +144,22 @@ CostVolume path_from_above(const CostVolume& costs, const Matching& matching) {
          std::vector<int> bounded;
          for (int d = 0; d < costs.disparities; ++d) {
             path.at(x, y, d) = total[std::size_t(d)] - smallest;
-            bounded.push_back(std::min(path.at(x, y, d), matching.p2));
+            bounded.push_back(std::min(path.at(x, y, d), p2));
          }
          for (int d = 0; d < costs.disparities; ++d)
-            from_above[std::size_t(d)] = std::min(bounded[std::size_t(d)], smaller_neighbour(bounded, d) + matching.p1);
+            from_above[std::size_t(d)] = std::min(bounded[std::size_t(d)], smaller_neighbour(bounded, d) + p1);
       }
    }
    return path;
 }
 
-CostVolume path_sums(const CostVolume& costs, const Matching& matching) {
+CostVolume path_sums(const CostVolume& costs, const DeepImage& relief, const Matching& matching) {
    CostVolume sums(costs.width, costs.height, costs.disparities);
    const auto add = [&sums](const CostVolume& path) {
       std::transform(path.values.begin(), path.values.end(), sums.values.begin(), sums.values.begin(), std::plus<>());
    };
-   if (matching.path_left) add(row_path(costs, RowDirection::from_left, matching));
-   if (matching.path_right) add(row_path(costs, RowDirection::from_right, matching));
+   if (matching.path_left) add(row_path(costs, relief, RowDirection::from_left, matching));
+   if (matching.path_right) add(row_path(costs, relief, RowDirection::from_right, matching));
    if (matching.path_above) add(path_from_above(costs, matching));
    return sums;
 }

@@ -15,14 +15,14 @@ CostVolume path_costs(const DeepImage& left, const DeepImage& right, const Match
 
 enum class RowDirection { from_left, from_right };
 
-/// K of a row path.
-CostVolume row_path(const CostVolume& costs, RowDirection direction, const Matching& matching);
+/// K of a row path. relief: as reliefs() gives it.
+CostVolume row_path(const CostVolume& costs, const DeepImage& relief, RowDirection direction, const Matching& matching);
 
 /// K of the path from above.
 CostVolume path_from_above(const CostVolume& costs, const Matching& matching);
 
 /// The sum of the paths that are on.
-CostVolume path_sums(const CostVolume& costs, const Matching& matching);
+CostVolume path_sums(const CostVolume& costs, const DeepImage& relief, const Matching& matching);
 
 /// 1 where no disparity but the winner and its neighbours comes closer than `distance` to the smallest sum.
 GrayImage distance_check(const CostVolume& sums, const DisparityMap& winners, int distance);

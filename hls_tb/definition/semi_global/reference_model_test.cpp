@@ -34,6 +34,9 @@ CostVolume random_costs(int width, int height, int disparities, int largest, uin
    return costs;
 }
 
+/// Reliefs of pictures without edges.
+DeepImage flat(const CostVolume& costs) { return {costs.width, costs.height}; }
+
 TEST(SemiGlobalReference, RowPathByHand) {
    // P1 = 2, P2 = 5, D = 3, so the fresh start looks back 6 columns, beyond this row.
    const CostVolume costs = one_row({{4, 0, 7}, {4, 1, 1}, {0, 6, 6}});
@@ -41,7 +44,7 @@ TEST(SemiGlobalReference, RowPathByHand) {
    // Column 0: g = 0 + 5: K = -1 -5 2, A = 1 -3 4.
    // Column 1: g = 1: c - g = 3 0 0. Stay: min(0, K, A) = -1 -5 0. K = 2 -5 0. Step: -5 -1 -5: A = 0 1 -3.
    // Column 2: g = 0: c - g = 0 6 6. Stay: 0 -5 -3. K = 0 1 3.
-   const CostVolume path = semi_global::row_path(costs, RowDirection::from_left, matching);
+   const CostVolume path = semi_global::row_path(costs, flat(costs), RowDirection::from_left, matching);
    EXPECT_EQ(path.values, (std::vector<int>{-1, -5, 2, 2, -5, 0, 0, 1, 3}));
 }
 
@@ -51,11 +54,68 @@ TEST(SemiGlobalReference, TheFreshStartMakesUpForWhatTheBestPathHasLost) {
    const Matching matching{DisparityCount{2}, semi_global::Paths{.p1 = 100, .p2 = 4}};
    std::vector<std::vector<int>> columns(8, {0, 9});
    columns[2] = {3, 0};  // the best path loses 3 here
-   const CostVolume path = semi_global::row_path(one_row(columns), RowDirection::from_left, matching);
+   const CostVolume path = semi_global::row_path(one_row(columns), flat(one_row(columns)), RowDirection::from_left, matching);
    std::vector<int> best;
    for (int x = 0; x < path.width; ++x) best.push_back(path.at(x, 0, 0));
    // Column 5: q = max(0, 4 - 4 - (0+0+0+0)) = 0. Column 6 sees column 1: -4: 0. Column 7 sees column 2: -1: q = 3.
    EXPECT_EQ(best, (std::vector<int>{-4, -4, -1, -1, -1, -1, -1, -4}));
+}
+
+TEST(SemiGlobalReference, P2FallsWithTheGreyDifferenceByHand) {
+   // As RowPathByHand, but P2 falls by 3 on the way to column 1: f(1) = -3.
+   const CostVolume costs = one_row({{4, 0, 7}, {4, 1, 1}, {0, 6, 6}});
+   const Matching matching{DisparityCount{3}, semi_global::Paths{.p1 = 2, .p2 = 5, .p2_least = 2}};
+   DeepImage relief = flat(costs);
+   relief.at(1, 0) = 3;
+   // Column 1: c - g = 3 0 0. Stay: min(-3, K, A) = -3 -5 -3. K = 0 -5 -3. Step: -5 -1 -5: A = 0 1 -3.
+   // Column 2: c - g = 0 6 6. Stay: 0 -5 -3. K = 0 1 3.
+   const CostVolume path = semi_global::row_path(costs, relief, RowDirection::from_left, matching);
+   EXPECT_EQ(path.values, (std::vector<int>{-1, -5, 2, 0, -5, -3, 0, 1, 3}));
+   // From the right, the same two columns are columns 1 and 0: the relief between them counts for column 0 of the map.
+   relief = flat(costs);
+   relief.at(2, 0) = 3;
+   const CostVolume back = semi_global::row_path(costs, relief, RowDirection::from_right, matching);
+   // Column 2: g = 5: K = -5 1 1, A = -3 3 3. Column 1: c - g = 3 0 0; stay: min(-3, K, A) = -5 -3 -3: K = -2 -3 -3.
+   EXPECT_EQ((std::vector<int>(back.values.begin() + 3, back.values.end())), (std::vector<int>{-2, -3, -3, -5, 1, 1}));
+}
+
+TEST(SemiGlobalReference, AFreshStartKnowsTheReliefsThatItLooksBackOver) {
+   // Disparity 0 costs nothing. D = 2, look back 5. Column 5 sees column 0, where the best path stands at -4, and the
+   // relief of any column since then is no deeper: q = 0. In column 7 the best path of column 2 has lost 3, but the fresh
+   // start of column 4 was cheaper by 2, so only 4 - 2 = 2 are left to rise by.
+   std::vector<std::vector<int>> columns(8, {0, 9});
+   columns[2] = {3, 0};
+   const CostVolume costs = one_row(columns);
+   const Matching matching{DisparityCount{2}, semi_global::Paths{.p1 = 100, .p2 = 4, .p2_least = 1}};
+   DeepImage relief = flat(costs);
+   relief.at(4, 0) = 2;
+   const CostVolume path = semi_global::row_path(costs, relief, RowDirection::from_left, matching);
+   std::vector<int> best;
+   for (int x = 0; x < path.width; ++x) best.push_back(path.at(x, 0, 0));
+   EXPECT_EQ(best, (std::vector<int>{-4, -4, -1, -1, -2, -2, -2, -4}));
+}
+
+TEST(SemiGlobalReference, ReliefsAreHalvesOfTheGreyDifferenceUpToTheFallOfP2) {
+   GrayImage image(6, 1);
+   image.pixels = {10, 13, 13, 255, 250, 100};
+   const Matching all{DisparityCount{2}, semi_global::Paths{.p2 = 60, .p2_least = 20}};
+   // The map has the columns 0 ... 4, and no relief in its first one.
+   EXPECT_EQ(reliefs(image, all).pixels, (std::vector<uint16_t>{0, 1, 0, 40, 2}));
+   const Matching deep{DisparityCount{2}, PixelFormat{12}, semi_global::Paths{.p2 = 60, .p2_least = 20}};
+   EXPECT_EQ(reliefs(image, deep).pixels, (std::vector<uint16_t>{0, 0, 0, 7, 0}));
+   const Matching none{DisparityCount{2}, semi_global::Paths{.p2 = 60, .p2_least = 60}};
+   EXPECT_EQ(reliefs(image, none).pixels, (std::vector<uint16_t>{0, 0, 0, 0, 0}));
+}
+
+TEST(SemiGlobalReference, ThePathFromAboveHasPenaltiesOfItsOwn) {
+   const CostVolume costs = random_costs(4, 12, 7, 15, test_seed());
+   const Matching rows{DisparityCount{7}, semi_global::Paths{.p1 = 3, .p2 = 11}};
+   const Matching own{DisparityCount{7}, semi_global::Paths{.p1 = 30, .p2 = 90, .above_p1 = 3, .above_p2 = 11}};
+   EXPECT_EQ(path_from_above(costs, own).values, path_from_above(costs, rows).values);
+   EXPECT_EQ(row_path(costs, flat(costs), RowDirection::from_left, own).values,
+             row_path(costs, flat(costs), RowDirection::from_left,
+                      Matching{DisparityCount{7}, semi_global::Paths{.p1 = 30, .p2 = 90}})
+                 .values);
 }
 
 TEST(SemiGlobalReference, PathFromAboveByHand) {
@@ -102,8 +162,8 @@ TEST(SemiGlobalReference, TheRowPathsAreMirrorImages) {
    for (int y = 0; y < costs.height; ++y)
       for (int x = 0; x < costs.width; ++x)
          for (int d = 0; d < 6; ++d) turned.at(costs.width - 1 - x, y, d) = costs.at(x, y, d);
-   const CostVolume left = row_path(costs, RowDirection::from_left, matching);
-   const CostVolume right = row_path(turned, RowDirection::from_right, matching);
+   const CostVolume left = row_path(costs, flat(costs), RowDirection::from_left, matching);
+   const CostVolume right = row_path(turned, flat(turned), RowDirection::from_right, matching);
    for (int y = 0; y < costs.height; ++y)
       for (int x = 0; x < costs.width; ++x)
          for (int d = 0; d < 6; ++d) ASSERT_EQ(left.at(x, y, d), right.at(costs.width - 1 - x, y, d));
@@ -118,7 +178,7 @@ TEST(SemiGlobalReference, RowPathsStayWithinTheirBounds) {
       CostVolume costs = random_costs(120, 1, disparities, largest, test_seed() + uint64_t(i));
       if (i % 2 == 0)
          for (int& value : costs.values) value = value > largest / 2 ? largest : 0;
-      const CostVolume path = row_path(costs, RowDirection::from_left, matching);
+      const CostVolume path = row_path(costs, flat(costs), RowDirection::from_left, matching);
       const auto [lowest, highest] = std::minmax_element(path.values.begin(), path.values.end());
       EXPECT_GE(*lowest, -(matching.p2 + std::max(0, largest - matching.p1)));
       EXPECT_LE(*highest, largest);
@@ -128,12 +188,13 @@ TEST(SemiGlobalReference, RowPathsStayWithinTheirBounds) {
 TEST(SemiGlobalReference, SumsThePathsThatAreOn) {
    const CostVolume costs = random_costs(30, 8, 5, 13, test_seed());
    const Matching all{DisparityCount{5}};
-   const CostVolume left = row_path(costs, RowDirection::from_left, all);
-   const CostVolume right = row_path(costs, RowDirection::from_right, all), above = path_from_above(costs, all);
+   const CostVolume left = row_path(costs, flat(costs), RowDirection::from_left, all);
+   const CostVolume right = row_path(costs, flat(costs), RowDirection::from_right, all);
+   const CostVolume above = path_from_above(costs, all);
    for (int set = 1; set < 8; ++set) {
       Matching matching = all;
       matching.path_left = set & 1, matching.path_right = set & 2, matching.path_above = set & 4;
-      const CostVolume sums = path_sums(costs, matching);
+      const CostVolume sums = path_sums(costs, flat(costs), matching);
       for (std::size_t i = 0; i < sums.values.size(); ++i)
          ASSERT_EQ(sums.values[i],
                    (set & 1 ? left.values[i] : 0) + (set & 2 ? right.values[i] : 0) + (set & 4 ? above.values[i] : 0));

@@ -36,18 +36,20 @@ STEREO_VECTOR_CLONES void append_bits(uint8_t* __restrict bits, const uint16_t* 
 }
 
 /// Calls visit(y, row, dx, number) for each other pixel of the window around the pixels of row y, whose rows lie in the
-/// image; `number` counts the pixels of the window.
+/// image; `number` counts the pixels of the pattern.
 template <class Visit>
-void for_each_other(int height, int census_width_px, int census_height_px, int threads, const Visit& visit) {
-   const int radius_x = census_width_px / 2, radius_y = census_height_px / 2;
+void for_each_other(int height, const CensusWindow& window, int threads, const Visit& visit) {
+   const int radius_x = window.census_width_px / 2, radius_y = window.census_height_px / 2;
    for_each_band(height, threads, [&](int first, int end) {
-      for (int y = first; y < end; ++y)
+      for (int y = first; y < end; ++y) {
+         int number = 0;
          for (int dy = -radius_y; dy <= radius_y; ++dy)
             for (int dx = -radius_x; dx <= radius_x; ++dx) {
-               const int place = (dy + radius_y) * census_width_px + dx + radius_x;
-               const int number = place - (dy > 0 || (dy == 0 && dx > 0) ? 1 : 0);
-               if ((dy != 0 || dx != 0) && y + dy >= 0 && y + dy < height) visit(y, y + dy, dx, number);
+               if (!has_census_bit(window.census_pattern, dx, dy)) continue;
+               if (y + dy >= 0 && y + dy < height) visit(y, y + dy, dx, number);
+               ++number;
             }
+      }
    });
 }
 
@@ -62,21 +64,19 @@ void append_to_row(Bits* bits, const RasterImage<Pixel>& image, int y, int row, 
 }
 
 template <class Pixel>
-std::vector<uint64_t> transforms_of(const RasterImage<Pixel>& image, int census_width_px, int census_height_px,
-                                    int threads) {
+std::vector<uint64_t> transforms_of(const RasterImage<Pixel>& image, const CensusWindow& window, int threads) {
    std::vector<uint64_t> transforms(image.pixels.size());
-   for_each_other(image.height, census_width_px, census_height_px, threads, [&](int y, int row, int dx, int) {
+   for_each_other(image.height, window, threads, [&](int y, int row, int dx, int) {
       append_to_row(transforms.data() + std::ptrdiff_t(y) * image.width, image, y, row, dx);
    });
    return transforms;
 }
 
 template <class Pixel>
-std::vector<uint8_t> planes_of(const RasterImage<Pixel>& image, int census_width_px, int census_height_px,
-                               int threads) {
-   const int planes = (census_width_px * census_height_px - 1 + 7) / 8;
+std::vector<uint8_t> planes_of(const RasterImage<Pixel>& image, const CensusWindow& window, int threads) {
+   const int planes = (census_bits(window.census_width_px, window.census_height_px, window.census_pattern) + 7) / 8;
    std::vector<uint8_t> transforms(image.pixels.size() * std::size_t(planes));
-   for_each_other(image.height, census_width_px, census_height_px, threads, [&](int y, int row, int dx, int number) {
+   for_each_other(image.height, window, threads, [&](int y, int row, int dx, int number) {
       append_to_row(transforms.data() + (std::ptrdiff_t(number / 8) * image.height + y) * image.width, image, y, row,
                     dx);
    });
@@ -85,18 +85,18 @@ std::vector<uint8_t> planes_of(const RasterImage<Pixel>& image, int census_width
 
 }  // namespace
 
-std::vector<uint64_t> census(const GrayImage& image, int census_width_px, int census_height_px, int threads) {
-   return transforms_of(image, census_width_px, census_height_px, threads);
+std::vector<uint64_t> census(const GrayImage& image, const CensusWindow& window, int threads) {
+   return transforms_of(image, window, threads);
 }
-std::vector<uint64_t> census(const DeepImage& image, int census_width_px, int census_height_px, int threads) {
-   return transforms_of(image, census_width_px, census_height_px, threads);
+std::vector<uint64_t> census(const DeepImage& image, const CensusWindow& window, int threads) {
+   return transforms_of(image, window, threads);
 }
 
-std::vector<uint8_t> census_planes(const GrayImage& image, int census_width_px, int census_height_px, int threads) {
-   return planes_of(image, census_width_px, census_height_px, threads);
+std::vector<uint8_t> census_planes(const GrayImage& image, const CensusWindow& window, int threads) {
+   return planes_of(image, window, threads);
 }
-std::vector<uint8_t> census_planes(const DeepImage& image, int census_width_px, int census_height_px, int threads) {
-   return planes_of(image, census_width_px, census_height_px, threads);
+std::vector<uint8_t> census_planes(const DeepImage& image, const CensusWindow& window, int threads) {
+   return planes_of(image, window, threads);
 }
 
 }  // namespace stereo::fast

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import os
 import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
 from ..base.markdown import number, table
 from ..base.tools import ROOT, Word
+from ..quality.pairs import data_folder
 from ..quality.evaluation import MASKS, MEASURES, Method, evaluate, scene
 
 PAGE = ROOT / "docs" / "quality.md"
@@ -116,7 +116,7 @@ Measured = list[tuple[str, Method]]  # (title, what was measured) of each method
 
 
 def default_pair() -> Path:
-    return Path(os.environ.get("STEREO_DATA") or ROOT.parent / "shared" / "data" / "stereo") / "teddy"
+    return data_folder() / "teddy"
 
 
 def missing_files(pair: Path) -> list[str]:
@@ -296,7 +296,8 @@ def scenes_text() -> str:
     return text.format(disparities=SCENE_DISPARITIES, seeds=seeds, regions=regions, cameras=differing).rstrip()
 
 
-def page(pair: Path) -> str:
+def page(pair: Path, pairs_text: str) -> str:
+    """pairs_text: what quality_pairs.py found."""
     results = measure(pair_images(pair), PAIR_DISPARITIES)
     cameras = measure_cameras(pair_images(pair), PAIR_DISPARITIES)
     return (
@@ -313,6 +314,7 @@ def page(pair: Path) -> str:
             cameras=cameras_table([cameras]),
             winners=winners_table(cameras),
             phase_wins=phase_wins(cameras),
+            pairs=pairs_text,
             scenes=scenes_text(),
         )
     )

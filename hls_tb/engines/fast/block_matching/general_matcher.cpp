@@ -232,9 +232,8 @@ template <class Pixel>
 DisparityMap match(const RasterImage<Pixel>& left, const RasterImage<Pixel>& right, const Matching& matching,
                    int threads) {
    if (matching.cost == Cost::census) {
-      const int width = matching.census_width_px, height = matching.census_height_px;
-      return match_codes(fast::census(left, width, height, threads), fast::census(right, width, height, threads),
-                         left.width, matching, threads);
+      return match_codes(fast::census(left, matching, threads), fast::census(right, matching, threads), left.width,
+                         matching, threads);
    }
    using Pair = AlignedPair<Pixel>;
    using Rows = void (*)(const Pair&, const Matching&, DisparityMap&, int, int);

@@ -21,6 +21,7 @@ template <class Pixel, class Lane, int Fixed>
 struct Shared {
    const PixelRows<Pixel>& pixels;
    const Matching& matching;
+   const DeepImage& relief;  ///< of the map, where P2 falls
    int lanes;
    DisparityMap& map;
    RowBands bands;
@@ -50,7 +51,7 @@ class Matcher {
       for (int band = shared_.bands.take(); band < shared_.bands.count(); band = shared_.bands.take()) {
          const int first = shared_.bands.first_row(band), end = shared_.bands.end_row(band);
          window_costs_.go_to(first);
-         for (int y = first; y < end; ++y) begin_row(rows_[std::size_t(y - first)]);
+         for (int y = first; y < end; ++y) begin_row(rows_[std::size_t(y - first)], y);
          for (int block = 0; block < shared_.bands.blocks(); ++block) {
             const int first_column = shared_.bands.first_column(block), end_column = shared_.bands.end_column(block);
             shared_.bands.enter(block, band);
@@ -77,9 +78,9 @@ class Matcher {
       fast::OtherWinners<Lane> other;
    };
 
-   STEREO_INTO_CLONES void begin_row(Row& row) {
+   STEREO_INTO_CLONES void begin_row(Row& row, int y) {
       window_costs_.next_row(row.costs.data(), row.smallest.data());
-      row_paths(row);
+      row_paths(row, matching_.largest_relief() > 0 ? shared_.relief.row(y) : nullptr);
       row.other.restart();
    }
 
@@ -89,7 +90,7 @@ class Matcher {
    STEREO_INTO_CLONES Lane* sums(Row& row, int x) const { return row.sums.data() + std::ptrdiff_t(x) * lanes_; }
 
    /// Both paths in one loop: neither waits for the other. Each column first gets what comes to it first.
-   STEREO_INTO_CLONES void row_paths(Row& row) {
+   STEREO_INTO_CLONES void row_paths(Row& row, const uint16_t* relief) {
       // K + bias less this is K of the path against its least number, so that the sum of the paths fits a lane.
       const Lane excess = Lane(RowPathState<Lane, Fixed>::kBias - Lane(PathBounds(matching_).lowest_path));
       const int last = map_.width - 1;
@@ -97,12 +98,13 @@ class Matcher {
       from_left_.start_row();
       from_right_.start_row();
       for (int i = 0; i <= last; ++i) {
-         if (matching_.path_left) add_next(from_left_, row, i, excess);
-         if (matching_.path_right) add_next(from_right_, row, last - i, excess);
+         const bool falls = relief != nullptr && i > 0;
+         if (matching_.path_left) add_next(from_left_, row, i, falls ? relief[i] : 0, excess);
+         if (matching_.path_right) add_next(from_right_, row, last - i, falls ? relief[last - i + 1] : 0, excess);
       }
    }
-   STEREO_INTO_CLONES void add_next(RowPathState<Lane, Fixed>& path, Row& row, int x, Lane excess) {
-      path.add_next(costs(row, x), row.smallest[std::size_t(x)], beyond_.data(), excess, sums(row, x));
+   STEREO_INTO_CLONES void add_next(RowPathState<Lane, Fixed>& path, Row& row, int x, int relief, Lane excess) {
+      path.add_next(costs(row, x), row.smallest[std::size_t(x)], relief, beyond_.data(), excess, sums(row, x));
    }
 
    STEREO_INTO_CLONES void winners(Row& row, int y, int first, int end) {
@@ -213,13 +215,15 @@ RowBands bands_of(const DisparityMap& map, const Matching& matching, int threads
 }
 
 template <class Pixel>
-DisparityMap match(const PixelRows<Pixel>& pixels, int image_width, const Matching& matching, int threads) {
+DisparityMap match(const PixelRows<Pixel>& pixels, int image_width, const DeepImage& relief, const Matching& matching,
+                   int threads) {
    const int lanes = (matching.disparities + kVector - 1) / kVector * kVector;
    DisparityMap map(map_width(image_width, matching), pixels.height, 0, matching.subpixel);
    const auto run = [&]<class Lane, int Fixed>(void (*match)(Shared<Pixel, Lane, Fixed>&)) {
       Shared<Pixel, Lane, Fixed> shared{
           pixels,
           matching,
+          relief,
           lanes,
           map,
           bands_of(map, matching, threads),
@@ -247,9 +251,10 @@ DisparityMap match(const PixelRows<Pixel>& pixels, int image_width, const Matchi
 /// Either kind of image.
 template <class Image>
 DisparityMap match_images(const Image& left, const Image& right, const Matching& matching, int threads) {
+   const DeepImage relief = matching.largest_relief() > 0 ? reliefs(right, matching) : DeepImage();
    if (matching.cost == Cost::census)
-      return match(census_rows(left, right, matching, kVector, threads), left.width, matching, threads);
-   return match(pixel_rows(left, right, matching, kVector, threads), left.width, matching, threads);
+      return match(census_rows(left, right, matching, kVector, threads), left.width, relief, matching, threads);
+   return match(pixel_rows(left, right, matching, kVector, threads), left.width, relief, matching, threads);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct PathBounds {
    explicit PathBounds(const Matching& matching) : largest_cost(largest_path_cost(matching)) {
       lowest_path = matching.p2 + std::max(0, largest_cost - matching.p1);
       largest_arrived = 2 * largest_cost + matching.p1;
-      largest_sum = 2 * (largest_cost + lowest_path) + largest_cost + matching.p2;
+      largest_sum = 2 * (largest_cost + lowest_path) + largest_cost + matching.p2_above();
    }
    /// Unsigned lanes of so many bits hold them, and two larger numbers beside.
    bool fit(int bits) const {
@@ -46,10 +46,12 @@ class RowPathState {
       since_ = 0;
    }
 
-   /// Adds K + kBias of the next column, less `excess`, to the sums. The values of the column before are needed until
+   /// Adds K + kBias of the next column, less `excess`, to the sums. relief: the fall of P2 on the way to it. The values of the column before are needed until
    /// the next ones are complete, so the two take turns.
-   STEREO_INTO_CLONES void add_next(const Lane* __restrict costs, Lane smallest, const Lane* __restrict beyond,
-                                    Lane excess, Lane* __restrict sums) {
+   STEREO_INTO_CLONES void add_next(const Lane* __restrict costs, Lane smallest, int relief,
+                                    const Lane* __restrict beyond, Lane excess, Lane* __restrict sums) {
+      discount_[column_ % kHeld] = -relief;
+      const Lane fresh = Lane(kBias - Lane(relief));
       const Lane g = Lane(smallest + next_start());
       const int lanes = Fixed > 0 ? Fixed : lanes_;
       State &from = column_ % 2 == 0 ? first_ : second_, &to = column_ % 2 == 0 ? second_ : first_;
@@ -70,7 +72,7 @@ class RowPathState {
       } else {
          for (int d = 0; d < lanes; ++d) {
             const Lane change = Lane(costs[d] - g);
-            const Lane stay = std::min(std::min(k[d], a[d]), kBias), step = std::min(k[d - 1], k[d + 1]);
+            const Lane stay = std::min(std::min(k[d], a[d]), fresh), step = std::min(k[d - 1], k[d + 1]);
             next_k[d] = Lane(Lane(stay + change) | beyond[d]);
             next_a[d] = Lane(Lane(step + p1) + change);
             sums[d] = Lane(sums[d] + Lane(next_k[d] - excess));
@@ -101,7 +103,10 @@ class RowPathState {
          q = matching_.p2;
       } else if (column_ >= look_back_) {
          since_ -= start_[(column_ - look_back_) % kHeld];
-         q = std::max(0, matching_.p2 + lowest_[(column_ - look_back_) % kHeld] - since_);
+         int best = lowest_[(column_ - look_back_) % kHeld];
+         if (matching_.has_relief())
+            for (int i = column_ - look_back_ + 1; i <= column_; ++i) best = std::min(best, discount_[i % kHeld]);
+         q = std::max(0, matching_.p2 + best - since_);
       }
       since_ += q;
       start_[column_ % kHeld] = q;
@@ -114,6 +119,7 @@ class RowPathState {
    int column_ = 0;
    int since_ = 0;                               ///< the sum of the last look_back_ q
    int start_[kHeld] = {}, lowest_[kHeld] = {};  ///< [column % kHeld]: q, and the smallest K
+   int discount_[kHeld] = {};                    ///< [column % kHeld]: f
 };
 
 /// The path from above: T of each column of the map, moved down a row at a time. Columns know nothing of each other.
@@ -125,8 +131,8 @@ class PathFromAbove {
    PathFromAbove(const Matching& matching, int columns, int lanes)
        : matching_(matching),
          lanes_(lanes),
-         state_(std::size_t(columns) * std::size_t(lanes), Lane(matching.p2)),
-         bounded_(std::size_t(columns) * std::size_t(lanes + kBeside) + kBeside, Lane(matching.p2)) {}
+         state_(std::size_t(columns) * std::size_t(lanes), Lane(matching.p2_above())),
+         bounded_(std::size_t(columns) * std::size_t(lanes + kBeside) + kBeside, Lane(matching.p2_above())) {}
 
    /// total = sums + K of the path in map column x; kMost behind the last disparity.
    STEREO_INTO_CLONES void add(int x, const Lane* __restrict costs, const Lane* __restrict beyond,
@@ -139,7 +145,7 @@ class PathFromAbove {
          const Lane path = Lane(Lane(state[d] + costs[d]) | beyond[d]);
          smallest = std::min(smallest, path);
       }
-      const Lane p2 = Lane(matching_.p2);
+      const Lane p2 = Lane(matching_.p2_above());
       for (int d = 0; d < lanes; ++d) {
          const Lane path = Lane(Lane(state[d] + costs[d]) - smallest), all = Lane(path | beyond[d]);
          total[d] = Lane(Lane(sums[d] + path) | beyond[d]);
@@ -151,7 +157,7 @@ class PathFromAbove {
    /// another place without a long wait.
    STEREO_INTO_CLONES void next_row(int first, int end) {
       const int lanes = Fixed > 0 ? Fixed : lanes_;
-      const Lane p1 = Lane(matching_.p1);
+      const Lane p1 = Lane(matching_.p1_above());
       for (int x = first; x < end; ++x) {
          Lane* const __restrict state = state_.data() + std::ptrdiff_t(x) * lanes;
          const Lane* const __restrict bounded = bounded_.data() + std::ptrdiff_t(x) * (lanes + kBeside) + kBeside;
