@@ -92,6 +92,8 @@ struct CensusWindow {
    }
    template <class Self>
    static constexpr Sentence problem(const Self& self) {
+      if (self.census_pattern == CensusPattern::sparse && self.census_width_px == 3 && self.census_height_px == 3)
+         return "a sparse census of 3x3 has no pixel but its centre";
       if (self.census_width_px % 2 != 0 && self.census_height_px % 2 != 0) return {};
       Sentence sentence = "the census window is ";
       return sentence << self.census_width_px << "x" << self.census_height_px << " but both sides must be odd";

@@ -23,11 +23,12 @@ using SobelConfig = Exactly<block_matching::Config{{.width_px = W, .height_px = 
                                                    {DisparityCount{4}, MatchingWindow{2}, ReferenceImage{Side},
                                                     Prefiltering{.prefilter = Prefilter::xsobel, .prefilter_cap = Cap}},
                                                    {}}>;
-template <int W, int H, int P, int CensusWidth, int CensusHeight, Reference Side = Reference::right>
+template <int W, int H, int P, int CensusWidth, int CensusHeight, Reference Side = Reference::right,
+          CensusPattern Pattern = CensusPattern::all>
 using CensusConfig = Exactly<block_matching::Config{
     {.width_px = W, .height_px = H, .pixels_per_clock = P},
     {DisparityCount{4}, MatchingWindow{2}, ReferenceImage{Side}, Comparison{Cost::census},
-     CensusWindow{.census_width_px = CensusWidth, .census_height_px = CensusHeight}},
+     CensusWindow{.census_width_px = CensusWidth, .census_height_px = CensusHeight, .census_pattern = Pattern}},
     {}}>;
 
 template <class Config>
@@ -37,7 +38,10 @@ using Configs =
     ::testing::Types<SobelConfig<11, 7, 1, 31>, SobelConfig<8, 2, 1, 1>, SobelConfig<12, 8, 2, 63, Reference::left>,
                      SobelConfig<9, 8, 4, 20>, SobelConfig<8, 4, 2, 31>, CensusConfig<11, 8, 1, 5, 5>,
                      CensusConfig<12, 8, 2, 7, 3, Reference::left>, CensusConfig<10, 12, 4, 3, 7>,
-                     CensusConfig<9, 4, 1, 9, 7>, CensusConfig<8, 8, 4, 9, 7>>;
+                     CensusConfig<9, 4, 1, 9, 7>, CensusConfig<8, 8, 4, 9, 7>,
+                     CensusConfig<12, 9, 1, 9, 7, Reference::left, CensusPattern::even_columns>,
+                     CensusConfig<12, 8, 2, 9, 5, Reference::right, CensusPattern::checkerboard>,
+                     CensusConfig<12, 8, 4, 7, 7, Reference::right, CensusPattern::sparse>>;
 TYPED_TEST_SUITE(TransformTest, Configs, ConfigNames);
 
 /// Features of one image, row by row.
@@ -89,7 +93,7 @@ TransformedFrames<C> transformed(StimulusWriter& writer) {
 
 Features model_features(const GrayImage& image, const block_matching::Config& config) {
    if (config.cost == Cost::census)
-      return census_transform(image, config.census_width_px, config.census_height_px).bits;
+      return census_transform(image, config.census_width_px, config.census_height_px, config.census_pattern).bits;
    const GrayImage filtered = prefiltered(image, config.prefilter_cap);
    return Features(filtered.pixels.begin(), filtered.pixels.end());
 }

@@ -65,8 +65,8 @@ TEST(SemiGlobalConfig, PortsWidenNoPath) {
    config.run_time_settings = true;
    config.uniqueness_distance = 3;
    const SettingList list = setting_list(config);
-   ASSERT_EQ(list.count, 6);
-   const int largest[] = {5, 22, config.largest_sum(), 0, 0, 0}, start[] = {5, 22, 3, 0, 0, 0};
+   ASSERT_EQ(list.count, 9);
+   const int largest[] = {5, 22, 0, 0, 0, config.largest_sum(), 0, 0, 0}, start[] = {5, 22, 0, 0, 0, 3, 0, 0, 0};
    for (int i = 0; i < list.count; ++i) {
       EXPECT_EQ(list.setting[i].largest, largest[i]) << list.setting[i].name;
       EXPECT_EQ(list.setting[i].start, start[i]) << list.setting[i].name;
@@ -93,6 +93,46 @@ TEST(SemiGlobalConfig, PortsWidenNoPath) {
    EXPECT_EQ(config.least_p1(), 0) << "the path from above has no sign";
 }
 
+TEST(SemiGlobalConfig, PortsSetWhatTheCoreHasOfTheRoad) {
+   Config config = kGood;
+   config.run_time_settings = true;
+   config.p2 = 60;
+   config.p2_least = 20;
+   config.above_p2 = 31;
+   const SettingList list = setting_list(config);
+   const auto is = [&list](int number, const char* name, int least, int largest, int start) {
+      const Setting& setting = list.setting[number];
+      EXPECT_EQ(setting.name, std::string(name));
+      EXPECT_EQ(setting.least, least) << name;
+      EXPECT_EQ(setting.largest, largest) << name;
+      EXPECT_EQ(setting.start, start) << name;
+   };
+   is(2, "p2_least", 20, 60, 20);
+   is(3, "above_p1", 0, 5, 5);
+   is(4, "above_p2", 0, 31, 31);
+   EXPECT_EQ(config.largest_path_above(), 31 + 13);
+}
+
+TEST(SemiGlobalConfig, BitsOfARowPathHoldTheFallOfP2) {
+   Config config = kGood;
+   config.cost_cap = 5;
+   config.p1 = 7;
+   config.p2 = 60;
+   EXPECT_EQ(config.row_path_bits(), 7);
+   config.p2_least = 20;  // K, A: -60 ... 2*5 + 7 + 40
+   EXPECT_EQ(config.row_path_bits(), 7);
+   EXPECT_EQ(config.largest_row_path(), 5 + 40);
+   config.left_right_threshold = 1;
+   EXPECT_EQ(config.largest_row_path(), 5) << "the sums of two columns are compared";
+   config.p2_least = 12;  // 2*5 + 7 + 48
+   EXPECT_EQ(config.row_path_bits(), 8);
+   config.p2_least = 60;
+   EXPECT_FALSE(config.has_relief());
+   config.p2_least = 20;
+   config.path_left = config.path_right = false;
+   EXPECT_FALSE(config.has_relief()) << "only rows have one";
+}
+
 /// The limits of the window costs, and of the rows that are turned round: 11 columns between two maps.
 TEST(SemiGlobalConfig, SaysWhichSizesARunTimeSizeCanHave) {
    Config config = kGood;
@@ -101,13 +141,13 @@ TEST(SemiGlobalConfig, SaysWhichSizesARunTimeSizeCanHave) {
    EXPECT_EQ(least_size(config).width_px, 11 + 3);
    EXPECT_EQ(least_size(config).height_px, 3);
    const SettingList list = setting_list(config);
-   ASSERT_EQ(list.count, 8);
-   for (int i = 0; i < 6; ++i) EXPECT_EQ(list.setting[i].largest, 0) << list.setting[i].name;
-   EXPECT_EQ(list.setting[6].name, std::string("image_width"));
-   EXPECT_EQ(list.setting[6].largest, 40);
-   EXPECT_EQ(list.setting[6].least, 14);
-   EXPECT_EQ(list.setting[7].largest, 12);
-   EXPECT_EQ(list.setting[7].least, 3);
+   ASSERT_EQ(list.count, 11);
+   for (int i = 0; i < 9; ++i) EXPECT_EQ(list.setting[i].largest, 0) << list.setting[i].name;
+   EXPECT_EQ(list.setting[9].name, std::string("image_width"));
+   EXPECT_EQ(list.setting[9].largest, 40);
+   EXPECT_EQ(list.setting[9].least, 14);
+   EXPECT_EQ(list.setting[10].largest, 12);
+   EXPECT_EQ(list.setting[10].least, 3);
    config.full_width = true;
    EXPECT_EQ(least_size(config).width_px, 11 + 4) << "a row's last column must be there when the next one comes";
    config.full_width = false;

@@ -46,6 +46,32 @@ TEST(ReferenceOptions, CensusByHand) {
    EXPECT_EQ(census_transform(hole, 9, 7).at(4, 3), (uint64_t(1) << 62) - 1);
 }
 
+TEST(ReferenceOptions, CensusPatternsByHand) {
+   const GrayImage around = image(3, 3, {9, 9, 9, 9, 5, 9, 9, 9, 9});
+   const auto bits = [&around](CensusPattern pattern) { return census_transform(around, 3, 3, pattern).at(1, 1); };
+   EXPECT_EQ(bits(CensusPattern::all), 0xffu);
+   EXPECT_EQ(bits(CensusPattern::even_columns), 3u) << "above and below";
+   EXPECT_EQ(bits(CensusPattern::checkerboard), 0xfu) << "the corners";
+   EXPECT_EQ(bits(CensusPattern::sparse), 0u) << "no other pixel is left";
+   GrayImage hole(9, 7, 7);
+   hole.at(4, 3) = 6;
+   const auto count = [&hole](int width, int height, CensusPattern pattern) {
+      const int ones = std::popcount(census_transform(hole, width, height, pattern).at(4, 3));
+      EXPECT_EQ(ones, census_bits(width, height, pattern));
+      return ones;
+   };
+   EXPECT_EQ(count(9, 7, CensusPattern::even_columns), 34);
+   EXPECT_EQ(count(9, 7, CensusPattern::checkerboard), 30);
+   EXPECT_EQ(count(9, 7, CensusPattern::sparse), 14);
+   EXPECT_EQ(count(9, 5, CensusPattern::sparse), 14);
+   EXPECT_EQ(count(7, 5, CensusPattern::checkerboard), 16);
+   // A pixel that the pattern leaves out changes nothing.
+   GrayImage left_out = hole;
+   left_out.at(3, 3) = 0;
+   EXPECT_EQ(census_transform(left_out, 9, 7, CensusPattern::even_columns).at(4, 3),
+             census_transform(hole, 9, 7, CensusPattern::even_columns).at(4, 3));
+}
+
 TEST(ReferenceOptions, SquaredDifferencesByHand) {
    EXPECT_TRUE(same_volume(volume(3, 1, 2, {100, 0, 100, 0, 0, 100}),
                            pixel_costs(kLeft, kRight, {DisparityCount{2}, Comparison{Cost::ssd}})));

@@ -173,12 +173,16 @@ TEST(SemiGlobalReference, RowPathsStayWithinTheirBounds) {
    Random random(test_seed());
    for (int i = 0; i < 60; ++i) {
       const int largest = 1 + random.below(30), disparities = 2 + random.below(20);
-      const Matching matching{DisparityCount{disparities},
-                              semi_global::Paths{.p1 = random.below(20), .p2 = 1 + random.below(60)}};
+      Matching matching{DisparityCount{disparities},
+                        semi_global::Paths{.p1 = random.below(20), .p2 = 1 + random.below(60)}};
+      if (i % 3 != 0) matching.p2_least = random.below(matching.p2);
       CostVolume costs = random_costs(120, 1, disparities, largest, test_seed() + uint64_t(i));
       if (i % 2 == 0)
          for (int& value : costs.values) value = value > largest / 2 ? largest : 0;
-      const CostVolume path = row_path(costs, flat(costs), RowDirection::from_left, matching);
+      DeepImage relief = flat(costs);
+      for (uint16_t& fall : relief.pixels)
+         fall = uint16_t(random.percent(30) ? matching.largest_relief() : random.below(matching.largest_relief() + 1));
+      const CostVolume path = row_path(costs, relief, RowDirection::from_left, matching);
       const auto [lowest, highest] = std::minmax_element(path.values.begin(), path.values.end());
       EXPECT_GE(*lowest, -(matching.p2 + std::max(0, largest - matching.p1)));
       EXPECT_LE(*highest, largest);

@@ -67,6 +67,7 @@ block_matching::Matching random_parameters(Random& random, int width) {
    p.cost = Cost(random.below(3));
    p.census_width_px = 3 + 2 * random.below(4);
    p.census_height_px = 3 + 2 * random.below(3);
+   p.census_pattern = CensusPattern(random.below(p.census_width_px + p.census_height_px == 6 ? 3 : 4));
    p.ties = random.percent(50) ? Ties::largest : Ties::smallest;
    p.subpixel = random.percent(50);
    p.median = random.percent(50);

@@ -28,6 +28,7 @@ Matching random_options(Random& random) {
    m.phase_scales = 1 + random.below(3);
    m.census_width_px = 3 + 2 * random.below(4);
    m.census_height_px = 3 + 2 * random.below(3);
+   m.census_pattern = CensusPattern(random.below(m.census_width_px + m.census_height_px == 6 ? 3 : 4));
    m.subpixel = random.percent(50);
    return m;
 }

@@ -41,6 +41,7 @@ Matching random_options(Random& random, int width) {
    m.cost = random.percent(50) ? Cost::census : random.percent(80) ? Cost::sad : Cost::ssd;
    m.census_width_px = 3 + 2 * random.below(4);
    m.census_height_px = 3 + 2 * random.below(3);
+   m.census_pattern = CensusPattern(random.below(m.census_width_px + m.census_height_px == 6 ? 3 : 4));
    if (m.cost != Cost::census && random.percent(40)) m.prefilter = Prefilter::xsobel;
    m.prefilter_cap = 1 + random.below(63);
    m.cost_shift = random.below(m.cost == Cost::census ? 6 : 17);
@@ -51,6 +52,9 @@ Matching random_options(Random& random, int width) {
    if (!m.path_left && !m.path_right) m.path_above = true;
    m.p1 = random.below(random.percent(70) ? 12 : random.percent(70) ? 100 : 4096);
    m.p2 = random.below(random.percent(70) ? 61 : random.percent(70) ? 301 : 4096);
+   if (random.percent(50)) m.p2_least = random.below(m.p2 + 2);
+   if (random.percent(40)) m.above_p1 = random.below(random.percent(80) ? 20 : 4096);
+   if (random.percent(40)) m.above_p2 = random.below(random.percent(80) ? 80 : 4096);
    m.ties = random.percent(50) ? Ties::largest : Ties::smallest;
    if (random.percent(50)) m.left_right_threshold = random.below(std::min(m.disparities, 4));
    if (random.percent(50)) m.uniqueness_distance = random.below(random.percent(80) ? 12 : 4096);
@@ -131,13 +135,15 @@ TEST(SemiGlobalFastModel, LargerGreyValuesOfMoreBitsChangeNothing) {
    }
 }
 
-/// But for a map of full width, where the cost of what is no candidate follows the range of the pixels.
+/// But for a map of full width, where the cost of what is no candidate follows the range of the pixels, and for a P2 that
+/// falls, by a part of that range.
 TEST(SemiGlobalFastModel, PixelsOf8BitsAreTakenAsTheyAre) {
    Random random(test_seed());
    for (int i = 0; i < 60; ++i) {
       const int width = 3 + random.below(60), height = 1 + random.below(16);
       Matching matching = random_deep_options(random, width, 8);
       if (matching.full_width) continue;
+      matching.p2_least = -1;
       const ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
       const DisparityMap expected = match_reference(pair.left, pair.right, matching);
       matching.pixel_bits = 12;

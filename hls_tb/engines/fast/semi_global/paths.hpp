@@ -18,16 +18,20 @@ namespace stereo::semi_global {
 struct PathBounds {
    int largest_cost, lowest_path;  ///< K is -lowest_path ... largest_cost, A at most 2 largest_cost + P1
    int largest_arrived, largest_sum;
+   int step_above, largest_step_above;  ///< from above, a penalty above P2 has the effect of P2
 
    explicit PathBounds(const Matching& matching) : largest_cost(largest_path_cost(matching)) {
       lowest_path = matching.p2 + std::max(0, largest_cost - matching.p1);
       largest_arrived = 2 * largest_cost + matching.p1;
+      step_above = std::min(matching.p1_above(), matching.p2_above());
+      largest_step_above = matching.p2_above() + step_above;
       largest_sum = 2 * (largest_cost + lowest_path) + largest_cost + matching.p2_above();
    }
    /// Unsigned lanes of so many bits hold them, and two larger numbers beside.
    bool fit(int bits) const {
       const int half = 1 << (bits - 1);
-      return largest_arrived < half && lowest_path <= half && largest_sum < 2 * half - 2;
+      return largest_arrived < half && lowest_path <= half && largest_sum < 2 * half - 2 &&
+             largest_step_above < 2 * half - 2;
    }
 };
 
@@ -157,7 +161,7 @@ class PathFromAbove {
    /// another place without a long wait.
    STEREO_INTO_CLONES void next_row(int first, int end) {
       const int lanes = Fixed > 0 ? Fixed : lanes_;
-      const Lane p1 = Lane(matching_.p1_above());
+      const Lane p1 = Lane(PathBounds(matching_).step_above);
       for (int x = first; x < end; ++x) {
          Lane* const __restrict state = state_.data() + std::ptrdiff_t(x) * lanes;
          const Lane* const __restrict bounded = bounded_.data() + std::ptrdiff_t(x) * (lanes + kBeside) + kBeside;

@@ -27,6 +27,7 @@ Matching random_options(Random& random, int width) {
    m.cost = random.percent(50) ? Cost::census : random.percent(80) ? Cost::sad : Cost::ssd;
    m.census_width_px = 3 + 2 * random.below(4);
    m.census_height_px = 3 + 2 * random.below(3);
+   m.census_pattern = CensusPattern(random.below(m.census_width_px + m.census_height_px == 6 ? 3 : 4));
    if (m.cost != Cost::census && random.percent(40)) m.prefilter = Prefilter::xsobel;
    m.cost_shift = random.below(m.cost == Cost::census ? 6 : 17);
    if (random.percent(50)) m.cost_cap = 1 + random.below(random.percent(60) ? 40 : 4095);
