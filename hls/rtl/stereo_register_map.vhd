@@ -75,7 +75,16 @@ package stereo_register_map is
   constant image_height_word : natural := 19;
   constant image_height_value_bits : positive := 16;
   constant image_height_largest_bits : positive := 16;
-  constant setting_count : positive := 8;
+  constant p2_least_word : natural := 20;
+  constant p2_least_value_bits : positive := 16;
+  constant p2_least_largest_bits : positive := 16;
+  constant above_p1_word : natural := 21;
+  constant above_p1_value_bits : positive := 16;
+  constant above_p1_largest_bits : positive := 16;
+  constant above_p2_word : natural := 22;
+  constant above_p2_value_bits : positive := 16;
+  constant above_p2_largest_bits : positive := 16;
+  constant setting_count : positive := 11;
   constant first_setting_word : natural := texture_threshold_word;
   type setting_words is array (0 to setting_count - 1) of std_logic_vector(15 downto 0);
   type setting_values is array (0 to setting_count - 1) of natural;

@@ -144,6 +144,9 @@ begin
     first_setting_word + 5 => setting_word(setting(5), settings_largest(5)),
     first_setting_word + 6 => setting_word(setting(6), settings_largest(6)),
     first_setting_word + 7 => setting_word(setting(7), settings_largest(7)),
+    first_setting_word + 8 => setting_word(setting(8), settings_largest(8)),
+    first_setting_word + 9 => setting_word(setting(9), settings_largest(9)),
+    first_setting_word + 10 => setting_word(setting(10), settings_largest(10)),
     others => (others => '0'));
 
   writes <= have_address and have_data and not bvalid;
