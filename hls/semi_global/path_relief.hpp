@@ -16,11 +16,14 @@ struct PathRelief {
    /// Where it is taken off the sum again, it goes as far as K: the path's moves 1 to 4.
    static constexpr int kHeld = C.takes_relief_off() ? 4 : 1;
    using Value = Relief<C>;
+   static_assert(kLookBack >= 7 && kLookBack <= 12, "two fours cover what is older, and two pairs the least of it");
+   static constexpr int kFours = kLookBack > 8 ? kLookBack - 7 : 1;
 
    Value next[kHeld];          ///< [j]: r(i+1) of the column i of move j+1
    Value past[kLookBack - 1];  ///< [j]: r(i-1-j), i the column that comes in
    // The largest r of the columns that the definition looks back over, in steps of a move.
-   Value pairs[kLookBack - 4];  ///< [j]: of the columns i-1-j and i-2-j
+   Value pairs[2];              ///< [j]: of the columns i-1-j and i-2-j
+   Value fours[kFours];         ///< [j]: of i-1-j ... i-4-j
    Value older;                 ///< of i-1 ... i-kLookBack+3
    Value recent;                ///< of i ... i-kLookBack+2
    Value largest;               ///< of i ... i-kLookBack+1
@@ -36,6 +39,7 @@ struct PathRelief {
       visit("next", next);
       visit("past", past);
       visit("pairs", pairs);
+      visit("fours", fours);
       visit("older", older);
       visit("recent", recent);
       visit("largest", largest);
@@ -66,10 +70,13 @@ struct PathRelief {
       beyond = select<Value>(move, Value(most - past[kLookBack - 3]) & kMask, beyond);
       largest = select<Value>(move, most, largest);
       recent = select<Value>(move, larger_of(larger_of(next_in, now), older), recent);
-      older = select<Value>(move, larger_of(now, largest_before<0>()), older);
+      older = select<Value>(move, larger_of(now, largest_before()), older);
       HLS_UNROLL
-      for (int j = kLookBack - 5; j > 0; --j) pairs[j] = select<Value>(move, pairs[j - 1], pairs[j]);
-      pairs[0] = select<Value>(move, larger_of(now, past[0]), pairs[0]);
+      for (int j = kFours - 1; j > 0; --j) fours[j] = select<Value>(move, fours[j - 1], fours[j]);
+      const Value pair = larger_of(now, past[0]);
+      fours[0] = select<Value>(move, larger_of(pair, pairs[1]), fours[0]);
+      pairs[1] = select<Value>(move, pairs[0], pairs[1]);
+      pairs[0] = select<Value>(move, pair, pairs[0]);
       HLS_UNROLL
       for (int j = kLookBack - 2; j > 0; --j) past[j] = select<Value>(move, past[j - 1], past[j]);
       past[0] = select<Value>(move, now, past[0]);
@@ -85,12 +92,10 @@ struct PathRelief {
 
    static HLS_INLINE Value larger_of(Value a, Value b) { return select<Value>(a < b, b, a); }
 
-   /// Of the columns i-1-From ... i-kLookBack+4, whose pairs may overlap.
-   template <int From>
+   /// Of the columns i-1 ... i-kLookBack+4, whose fours or pairs may overlap.
    HLS_INLINE Value largest_before() const {
-      constexpr int kLast = kLookBack - 6;  // the pair of the two oldest
-      if constexpr (From >= kLast) return pairs[kLast];
-      else return larger_of(pairs[From], largest_before<From + 2>());
+      if constexpr (kLookBack == 7) return larger_of(pairs[0], pairs[1]);
+      else return larger_of(fours[0], fours[kFours - 1]);
    }
 };
 

@@ -31,6 +31,7 @@ constexpr SgmConfig kD19 = config(19, 3, 12, 50), kD14 = config(14, 100, 3, 300)
 constexpr SgmConfig kFalls12 = config(12, 13, 5, 22, 20), kFalls16 = config(16, 3, 12, 50, 0);
 constexpr SgmConfig kFalls17 = config(17, 5, 8, 60, 16), kFalls19 = config(19, 40, 7, 90, 63, 1);
 constexpr SgmConfig kFalls64 = config(64, 7, 8, 60, 16, 1), kFalls9 = config(9, 1, 0, 1, 0);
+constexpr SgmConfig kFalls8 = config(8, 7, 8, 60, 16);
 
 /// A row path between two columns of one pixel pair of input.
 struct Column {
@@ -113,6 +114,7 @@ TEST(RowPath, IsThatOfTheDefinition) {
       expect_path<kD17>(bubbles);
       expect_path<kD19>(bubbles);
       expect_path<kD64>(bubbles);
+      expect_path<kFalls8>(bubbles);
       expect_path<kFalls9>(bubbles);
       expect_path<kFalls12>(bubbles);
       expect_path<kFalls16>(bubbles);
