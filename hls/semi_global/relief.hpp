@@ -115,7 +115,7 @@ struct ReliefStream {
       if constexpr (C.run_time_settings) {
          const uint16_t least = settings.p2_least, most = settings.p2;
          largest.take(slices_tag.valid & slices_tag.start_of_frame,
-                      at_most<kLargest>(select<uint16_t>(most > least, uint16_t(most - least), 0)));
+                      select<uint16_t>(most > least, at_most<kLargest>(uint16_t(most - least)), 0));
       }
       HLS_UNROLL
       for (int j = kSliceClocks - 1; j > 0; --j) waiting[j] = waiting[j - 1];

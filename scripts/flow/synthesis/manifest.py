@@ -255,8 +255,9 @@ def change(entry: Manifest, contents: committed.Contents) -> committed.Change:
 
 
 def refreshed(name: str, row: Configuration) -> Manifest:
-    """With the words of the sources as they are now, of which clang makes the same as before."""
-    return {**read(committed.folder(name)), "sources": source_digests(row)}
+    """With the row and the words of the sources as they are now, of which clang makes the same as before."""
+    now: Manifest = {**read(committed.folder(name)), "sources": source_digests(row)}
+    return {**now, "parameters": parameters_of(row), "use": row["use"]}
 
 
 def freshness(name: str, row: Configuration, reads_vhdl: bool = True) -> Freshness:
@@ -266,12 +267,14 @@ def freshness(name: str, row: Configuration, reads_vhdl: bool = True) -> Freshne
     if manifest["configuration"] != name or set(manifest["files"]) != {core}:
         reasons.append(f"its manifest does not name {core} as its VHDL")
     reasons += edit_reasons(directory, reads_vhdl)
-    if manifest["parameters"] != parameters_of(row) or manifest["use"] != row["use"]:
-        reasons.append(f"its row in {row['family']}/configurations.hpp changed")
+    row_changed = manifest["parameters"] != parameters_of(row) or manifest["use"] != row["use"]
     changes = _changes(manifest["sources"] | manifest["cells"], source_digests(row) | cell_digests())
     is_hardware = all(Path(path).suffix in (".cpp", ".hpp") for path in changes)
-    if changes and is_hardware and sources.is_same_code(manifest["code"], compiler_options(name, row)):
+    differs = changes or row_changed
+    if differs and is_hardware and sources.is_same_code(manifest["code"], compiler_options(name, row)):
         return Freshness(reasons, by_code=True)
+    if row_changed:
+        reasons.append(f"its row in {row['family']}/configurations.hpp changed")
     return Freshness(reasons + [f"{path} {change}" for path, change in changes.items()])
 
 
