@@ -63,9 +63,9 @@ begin
       disparity_bits => 16,
       output_width_px => 402,
       latency_clocks => 49,
-      flush_groups => 2709,
+      flush_groups => 3159,
       gap_groups => 1800,
-      core_id => x"32911807",
+      core_id => x"2d2ab55d",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -120,7 +120,7 @@ begin
       disparity_bits => 16,
       output_width_px => 402,
       latency_clocks => 49,
-      flush_groups => 2709,
+      flush_groups => 3159,
       gap_groups => 1800)
     port map (
       clock => aclk,
