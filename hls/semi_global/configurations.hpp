@@ -17,9 +17,6 @@ STEREO_ROW(sgm_450, system, Config(), width_px = 450, height_px = 375, dispariti
            census_width_px = 9, census_pattern = CensusPattern::sparse, cost_shift = 3, cost_cap = 5, p1 = 7, p2 = 60,
            p2_least = 20, above_p1 = 5, above_p2 = 31, median = true, slice_disparities = 16);
 
-// The road: a row of KITTI, and as many disparities as the memory of an LFE5U-85F holds beside it (docs/semi_global.md).
-STEREO_ROW(sgm_1242, system, sgm_450, width_px = 1242, disparities = 96, full_width = true);
-
 // Costs of single pixels: fewer look-up tables for each disparity, for a little more error (docs/quality.md).
 STEREO_ROW(sgm_1280, system, sgm_450, width_px = 1280, height_px = 720, window_px = 1,
            census_pattern = CensusPattern::checkerboard, cost_shift = 1);
@@ -85,6 +82,10 @@ STEREO_ROW(tiny_sgm_size, option, tiny_sgm, run_time_size = true);
 STEREO_ROW(tiny_sgm_size_all, option, tiny_sgm_all, height_px = 20, run_time_settings = true, run_time_size = true);
 STEREO_ROW(tiny_sgm_size_full, option, tiny_sgm_full_all, height_px = 20, run_time_settings = true,
            run_time_size = true);
+
+// planned: its VHDL is not made yet. A row of KITTI, full width, and as many disparities as the memory of an LFE5U-85F holds
+// (docs/semi_global.md).
+STEREO_ROW(sgm_1242, planned, sgm_450, width_px = 1242, disparities = 96, full_width = true);
 // clang-format on
 
 }  // namespace stereo::semi_global::configurations
