@@ -370,15 +370,6 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 126;
   -- slice2
   signal slice2_held_0_0, slice2_held_0_1 : natural range 0 to 15;
-  -- relief
-  signal relief_centre_column_0, relief_centre_column_1, relief_centre_column_2 : natural range 0 to 255;
-  signal relief_centre_column_3, relief_centre_column_4, relief_centre_grey_0, relief_before : natural range 0 to 255;
-  signal relief_newest, relief_rows_read_newest_0, relief_rows_ready_words_0 : natural range 0 to 63;
-  signal relief_rows_ready_newest_0, relief_rows_write_words_0, relief_shown_0, relief_column_0 : natural range 0 to 63;
-  signal relief_waiting_0, relief_waiting_1, relief_waiting_2, relief_waiting_3 : natural range 0 to 63;
-  signal relief_waiting_4, relief_waiting_5, relief_waiting_6, relief_waiting_7 : natural range 0 to 63;
-  signal relief_waiting_8, relief_entering, relief_entered : natural range 0 to 63;
-  signal relief_delayed_0, relief_rows_read_words_0 : unsigned(5 downto 0);
   -- entry
   signal entry_next_cost_0, entry_next_cost_1, entry_next_cost_2, entry_next_cost_3 : natural range 0 to 15;
   signal entry_next_cost_4, entry_next_cost_5, entry_next_cost_6, entry_next_cost_7 : natural range 0 to 15;
@@ -450,7 +441,7 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal forward_left_relief_past_0, forward_left_relief_past_1, forward_left_relief_past_2 : natural range 0 to 63;
   signal forward_left_relief_past_3, forward_left_relief_past_4, forward_left_relief_past_5 : natural range 0 to 63;
   signal forward_left_relief_past_6, forward_left_relief_pairs_0, forward_left_relief_pairs_1 : natural range 0 to 63;
-  signal forward_left_relief_pairs_2, forward_left_relief_older, forward_left_relief_recent : natural range 0 to 63;
+  signal forward_left_relief_fours_0, forward_left_relief_older, forward_left_relief_recent : natural range 0 to 63;
   signal forward_left_relief_largest, forward_left_relief_beyond, forward_above_cost_0 : natural range 0 to 63;
   signal forward_above_cost_1, forward_above_cost_2, forward_above_cost_3, forward_above_cost_4 : natural range 0 to 63;
   signal forward_above_cost_5, forward_above_cost_6, forward_above_cost_7, forward_above_cost_8 : natural range 0 to 63;
@@ -510,7 +501,7 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal sums_right_room, sums_right_relief_next_0, sums_right_relief_past_0 : natural range 0 to 63;
   signal sums_right_relief_past_1, sums_right_relief_past_2, sums_right_relief_past_3 : natural range 0 to 63;
   signal sums_right_relief_past_4, sums_right_relief_past_5, sums_right_relief_past_6 : natural range 0 to 63;
-  signal sums_right_relief_pairs_0, sums_right_relief_pairs_1, sums_right_relief_pairs_2 : natural range 0 to 63;
+  signal sums_right_relief_pairs_0, sums_right_relief_pairs_1, sums_right_relief_fours_0 : natural range 0 to 63;
   signal sums_right_relief_older, sums_right_relief_recent, sums_right_relief_largest : natural range 0 to 63;
   signal sums_right_relief_beyond : natural range 0 to 63;
   signal sums_turn_ready_smallest_0, sums_turn_write_smallest_0 : natural range 0 to 511;
@@ -609,6 +600,15 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal turn_newest, turn_write_words_0 : natural range 0 to 267;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
+  -- relief
+  signal relief_centre_column_0, relief_centre_column_1, relief_centre_column_2 : natural range 0 to 255;
+  signal relief_centre_column_3, relief_centre_column_4, relief_centre_grey_0, relief_before : natural range 0 to 255;
+  signal relief_newest, relief_rows_read_newest_0, relief_rows_ready_words_0 : natural range 0 to 63;
+  signal relief_rows_ready_newest_0, relief_rows_write_words_0, relief_shown_0, relief_column_0 : natural range 0 to 63;
+  signal relief_waiting_0, relief_waiting_1, relief_waiting_2, relief_waiting_3 : natural range 0 to 63;
+  signal relief_waiting_4, relief_waiting_5, relief_waiting_6, relief_waiting_7 : natural range 0 to 63;
+  signal relief_waiting_8, relief_entering, relief_entered : natural range 0 to 63;
+  signal relief_delayed_0, relief_rows_read_words_0 : unsigned(5 downto 0);
   -- other
   signal other_0, other_1, other_2 : unsigned(31 downto 0);
   signal transform_left_rows_read_words_0_memory_read_enable : boolean;
@@ -1168,16 +1168,10 @@ begin
     variable slice2cost_pixels_first_2_0_count_2_value, slice2cost_pixels_first_2_0_count_2_value_2 : boolean;
     variable slice2cost_pixels_first_2_0_count_3_value, slice2cost_pixels_first_2_0_count_3_value_2 : boolean;
     variable slice2cost_pixels_first_2_0_count_3_value_3, slice2cost_pixels_first_2_0_count_4_value : boolean;
-    variable relief_newest_choice, relief_newest_choice_2, relief_newest_value, relief_newest_choice_3 : boolean;
-    variable relief_newest_value_2, relief_newest_choice_4, relief_newest_value_3, relief_newest_choice_5 : boolean;
-    variable relief_newest_value_4, relief_newest_choice_6, relief_newest_value_5, relief_newest_choice_7 : boolean;
-    variable relief_newest_choice_8, relief_newest_choice_9, relief_newest_choice_10, relief_newest_choice_11 : boolean;
-    variable relief_newest_choice_12, relief_newest_choice_13, relief_newest_choice_14 : boolean;
-    variable relief_newest_choice_15, relief_newest_choice_16, entry_order_falls_any, entry_order_falls_all : boolean;
-    variable entry_order_complete_all, entry_order_complete_any, entry_order_turned_output_column_choice : boolean;
-    variable forward_left_start_cost_0_any, forward_left_start_cost_0_any_2 : boolean;
-    variable forward_left_start_cost_0_is_less, sums_right_start_cost_0_any, sums_right_start_cost_0_any_2 : boolean;
-    variable sums_right_start_cost_0_is_less, sums_turn_writes_copy_0_choice : boolean;
+    variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
+    variable entry_order_turned_output_column_choice, forward_left_start_cost_0_any : boolean;
+    variable forward_left_start_cost_0_any_2, forward_left_start_cost_0_is_less, sums_right_start_cost_0_any : boolean;
+    variable sums_right_start_cost_0_any_2, sums_right_start_cost_0_is_less, sums_turn_writes_copy_0_choice : boolean;
     variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
     variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
     variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
@@ -1262,23 +1256,16 @@ begin
     variable winnerswinner2_four_index_0_0_value_7, winnerswinner2_four_index_0_0_choice_6 : boolean;
     variable winnerswinner2_four_index_0_0_choice_7, turn_order_address_any, turn_order_address_any_2 : boolean;
     variable turn_order_falls_all, turn_order_complete_all, turn_order_turned_output_column_choice : boolean;
+    variable relief_newest_choice, relief_newest_choice_2, relief_newest_value, relief_newest_choice_3 : boolean;
+    variable relief_newest_value_2, relief_newest_choice_4, relief_newest_value_3, relief_newest_choice_5 : boolean;
+    variable relief_newest_value_4, relief_newest_choice_6, relief_newest_value_5, relief_newest_choice_7 : boolean;
+    variable relief_newest_choice_8, relief_newest_choice_9, relief_newest_choice_10, relief_newest_choice_11 : boolean;
+    variable relief_newest_choice_12, relief_newest_choice_13, relief_newest_choice_14 : boolean;
+    variable relief_newest_choice_15, relief_newest_choice_16 : boolean;
     variable transform_counter_group_choice, transform_left_filter_feature_0_choice_17 : natural range 0 to 3;
     variable transform_right_filter_feature_0_choice_17, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
-    variable relief_newest_value_6, relief_newest_value_7, other_0_choice, other_0_choice_2 : natural range 0 to 255;
-    variable other_0_choice_3, other_1_choice, other_1_choice_2, other_1_choice_3 : natural range 0 to 255;
-    variable other_2_choice, other_2_choice_2, other_2_choice_3 : natural range 0 to 255;
-    variable relief_newest_choice_17, forward_left_start_cost_0_choice : natural range 0 to 63;
-    variable forward_left_start_cost_0_choice_2, forward_left_start_cost_0_choice_3 : natural range 0 to 63;
-    variable forward_left_room_choice, forward_left_room_choice_2, forward_left_room_choice_3 : natural range 0 to 63;
-    variable forward_left_smallest_choice, forward_left_relief_older_choice : natural range 0 to 63;
-    variable forward_left_relief_recent_choice, forward_left_relief_largest_choice : natural range 0 to 63;
-    variable sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2 : natural range 0 to 63;
-    variable sums_right_start_cost_0_choice_3, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 63;
-    variable sums_right_room_choice_3, sums_right_smallest_choice : natural range 0 to 63;
-    variable sums_right_relief_older_choice, sums_right_relief_recent_choice : natural range 0 to 63;
-    variable sums_right_relief_largest_choice : natural range 0 to 63;
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
     variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_left_pair_0_choice, forward_left_pair_1_choice : natural range 0 to 127;
@@ -1323,6 +1310,16 @@ begin
     variable sums_right_arrived_8_choice, sums_right_arrived_8_choice_2 : natural range 0 to 127;
     variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 127;
     variable sums_right_arrived_11_choice : natural range 0 to 127;
+    variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : natural range 0 to 63;
+    variable forward_left_start_cost_0_choice_3, forward_left_room_choice : natural range 0 to 63;
+    variable forward_left_room_choice_2, forward_left_room_choice_3 : natural range 0 to 63;
+    variable forward_left_smallest_choice, forward_left_relief_pairs_0_choice : natural range 0 to 63;
+    variable forward_left_relief_recent_choice, forward_left_relief_largest_choice : natural range 0 to 63;
+    variable sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2 : natural range 0 to 63;
+    variable sums_right_start_cost_0_choice_3, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 63;
+    variable sums_right_room_choice_3, sums_right_smallest_choice : natural range 0 to 63;
+    variable sums_right_relief_pairs_0_choice, sums_right_relief_recent_choice : natural range 0 to 63;
+    variable sums_right_relief_largest_choice, relief_newest_choice_17 : natural range 0 to 63;
     variable forward_left_smallest_difference : integer range -63 to 78;
     variable forward_left_relief_leaves_choice, sums_right_relief_leaves_choice : natural range 64 to 127;
     variable forward_above_total_0_choice, forward_above_total_1_choice : natural range 0 to 31;
@@ -1339,6 +1336,9 @@ begin
     variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 68;
     variable sums_right_room_sum : natural range 0 to 126;
     variable sums_right_smallest_difference : integer range -63 to 63;
+    variable relief_newest_value_6, relief_newest_value_7, other_0_choice, other_0_choice_2 : natural range 0 to 255;
+    variable other_0_choice_3, other_1_choice, other_1_choice_2, other_1_choice_3 : natural range 0 to 255;
+    variable other_2_choice, other_2_choice_2, other_2_choice_3 : natural range 0 to 255;
     variable other_0_choice_4, other_1_choice_4, other_2_choice_4 : natural range 0 to 190;
   begin
     if rising_edge(clock) then
@@ -4406,142 +4406,6 @@ begin
       else
         slice2_held_0_1 <= slice2window_sum_0_1 / 8;
       end if;
-      -- relief
-      if transform_columns_valid then
-        relief_centre_column_0 <= transform_right_column_2;
-        relief_centre_column_1 <= relief_centre_column_0;
-        relief_centre_column_2 <= relief_centre_column_1;
-        relief_centre_column_3 <= relief_centre_column_2;
-        relief_centre_column_4 <= relief_centre_column_3;
-      end if;
-      if (relief_centre_grey_0 mod 2) = 1 then
-        relief_newest_choice := (not (((relief_before / 2) mod 2) = 1)) or (not ((relief_before mod 2) = 1));
-      else
-        relief_newest_choice := not (((relief_before / 2) mod 2) = 1);
-      end if;
-      if ((relief_centre_grey_0 / 2) mod 2) = 1 then
-        relief_newest_choice_2 := relief_newest_choice;
-      else
-        relief_newest_choice_2 := ((relief_centre_grey_0 mod 2) = 1) and ((relief_before mod 4) = 0);
-      end if;
-      relief_newest_value := ((relief_before / 4) mod 2) = 1;
-      if relief_newest_choice_2 then
-        relief_newest_choice_3 := (not (((relief_centre_grey_0 / 4) mod 2) = 1)) and relief_newest_value;
-      else
-        relief_newest_choice_3 := (not (((relief_centre_grey_0 / 4) mod 2) = 1)) or relief_newest_value;
-      end if;
-      relief_newest_value_2 := ((relief_before / 8) mod 2) = 1;
-      if relief_newest_choice_3 then
-        relief_newest_choice_4 := (not (((relief_centre_grey_0 / 8) mod 2) = 1)) or relief_newest_value_2;
-      else
-        relief_newest_choice_4 := (not (((relief_centre_grey_0 / 8) mod 2) = 1)) and relief_newest_value_2;
-      end if;
-      relief_newest_value_3 := ((relief_before / 16) mod 2) = 1;
-      if relief_newest_choice_4 then
-        relief_newest_choice_5 := (not (((relief_centre_grey_0 / 16) mod 2) = 1)) or relief_newest_value_3;
-      else
-        relief_newest_choice_5 := (not (((relief_centre_grey_0 / 16) mod 2) = 1)) and relief_newest_value_3;
-      end if;
-      relief_newest_value_4 := ((relief_before / 32) mod 2) = 1;
-      if relief_newest_choice_5 then
-        relief_newest_choice_6 := (not (((relief_centre_grey_0 / 32) mod 2) = 1)) or relief_newest_value_4;
-      else
-        relief_newest_choice_6 := (not (((relief_centre_grey_0 / 32) mod 2) = 1)) and relief_newest_value_4;
-      end if;
-      relief_newest_value_5 := ((relief_before / 64) mod 2) = 1;
-      if relief_newest_choice_6 then
-        relief_newest_choice_7 := (not (((relief_centre_grey_0 / 64) mod 2) = 1)) or relief_newest_value_5;
-      else
-        relief_newest_choice_7 := (not (((relief_centre_grey_0 / 64) mod 2) = 1)) and relief_newest_value_5;
-      end if;
-      if relief_newest_choice_7 then
-        relief_newest_choice_8 := (not ((relief_centre_grey_0 / 128) = 1)) or ((relief_before / 128) = 1);
-      else
-        relief_newest_choice_8 := (not ((relief_centre_grey_0 / 128) = 1)) and ((relief_before / 128) = 1);
-      end if;
-      relief_newest_value_6 := (relief_before - relief_centre_grey_0) mod 256;
-      relief_newest_value_7 := (relief_centre_grey_0 - relief_before) mod 256;
-      if relief_newest_choice_8 then
-        relief_newest_choice_9 := ((relief_newest_value_6 / 4) mod 2) = 1;
-      else
-        relief_newest_choice_9 := ((relief_newest_value_7 / 4) mod 2) = 1;
-      end if;
-      if relief_newest_choice_8 then
-        relief_newest_choice_10 := not (((relief_newest_value_6 / 8) mod 2) = 1);
-      else
-        relief_newest_choice_10 := not (((relief_newest_value_7 / 8) mod 2) = 1);
-      end if;
-      if relief_newest_choice_8 then
-        relief_newest_choice_11 := not (((relief_newest_value_6 / 2) mod 2) = 1);
-      else
-        relief_newest_choice_11 := not (((relief_newest_value_7 / 2) mod 2) = 1);
-      end if;
-      if relief_newest_choice_8 then
-        relief_newest_choice_12 := ((relief_newest_value_6 / 16) mod 2) = 1;
-      else
-        relief_newest_choice_12 := ((relief_newest_value_7 / 16) mod 2) = 1;
-      end if;
-      if relief_newest_choice_8 then
-        relief_newest_choice_13 := not (((relief_newest_value_6 / 32) mod 2) = 1);
-      else
-        relief_newest_choice_13 := not (((relief_newest_value_7 / 32) mod 2) = 1);
-      end if;
-      if relief_newest_choice_8 then
-        relief_newest_choice_14 := ((relief_newest_value_6 / 64) mod 2) = 1;
-      else
-        relief_newest_choice_14 := ((relief_newest_value_7 / 64) mod 2) = 1;
-      end if;
-      if relief_newest_choice_8 then
-        relief_newest_choice_15 := (relief_newest_value_6 / 128) = 1;
-      else
-        relief_newest_choice_15 := (relief_newest_value_7 / 128) = 1;
-      end if;
-      if relief_newest_choice_7 then
-        relief_newest_choice_16 := ((relief_centre_grey_0 / 128) = 1) and (not ((relief_before / 128) = 1));
-      else
-        relief_newest_choice_16 := ((relief_centre_grey_0 / 128) = 1) or (not ((relief_before / 128) = 1));
-      end if;
-      if relief_newest_choice_16 then
-        relief_newest_choice_17 := (relief_newest_value_7 / 2) mod 64;
-      else
-        relief_newest_choice_17 := (relief_newest_value_6 / 2) mod 64;
-      end if;
-      relief_centre_grey_0 <= relief_centre_column_4;
-      relief_rows_read_newest_0 <= to_integer(relief_delayed_0);
-      relief_rows_ready_words_0 <= to_integer(relief_rows_read_words_0);
-      relief_rows_ready_newest_0 <= relief_rows_read_newest_0;
-      relief_shown_0 <= relief_rows_ready_words_0;
-      relief_waiting_0 <= relief_column_0;
-      relief_waiting_1 <= relief_waiting_0;
-      relief_waiting_2 <= relief_waiting_1;
-      relief_waiting_3 <= relief_waiting_2;
-      relief_waiting_4 <= relief_waiting_3;
-      relief_waiting_5 <= relief_waiting_4;
-      relief_waiting_6 <= relief_waiting_5;
-      relief_waiting_7 <= relief_waiting_6;
-      relief_waiting_8 <= relief_waiting_7;
-      relief_entered <= relief_entering;
-      if ((not ((not ((not ((not relief_newest_choice_9) and relief_newest_choice_10 and relief_newest_choice_11)) and
-        relief_newest_choice_12)) and relief_newest_choice_13)) and relief_newest_choice_14) or relief_newest_choice_15
-        then
-        relief_newest <= 40;
-      else
-        relief_newest <= relief_newest_choice_17;
-      end if;
-      if relief_waiting_8 < 40 then
-        relief_entering <= relief_waiting_8;
-      else
-        relief_entering <= 40;
-      end if;
-      if transform_filtering_1_valid then
-        relief_before <= relief_centre_grey_0;
-      end if;
-      if rows_ready_tag_valid then
-        relief_rows_write_words_0 <= relief_rows_ready_newest_0;
-      end if;
-      if rows_tag_valid then
-        relief_column_0 <= relief_shown_0;
-      end if;
       -- entry
       entry_order_falls_any := entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
       entry_order_falls_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
@@ -4713,10 +4577,10 @@ begin
       end if;
       forward_left_smallest_difference := (forward_smallest_next_next_next_smallest_0 + forward_left_smallest_choice) -
         forward_reliefs_moved_2;
-      if (forward_left_relief_pairs_0 - forward_left_relief_pairs_2) < 0 then
-        forward_left_relief_older_choice := forward_left_relief_pairs_2;
+      if (forward_left_smallest_choice - forward_left_relief_past_0) < 0 then
+        forward_left_relief_pairs_0_choice := forward_left_relief_past_0;
       else
-        forward_left_relief_older_choice := forward_left_relief_pairs_0;
+        forward_left_relief_pairs_0_choice := forward_left_smallest_choice;
       end if;
       if (forward_reliefs_moved_2 - forward_left_smallest_choice) < 0 then
         forward_left_relief_recent_choice := forward_left_smallest_choice;
@@ -5016,8 +4880,8 @@ begin
         forward_left_relief_past_4 <= forward_left_relief_past_3;
         forward_left_relief_past_5 <= forward_left_relief_past_4;
         forward_left_relief_past_6 <= forward_left_relief_past_5;
+        forward_left_relief_pairs_0 <= forward_left_relief_pairs_0_choice;
         forward_left_relief_pairs_1 <= forward_left_relief_pairs_0;
-        forward_left_relief_pairs_2 <= forward_left_relief_pairs_1;
         forward_left_relief_largest <= forward_left_relief_largest_choice;
         forward_left_relief_beyond <= (forward_left_relief_largest_choice - forward_left_relief_past_5) mod 64;
         forward_left_relief_leaves <= forward_left_relief_leaves_choice - forward_left_relief_past_4;
@@ -5341,13 +5205,13 @@ begin
             forward_left_start_cost_6;
           forward_left_relief_reach_of_best <= forward_left_room_choice_3 + forward_left_relief_leaves;
         end if;
-        if (forward_left_smallest_choice - forward_left_relief_past_0) < 0 then
-          forward_left_relief_pairs_0 <= forward_left_relief_past_0;
+        if (forward_left_relief_pairs_0_choice - forward_left_relief_pairs_1) < 0 then
+          forward_left_relief_fours_0 <= forward_left_relief_pairs_1;
         else
-          forward_left_relief_pairs_0 <= forward_left_smallest_choice;
+          forward_left_relief_fours_0 <= forward_left_relief_pairs_0_choice;
         end if;
-        if (forward_left_smallest_choice - forward_left_relief_older_choice) < 0 then
-          forward_left_relief_older <= forward_left_relief_older_choice;
+        if (forward_left_smallest_choice - forward_left_relief_fours_0) < 0 then
+          forward_left_relief_older <= forward_left_relief_fours_0;
         else
           forward_left_relief_older <= forward_left_smallest_choice;
         end if;
@@ -5682,10 +5546,10 @@ begin
         sums_right_smallest_choice := sums_right_relief_next_0;
       end if;
       sums_right_smallest_difference := sums_right_smallest_choice - (sums_turn_ready_smallest_0 / 8);
-      if (sums_right_relief_pairs_0 - sums_right_relief_pairs_2) < 0 then
-        sums_right_relief_older_choice := sums_right_relief_pairs_2;
+      if (sums_right_smallest_choice - sums_right_relief_past_0) < 0 then
+        sums_right_relief_pairs_0_choice := sums_right_relief_past_0;
       else
-        sums_right_relief_older_choice := sums_right_relief_pairs_0;
+        sums_right_relief_pairs_0_choice := sums_right_smallest_choice;
       end if;
       if ((sums_turn_ready_smallest_0 / 8) - sums_right_smallest_choice) < 0 then
         sums_right_relief_recent_choice := sums_right_smallest_choice;
@@ -5963,8 +5827,8 @@ begin
         sums_right_relief_past_4 <= sums_right_relief_past_3;
         sums_right_relief_past_5 <= sums_right_relief_past_4;
         sums_right_relief_past_6 <= sums_right_relief_past_5;
+        sums_right_relief_pairs_0 <= sums_right_relief_pairs_0_choice;
         sums_right_relief_pairs_1 <= sums_right_relief_pairs_0;
-        sums_right_relief_pairs_2 <= sums_right_relief_pairs_1;
         sums_right_relief_largest <= sums_right_relief_largest_choice;
         sums_right_relief_beyond <= (sums_right_relief_largest_choice - sums_right_relief_past_5) mod 64;
         sums_right_relief_leaves <= sums_right_relief_leaves_choice - sums_right_relief_past_4;
@@ -6083,13 +5947,13 @@ begin
             sums_right_relief_largest_choice;
           sums_right_relief_reach_of_best <= sums_right_room_choice_3 + sums_right_relief_leaves;
         end if;
-        if (sums_right_smallest_choice - sums_right_relief_past_0) < 0 then
-          sums_right_relief_pairs_0 <= sums_right_relief_past_0;
+        if (sums_right_relief_pairs_0_choice - sums_right_relief_pairs_1) < 0 then
+          sums_right_relief_fours_0 <= sums_right_relief_pairs_1;
         else
-          sums_right_relief_pairs_0 <= sums_right_smallest_choice;
+          sums_right_relief_fours_0 <= sums_right_relief_pairs_0_choice;
         end if;
-        if (sums_right_smallest_choice - sums_right_relief_older_choice) < 0 then
-          sums_right_relief_older <= sums_right_relief_older_choice;
+        if (sums_right_smallest_choice - sums_right_relief_fours_0) < 0 then
+          sums_right_relief_older <= sums_right_relief_fours_0;
         else
           sums_right_relief_older <= sums_right_smallest_choice;
         end if;
@@ -7054,6 +6918,142 @@ begin
       if turn_comes then
         turn_write_words_0 <= turn_newest;
         turn_write_place <= turn_order_address;
+      end if;
+      -- relief
+      if transform_columns_valid then
+        relief_centre_column_0 <= transform_right_column_2;
+        relief_centre_column_1 <= relief_centre_column_0;
+        relief_centre_column_2 <= relief_centre_column_1;
+        relief_centre_column_3 <= relief_centre_column_2;
+        relief_centre_column_4 <= relief_centre_column_3;
+      end if;
+      if (relief_centre_grey_0 mod 2) = 1 then
+        relief_newest_choice := (not (((relief_before / 2) mod 2) = 1)) or (not ((relief_before mod 2) = 1));
+      else
+        relief_newest_choice := not (((relief_before / 2) mod 2) = 1);
+      end if;
+      if ((relief_centre_grey_0 / 2) mod 2) = 1 then
+        relief_newest_choice_2 := relief_newest_choice;
+      else
+        relief_newest_choice_2 := ((relief_centre_grey_0 mod 2) = 1) and ((relief_before mod 4) = 0);
+      end if;
+      relief_newest_value := ((relief_before / 4) mod 2) = 1;
+      if relief_newest_choice_2 then
+        relief_newest_choice_3 := (not (((relief_centre_grey_0 / 4) mod 2) = 1)) and relief_newest_value;
+      else
+        relief_newest_choice_3 := (not (((relief_centre_grey_0 / 4) mod 2) = 1)) or relief_newest_value;
+      end if;
+      relief_newest_value_2 := ((relief_before / 8) mod 2) = 1;
+      if relief_newest_choice_3 then
+        relief_newest_choice_4 := (not (((relief_centre_grey_0 / 8) mod 2) = 1)) or relief_newest_value_2;
+      else
+        relief_newest_choice_4 := (not (((relief_centre_grey_0 / 8) mod 2) = 1)) and relief_newest_value_2;
+      end if;
+      relief_newest_value_3 := ((relief_before / 16) mod 2) = 1;
+      if relief_newest_choice_4 then
+        relief_newest_choice_5 := (not (((relief_centre_grey_0 / 16) mod 2) = 1)) or relief_newest_value_3;
+      else
+        relief_newest_choice_5 := (not (((relief_centre_grey_0 / 16) mod 2) = 1)) and relief_newest_value_3;
+      end if;
+      relief_newest_value_4 := ((relief_before / 32) mod 2) = 1;
+      if relief_newest_choice_5 then
+        relief_newest_choice_6 := (not (((relief_centre_grey_0 / 32) mod 2) = 1)) or relief_newest_value_4;
+      else
+        relief_newest_choice_6 := (not (((relief_centre_grey_0 / 32) mod 2) = 1)) and relief_newest_value_4;
+      end if;
+      relief_newest_value_5 := ((relief_before / 64) mod 2) = 1;
+      if relief_newest_choice_6 then
+        relief_newest_choice_7 := (not (((relief_centre_grey_0 / 64) mod 2) = 1)) or relief_newest_value_5;
+      else
+        relief_newest_choice_7 := (not (((relief_centre_grey_0 / 64) mod 2) = 1)) and relief_newest_value_5;
+      end if;
+      if relief_newest_choice_7 then
+        relief_newest_choice_8 := (not ((relief_centre_grey_0 / 128) = 1)) or ((relief_before / 128) = 1);
+      else
+        relief_newest_choice_8 := (not ((relief_centre_grey_0 / 128) = 1)) and ((relief_before / 128) = 1);
+      end if;
+      relief_newest_value_6 := (relief_before - relief_centre_grey_0) mod 256;
+      relief_newest_value_7 := (relief_centre_grey_0 - relief_before) mod 256;
+      if relief_newest_choice_8 then
+        relief_newest_choice_9 := ((relief_newest_value_6 / 4) mod 2) = 1;
+      else
+        relief_newest_choice_9 := ((relief_newest_value_7 / 4) mod 2) = 1;
+      end if;
+      if relief_newest_choice_8 then
+        relief_newest_choice_10 := not (((relief_newest_value_6 / 8) mod 2) = 1);
+      else
+        relief_newest_choice_10 := not (((relief_newest_value_7 / 8) mod 2) = 1);
+      end if;
+      if relief_newest_choice_8 then
+        relief_newest_choice_11 := not (((relief_newest_value_6 / 2) mod 2) = 1);
+      else
+        relief_newest_choice_11 := not (((relief_newest_value_7 / 2) mod 2) = 1);
+      end if;
+      if relief_newest_choice_8 then
+        relief_newest_choice_12 := ((relief_newest_value_6 / 16) mod 2) = 1;
+      else
+        relief_newest_choice_12 := ((relief_newest_value_7 / 16) mod 2) = 1;
+      end if;
+      if relief_newest_choice_8 then
+        relief_newest_choice_13 := not (((relief_newest_value_6 / 32) mod 2) = 1);
+      else
+        relief_newest_choice_13 := not (((relief_newest_value_7 / 32) mod 2) = 1);
+      end if;
+      if relief_newest_choice_8 then
+        relief_newest_choice_14 := ((relief_newest_value_6 / 64) mod 2) = 1;
+      else
+        relief_newest_choice_14 := ((relief_newest_value_7 / 64) mod 2) = 1;
+      end if;
+      if relief_newest_choice_8 then
+        relief_newest_choice_15 := (relief_newest_value_6 / 128) = 1;
+      else
+        relief_newest_choice_15 := (relief_newest_value_7 / 128) = 1;
+      end if;
+      if relief_newest_choice_7 then
+        relief_newest_choice_16 := ((relief_centre_grey_0 / 128) = 1) and (not ((relief_before / 128) = 1));
+      else
+        relief_newest_choice_16 := ((relief_centre_grey_0 / 128) = 1) or (not ((relief_before / 128) = 1));
+      end if;
+      if relief_newest_choice_16 then
+        relief_newest_choice_17 := (relief_newest_value_7 / 2) mod 64;
+      else
+        relief_newest_choice_17 := (relief_newest_value_6 / 2) mod 64;
+      end if;
+      relief_centre_grey_0 <= relief_centre_column_4;
+      relief_rows_read_newest_0 <= to_integer(relief_delayed_0);
+      relief_rows_ready_words_0 <= to_integer(relief_rows_read_words_0);
+      relief_rows_ready_newest_0 <= relief_rows_read_newest_0;
+      relief_shown_0 <= relief_rows_ready_words_0;
+      relief_waiting_0 <= relief_column_0;
+      relief_waiting_1 <= relief_waiting_0;
+      relief_waiting_2 <= relief_waiting_1;
+      relief_waiting_3 <= relief_waiting_2;
+      relief_waiting_4 <= relief_waiting_3;
+      relief_waiting_5 <= relief_waiting_4;
+      relief_waiting_6 <= relief_waiting_5;
+      relief_waiting_7 <= relief_waiting_6;
+      relief_waiting_8 <= relief_waiting_7;
+      relief_entered <= relief_entering;
+      if ((not ((not ((not ((not relief_newest_choice_9) and relief_newest_choice_10 and relief_newest_choice_11)) and
+        relief_newest_choice_12)) and relief_newest_choice_13)) and relief_newest_choice_14) or relief_newest_choice_15
+        then
+        relief_newest <= 40;
+      else
+        relief_newest <= relief_newest_choice_17;
+      end if;
+      if relief_waiting_8 < 40 then
+        relief_entering <= relief_waiting_8;
+      else
+        relief_entering <= 40;
+      end if;
+      if transform_filtering_1_valid then
+        relief_before <= relief_centre_grey_0;
+      end if;
+      if rows_ready_tag_valid then
+        relief_rows_write_words_0 <= relief_rows_ready_newest_0;
+      end if;
+      if rows_tag_valid then
+        relief_column_0 <= relief_shown_0;
       end if;
       -- other
       if entry_tag_valid then
