@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Stereo core, block matching, configuration census_450_full: 450x375, 48 disparities, window 9x9, 1 pixel pair a clock.
--- Options: disparities 48, window_px 9, reference left, cost census, census_width_px 9, census_height_px 3,
---   subpixel true, median true, full_width true, aggregation recursive, slice_disparities 16.
+-- Options: disparities 48, window_px 9, reference left, cost census, census_width_px 9, census_pattern
+--   even_columns, subpixel true, median true, full_width true, aggregation recursive, slice_disparities 16.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config census_450_full
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
@@ -19,7 +19,7 @@ entity stereo_core_census_450_full is
     disparity_bits : positive := 16;
     output_width_px : positive := 442;
     latency_clocks : positive := 49;
-    flush_groups : positive := 2705;
+    flush_groups : positive := 3155;
     gap_groups : positive := 1800
   );
   port (
@@ -43,7 +43,7 @@ begin
   assert disparity_bits = 16 report "stereo_core_census_450_full: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
   assert output_width_px = 442 report "stereo_core_census_450_full: output_width_px is " & integer'image(output_width_px) & " but this core has 442" severity failure;
   assert latency_clocks = 49 report "stereo_core_census_450_full: latency_clocks is " & integer'image(latency_clocks) & " but this core has 49" severity failure;
-  assert flush_groups = 2705 report "stereo_core_census_450_full: flush_groups is " & integer'image(flush_groups) & " but this core has 2705" severity failure;
+  assert flush_groups = 3155 report "stereo_core_census_450_full: flush_groups is " & integer'image(flush_groups) & " but this core has 3155" severity failure;
   assert gap_groups = 1800 report "stereo_core_census_450_full: gap_groups is " & integer'image(gap_groups) & " but this core has 1800" severity failure;
 end entity;
 
@@ -95,106 +95,120 @@ architecture rtl of stereo_core_census_450_full is
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
   signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_1 : natural range 0 to 255;
-  signal transform_left_column_2, transform_right_column_0, transform_right_column_1 : natural range 0 to 255;
-  signal transform_right_column_2, transform_left_filter_column_0_0 : natural range 0 to 255;
+  signal transform_left_column_2, transform_left_column_3, transform_left_column_4 : natural range 0 to 255;
+  signal transform_right_column_0, transform_right_column_1, transform_right_column_2 : natural range 0 to 255;
+  signal transform_right_column_3, transform_right_column_4, transform_left_filter_column_0_0 : natural range 0 to 255;
   signal transform_left_filter_column_0_1, transform_left_filter_column_0_2 : natural range 0 to 255;
+  signal transform_left_filter_column_0_3, transform_left_filter_column_0_4 : natural range 0 to 255;
   signal transform_left_filter_column_1_0, transform_left_filter_column_1_1 : natural range 0 to 255;
-  signal transform_left_filter_column_1_2, transform_left_filter_column_2_0 : natural range 0 to 255;
+  signal transform_left_filter_column_1_2, transform_left_filter_column_1_3 : natural range 0 to 255;
+  signal transform_left_filter_column_1_4, transform_left_filter_column_2_0 : natural range 0 to 255;
   signal transform_left_filter_column_2_1, transform_left_filter_column_2_2 : natural range 0 to 255;
+  signal transform_left_filter_column_2_3, transform_left_filter_column_2_4 : natural range 0 to 255;
   signal transform_left_filter_column_3_0, transform_left_filter_column_3_1 : natural range 0 to 255;
-  signal transform_left_filter_column_3_2, transform_left_filter_column_4_0 : natural range 0 to 255;
+  signal transform_left_filter_column_3_2, transform_left_filter_column_3_3 : natural range 0 to 255;
+  signal transform_left_filter_column_3_4, transform_left_filter_column_4_0 : natural range 0 to 255;
   signal transform_left_filter_column_4_1, transform_left_filter_column_4_2 : natural range 0 to 255;
+  signal transform_left_filter_column_4_3, transform_left_filter_column_4_4 : natural range 0 to 255;
   signal transform_left_filter_column_5_0, transform_left_filter_column_5_1 : natural range 0 to 255;
-  signal transform_left_filter_column_5_2, transform_left_filter_column_6_0 : natural range 0 to 255;
+  signal transform_left_filter_column_5_2, transform_left_filter_column_5_3 : natural range 0 to 255;
+  signal transform_left_filter_column_5_4, transform_left_filter_column_6_0 : natural range 0 to 255;
   signal transform_left_filter_column_6_1, transform_left_filter_column_6_2 : natural range 0 to 255;
+  signal transform_left_filter_column_6_3, transform_left_filter_column_6_4 : natural range 0 to 255;
   signal transform_left_filter_column_7_0, transform_left_filter_column_7_1 : natural range 0 to 255;
-  signal transform_left_filter_column_7_2, transform_left_filter_column_8_0 : natural range 0 to 255;
+  signal transform_left_filter_column_7_2, transform_left_filter_column_7_3 : natural range 0 to 255;
+  signal transform_left_filter_column_7_4, transform_left_filter_column_8_0 : natural range 0 to 255;
   signal transform_left_filter_column_8_1, transform_left_filter_column_8_2 : natural range 0 to 255;
+  signal transform_left_filter_column_8_3, transform_left_filter_column_8_4 : natural range 0 to 255;
   signal transform_right_filter_column_0_0, transform_right_filter_column_0_1 : natural range 0 to 255;
-  signal transform_right_filter_column_0_2, transform_right_filter_column_1_0 : natural range 0 to 255;
+  signal transform_right_filter_column_0_2, transform_right_filter_column_0_3 : natural range 0 to 255;
+  signal transform_right_filter_column_0_4, transform_right_filter_column_1_0 : natural range 0 to 255;
   signal transform_right_filter_column_1_1, transform_right_filter_column_1_2 : natural range 0 to 255;
+  signal transform_right_filter_column_1_3, transform_right_filter_column_1_4 : natural range 0 to 255;
   signal transform_right_filter_column_2_0, transform_right_filter_column_2_1 : natural range 0 to 255;
-  signal transform_right_filter_column_2_2, transform_right_filter_column_3_0 : natural range 0 to 255;
+  signal transform_right_filter_column_2_2, transform_right_filter_column_2_3 : natural range 0 to 255;
+  signal transform_right_filter_column_2_4, transform_right_filter_column_3_0 : natural range 0 to 255;
   signal transform_right_filter_column_3_1, transform_right_filter_column_3_2 : natural range 0 to 255;
+  signal transform_right_filter_column_3_3, transform_right_filter_column_3_4 : natural range 0 to 255;
   signal transform_right_filter_column_4_0, transform_right_filter_column_4_1 : natural range 0 to 255;
-  signal transform_right_filter_column_4_2, transform_right_filter_column_5_0 : natural range 0 to 255;
+  signal transform_right_filter_column_4_2, transform_right_filter_column_4_3 : natural range 0 to 255;
+  signal transform_right_filter_column_4_4, transform_right_filter_column_5_0 : natural range 0 to 255;
   signal transform_right_filter_column_5_1, transform_right_filter_column_5_2 : natural range 0 to 255;
+  signal transform_right_filter_column_5_3, transform_right_filter_column_5_4 : natural range 0 to 255;
   signal transform_right_filter_column_6_0, transform_right_filter_column_6_1 : natural range 0 to 255;
-  signal transform_right_filter_column_6_2, transform_right_filter_column_7_0 : natural range 0 to 255;
+  signal transform_right_filter_column_6_2, transform_right_filter_column_6_3 : natural range 0 to 255;
+  signal transform_right_filter_column_6_4, transform_right_filter_column_7_0 : natural range 0 to 255;
   signal transform_right_filter_column_7_1, transform_right_filter_column_7_2 : natural range 0 to 255;
+  signal transform_right_filter_column_7_3, transform_right_filter_column_7_4 : natural range 0 to 255;
   signal transform_right_filter_column_8_0, transform_right_filter_column_8_1 : natural range 0 to 255;
-  signal transform_right_filter_column_8_2 : natural range 0 to 255;
+  signal transform_right_filter_column_8_2, transform_right_filter_column_8_3 : natural range 0 to 255;
+  signal transform_right_filter_column_8_4 : natural range 0 to 255;
   signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
-  signal transform_read_row_inside_1, transform_read_row_inside_2, transform_read_column_inside_0 : boolean;
-  signal transform_read_column_inside_1, transform_read_column_inside_2, transform_read_column_inside_3 : boolean;
-  signal transform_read_column_inside_4, transform_read_column_inside_5, transform_read_column_inside_6 : boolean;
-  signal transform_read_column_inside_7, transform_read_column_inside_8, transform_read_start_of_frame : boolean;
-  signal transform_read_valid, transform_ready_row_inside_0, transform_ready_row_inside_1 : boolean;
-  signal transform_ready_row_inside_2, transform_ready_column_inside_0, transform_ready_column_inside_1 : boolean;
-  signal transform_ready_column_inside_2, transform_ready_column_inside_3, transform_ready_column_inside_4 : boolean;
-  signal transform_ready_column_inside_5, transform_ready_column_inside_6, transform_ready_column_inside_7 : boolean;
-  signal transform_ready_column_inside_8, transform_ready_start_of_frame, transform_ready_valid : boolean;
-  signal transform_columns_row_inside_0, transform_columns_row_inside_1, transform_columns_row_inside_2 : boolean;
-  signal transform_columns_column_inside_0, transform_columns_column_inside_1 : boolean;
-  signal transform_columns_column_inside_2, transform_columns_column_inside_3 : boolean;
-  signal transform_columns_column_inside_4, transform_columns_column_inside_5 : boolean;
-  signal transform_columns_column_inside_6, transform_columns_column_inside_7 : boolean;
+  signal transform_read_row_inside_1, transform_read_row_inside_2, transform_read_row_inside_3 : boolean;
+  signal transform_read_row_inside_4, transform_read_column_inside_0, transform_read_column_inside_2 : boolean;
+  signal transform_read_column_inside_4, transform_read_column_inside_6, transform_read_column_inside_8 : boolean;
+  signal transform_read_start_of_frame, transform_read_valid, transform_ready_row_inside_0 : boolean;
+  signal transform_ready_row_inside_1, transform_ready_row_inside_2, transform_ready_row_inside_3 : boolean;
+  signal transform_ready_row_inside_4, transform_ready_column_inside_0, transform_ready_column_inside_2 : boolean;
+  signal transform_ready_column_inside_4, transform_ready_column_inside_6, transform_ready_column_inside_8 : boolean;
+  signal transform_ready_start_of_frame, transform_ready_valid, transform_columns_row_inside_0 : boolean;
+  signal transform_columns_row_inside_1, transform_columns_row_inside_2, transform_columns_row_inside_3 : boolean;
+  signal transform_columns_row_inside_4, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
+  signal transform_columns_column_inside_4, transform_columns_column_inside_6 : boolean;
   signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_0_row_inside_2, transform_filtering_0_column_inside_0 : boolean;
-  signal transform_filtering_0_column_inside_1, transform_filtering_0_column_inside_2 : boolean;
-  signal transform_filtering_0_column_inside_3, transform_filtering_0_column_inside_4 : boolean;
-  signal transform_filtering_0_column_inside_5, transform_filtering_0_column_inside_6 : boolean;
-  signal transform_filtering_0_column_inside_7, transform_filtering_0_column_inside_8 : boolean;
+  signal transform_filtering_0_row_inside_4, transform_filtering_0_column_inside_0 : boolean;
+  signal transform_filtering_0_column_inside_2, transform_filtering_0_column_inside_4 : boolean;
+  signal transform_filtering_0_column_inside_6, transform_filtering_0_column_inside_8 : boolean;
   signal transform_filtering_0_start_of_frame, transform_filtering_0_valid : boolean;
-  signal transform_filtering_1_row_inside_2, transform_filtering_1_column_inside_4 : boolean;
+  signal transform_filtering_1_row_inside_4, transform_filtering_1_column_inside_4 : boolean;
   signal transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
   signal transform_counter_column, transform_counter_group, transform_read_column : natural range 0 to 511;
   signal transform_ready_column, transform_write_column : natural range 0 to 511;
-  signal transform_left_rows_read_words_0, transform_right_rows_read_words_0 : unsigned(15 downto 0);
-  signal transform_left_rows_ready_words_0, transform_left_rows_write_words_0 : natural range 0 to 65535;
-  signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : natural range 0 to 65535;
-  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 67108863;
+  signal transform_left_rows_read_words_0, transform_left_rows_ready_words_0 : unsigned(31 downto 0);
+  signal transform_left_rows_write_words_0, transform_right_rows_read_words_0 : unsigned(31 downto 0);
+  signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : unsigned(31 downto 0);
+  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 16777215;
   -- raster
-  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 67108863;
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 16777215;
   signal raster_features_valid : boolean;
   signal raster_place_column, raster_place_group : natural range 0 to 511;
   -- delay
-  signal delay_ahead_0, delay_delayed_0 : natural range 0 to 67108863;
+  signal delay_ahead_0, delay_delayed_0 : natural range 0 to 16777215;
   signal delay_column : natural range 0 to 511;
   signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_row_start, delay_tag_first_group : boolean;
   signal delay_tag_leaves_window, delay_tag_map_column, delay_tag_first_column, delay_tag_start_of_frame : boolean;
   signal delay_tag_end_of_line : boolean;
   -- rows
-  signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_2, rows_search_rows_read_words_3 : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_4, rows_search_rows_read_words_5 : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_6, rows_search_rows_read_words_7 : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_8, rows_reference_rows_read_words_0 : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_1, rows_reference_rows_read_words_2 : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_3, rows_reference_rows_read_words_4 : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_5, rows_reference_rows_read_words_6 : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_7, rows_reference_rows_read_words_8 : unsigned(25 downto 0);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_words_0 : natural range 0 to 67108863;
-  signal rows_search_rows_ready_words_1, rows_search_rows_ready_words_2 : natural range 0 to 67108863;
-  signal rows_search_rows_ready_words_3, rows_search_rows_ready_words_4 : natural range 0 to 67108863;
-  signal rows_search_rows_ready_words_5, rows_search_rows_ready_words_6 : natural range 0 to 67108863;
-  signal rows_search_rows_ready_words_7, rows_search_rows_ready_words_8 : natural range 0 to 67108863;
-  signal rows_search_rows_ready_newest_0, rows_search_rows_write_words_0 : natural range 0 to 67108863;
-  signal rows_search_rows_write_words_1, rows_search_rows_write_words_2 : natural range 0 to 67108863;
-  signal rows_search_rows_write_words_3, rows_search_rows_write_words_4 : natural range 0 to 67108863;
-  signal rows_search_rows_write_words_5, rows_search_rows_write_words_6 : natural range 0 to 67108863;
-  signal rows_search_rows_write_words_7, rows_search_rows_write_words_8 : natural range 0 to 67108863;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_words_0 : natural range 0 to 67108863;
-  signal rows_reference_rows_ready_words_1, rows_reference_rows_ready_words_2 : natural range 0 to 67108863;
-  signal rows_reference_rows_ready_words_3, rows_reference_rows_ready_words_4 : natural range 0 to 67108863;
-  signal rows_reference_rows_ready_words_5, rows_reference_rows_ready_words_6 : natural range 0 to 67108863;
-  signal rows_reference_rows_ready_words_7, rows_reference_rows_ready_words_8 : natural range 0 to 67108863;
-  signal rows_reference_rows_ready_newest_0, rows_reference_rows_write_words_0 : natural range 0 to 67108863;
-  signal rows_reference_rows_write_words_1, rows_reference_rows_write_words_2 : natural range 0 to 67108863;
-  signal rows_reference_rows_write_words_3, rows_reference_rows_write_words_4 : natural range 0 to 67108863;
-  signal rows_reference_rows_write_words_5, rows_reference_rows_write_words_6 : natural range 0 to 67108863;
-  signal rows_reference_rows_write_words_7, rows_reference_rows_write_words_8 : natural range 0 to 67108863;
-  signal rows_search_0, rows_search_1, rows_reference_0, rows_reference_1 : natural range 0 to 67108863;
+  signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_2, rows_search_rows_read_words_3 : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_4, rows_search_rows_read_words_5 : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_6, rows_search_rows_read_words_7 : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_8, rows_reference_rows_read_words_0 : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1, rows_reference_rows_read_words_2 : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_3, rows_reference_rows_read_words_4 : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_5, rows_reference_rows_read_words_6 : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_7, rows_reference_rows_read_words_8 : unsigned(23 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_words_0 : natural range 0 to 16777215;
+  signal rows_search_rows_ready_words_1, rows_search_rows_ready_words_2 : natural range 0 to 16777215;
+  signal rows_search_rows_ready_words_3, rows_search_rows_ready_words_4 : natural range 0 to 16777215;
+  signal rows_search_rows_ready_words_5, rows_search_rows_ready_words_6 : natural range 0 to 16777215;
+  signal rows_search_rows_ready_words_7, rows_search_rows_ready_words_8 : natural range 0 to 16777215;
+  signal rows_search_rows_ready_newest_0, rows_search_rows_write_words_0 : natural range 0 to 16777215;
+  signal rows_search_rows_write_words_1, rows_search_rows_write_words_2 : natural range 0 to 16777215;
+  signal rows_search_rows_write_words_3, rows_search_rows_write_words_4 : natural range 0 to 16777215;
+  signal rows_search_rows_write_words_5, rows_search_rows_write_words_6 : natural range 0 to 16777215;
+  signal rows_search_rows_write_words_7, rows_search_rows_write_words_8 : natural range 0 to 16777215;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_words_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_1, rows_reference_rows_ready_words_2 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_3, rows_reference_rows_ready_words_4 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_5, rows_reference_rows_ready_words_6 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_7, rows_reference_rows_ready_words_8 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_newest_0, rows_reference_rows_write_words_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_write_words_1, rows_reference_rows_write_words_2 : natural range 0 to 16777215;
+  signal rows_reference_rows_write_words_3, rows_reference_rows_write_words_4 : natural range 0 to 16777215;
+  signal rows_reference_rows_write_words_5, rows_reference_rows_write_words_6 : natural range 0 to 16777215;
+  signal rows_reference_rows_write_words_7, rows_reference_rows_write_words_8 : natural range 0 to 16777215;
+  signal rows_search_0, rows_search_1, rows_reference_0, rows_reference_1 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_row_start : boolean;
   signal rows_read_tag_first_group, rows_read_tag_leaves_window, rows_read_tag_map_column : boolean;
@@ -205,18 +219,18 @@ architecture rtl of stereo_core_census_450_full is
   signal rows_tag_valid, rows_tag_row_start, rows_tag_first_group, rows_tag_leaves_window : boolean;
   signal rows_tag_map_column, rows_tag_first_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- slice0shift
-  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 67108863;
-  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 67108863;
-  signal slice0shift_search_0_6, slice0shift_search_0_7, slice0shift_search_0_8 : natural range 0 to 67108863;
-  signal slice0shift_search_0_9, slice0shift_search_0_10, slice0shift_search_0_11 : natural range 0 to 67108863;
-  signal slice0shift_search_0_12, slice0shift_search_0_13, slice0shift_search_0_14 : natural range 0 to 67108863;
-  signal slice0shift_search_0_15, slice0shift_search_1_0, slice0shift_search_1_1 : natural range 0 to 67108863;
-  signal slice0shift_search_1_2, slice0shift_search_1_3, slice0shift_search_1_4 : natural range 0 to 67108863;
-  signal slice0shift_search_1_5, slice0shift_search_1_6, slice0shift_search_1_7 : natural range 0 to 67108863;
-  signal slice0shift_search_1_8, slice0shift_search_1_9, slice0shift_search_1_10 : natural range 0 to 67108863;
-  signal slice0shift_search_1_11, slice0shift_search_1_12, slice0shift_search_1_13 : natural range 0 to 67108863;
-  signal slice0shift_search_1_14, slice0shift_search_1_15, slice0shift_reference_0 : natural range 0 to 67108863;
-  signal slice0shift_reference_1, slice0shift_search_out_0, slice0shift_search_out_1 : natural range 0 to 67108863;
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 16777215;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 16777215;
+  signal slice0shift_search_0_6, slice0shift_search_0_7, slice0shift_search_0_8 : natural range 0 to 16777215;
+  signal slice0shift_search_0_9, slice0shift_search_0_10, slice0shift_search_0_11 : natural range 0 to 16777215;
+  signal slice0shift_search_0_12, slice0shift_search_0_13, slice0shift_search_0_14 : natural range 0 to 16777215;
+  signal slice0shift_search_0_15, slice0shift_search_1_0, slice0shift_search_1_1 : natural range 0 to 16777215;
+  signal slice0shift_search_1_2, slice0shift_search_1_3, slice0shift_search_1_4 : natural range 0 to 16777215;
+  signal slice0shift_search_1_5, slice0shift_search_1_6, slice0shift_search_1_7 : natural range 0 to 16777215;
+  signal slice0shift_search_1_8, slice0shift_search_1_9, slice0shift_search_1_10 : natural range 0 to 16777215;
+  signal slice0shift_search_1_11, slice0shift_search_1_12, slice0shift_search_1_13 : natural range 0 to 16777215;
+  signal slice0shift_search_1_14, slice0shift_search_1_15, slice0shift_reference_0 : natural range 0 to 16777215;
+  signal slice0shift_reference_1, slice0shift_search_out_0, slice0shift_search_out_1 : natural range 0 to 16777215;
   signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
   signal slice0shift_tag_leaves_window, slice0shift_tag_map_column, slice0shift_tag_first_column : boolean;
   signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
@@ -349,22 +363,6 @@ architecture rtl of stereo_core_census_450_full is
   signal slice0cost_pixels_first_1_15_count_2, slice0cost_pixels_first_1_15_count_3 : natural range 0 to 3;
   signal slice0cost_pixels_first_1_15_count_4, slice0cost_pixels_first_1_15_count_5 : natural range 0 to 3;
   signal slice0cost_pixels_first_1_15_count_6, slice0cost_pixels_first_1_15_count_7 : natural range 0 to 3;
-  signal slice0cost_pixels_first_0_0_count_8, slice0cost_pixels_first_0_1_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_0_2_count_8, slice0cost_pixels_first_0_3_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_0_4_count_8, slice0cost_pixels_first_0_5_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_0_6_count_8, slice0cost_pixels_first_0_7_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_0_8_count_8, slice0cost_pixels_first_0_9_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_0_10_count_8, slice0cost_pixels_first_0_11_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_0_12_count_8, slice0cost_pixels_first_0_13_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_0_14_count_8, slice0cost_pixels_first_0_15_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_1_0_count_8, slice0cost_pixels_first_1_1_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_1_2_count_8, slice0cost_pixels_first_1_3_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_1_4_count_8, slice0cost_pixels_first_1_5_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_1_6_count_8, slice0cost_pixels_first_1_7_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_1_8_count_8, slice0cost_pixels_first_1_9_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_1_10_count_8, slice0cost_pixels_first_1_11_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_1_12_count_8, slice0cost_pixels_first_1_13_count_8 : natural range 0 to 2;
-  signal slice0cost_pixels_first_1_14_count_8, slice0cost_pixels_first_1_15_count_8 : natural range 0 to 2;
   signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
   signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_leaves_window : boolean;
   signal slice0cost_pixels_first_tag_map_column, slice0cost_pixels_first_tag_first_column : boolean;
@@ -379,29 +377,29 @@ architecture rtl of stereo_core_census_450_full is
   signal slice0cost_tag_row_start, slice0cost_tag_first_group, slice0cost_tag_leaves_window : boolean;
   signal slice0cost_tag_map_column, slice0cost_tag_first_column, slice0cost_tag_start_of_frame : boolean;
   signal slice0cost_tag_end_of_line : boolean;
-  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 26;
-  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_0_5 : natural range 0 to 26;
-  signal slice0cost_pixels_cost_0_6, slice0cost_pixels_cost_0_7, slice0cost_pixels_cost_0_8 : natural range 0 to 26;
-  signal slice0cost_pixels_cost_0_9, slice0cost_pixels_cost_0_10, slice0cost_pixels_cost_0_11 : natural range 0 to 26;
-  signal slice0cost_pixels_cost_0_12, slice0cost_pixels_cost_0_13, slice0cost_pixels_cost_0_14 : natural range 0 to 26;
-  signal slice0cost_pixels_cost_0_15, slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1 : natural range 0 to 26;
-  signal slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3, slice0cost_pixels_cost_1_4 : natural range 0 to 26;
-  signal slice0cost_pixels_cost_1_5, slice0cost_pixels_cost_1_6, slice0cost_pixels_cost_1_7 : natural range 0 to 26;
-  signal slice0cost_pixels_cost_1_8, slice0cost_pixels_cost_1_9, slice0cost_pixels_cost_1_10 : natural range 0 to 26;
-  signal slice0cost_pixels_cost_1_11, slice0cost_pixels_cost_1_12, slice0cost_pixels_cost_1_13 : natural range 0 to 26;
-  signal slice0cost_pixels_cost_1_14, slice0cost_pixels_cost_1_15 : natural range 0 to 26;
+  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_0_5 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_0_6, slice0cost_pixels_cost_0_7, slice0cost_pixels_cost_0_8 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_0_9, slice0cost_pixels_cost_0_10, slice0cost_pixels_cost_0_11 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_0_12, slice0cost_pixels_cost_0_13, slice0cost_pixels_cost_0_14 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_0_15, slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3, slice0cost_pixels_cost_1_4 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_1_5, slice0cost_pixels_cost_1_6, slice0cost_pixels_cost_1_7 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_1_8, slice0cost_pixels_cost_1_9, slice0cost_pixels_cost_1_10 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_1_11, slice0cost_pixels_cost_1_12, slice0cost_pixels_cost_1_13 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_1_14, slice0cost_pixels_cost_1_15 : natural range 0 to 24;
   signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 511;
   signal slice0cost_write_column : natural range 0 to 511;
   signal slice0cost_read_words_0, slice0cost_read_words_1, slice0cost_read_words_2 : unsigned(31 downto 0);
   signal slice0cost_read_words_3, slice0cost_ready_words_0, slice0cost_ready_words_1 : unsigned(31 downto 0);
   signal slice0cost_ready_words_2, slice0cost_ready_words_3, slice0cost_write_words_0 : unsigned(31 downto 0);
   signal slice0cost_write_words_1, slice0cost_write_words_2, slice0cost_write_words_3 : unsigned(31 downto 0);
-  signal slice0cost_change_0_0, slice0cost_change_0_1, slice0cost_change_0_2 : integer range -26 to 26;
-  signal slice0cost_change_0_3, slice0cost_change_0_4, slice0cost_change_0_5 : integer range -26 to 26;
-  signal slice0cost_change_0_6, slice0cost_change_0_7, slice0cost_change_0_8 : integer range -26 to 26;
-  signal slice0cost_change_0_9, slice0cost_change_0_10, slice0cost_change_0_11 : integer range -26 to 26;
-  signal slice0cost_change_0_12, slice0cost_change_0_13, slice0cost_change_0_14 : integer range -26 to 26;
-  signal slice0cost_change_0_15 : integer range -26 to 26;
+  signal slice0cost_change_0_0, slice0cost_change_0_1, slice0cost_change_0_2 : integer range -24 to 24;
+  signal slice0cost_change_0_3, slice0cost_change_0_4, slice0cost_change_0_5 : integer range -24 to 24;
+  signal slice0cost_change_0_6, slice0cost_change_0_7, slice0cost_change_0_8 : integer range -24 to 24;
+  signal slice0cost_change_0_9, slice0cost_change_0_10, slice0cost_change_0_11 : integer range -24 to 24;
+  signal slice0cost_change_0_12, slice0cost_change_0_13, slice0cost_change_0_14 : integer range -24 to 24;
+  signal slice0cost_change_0_15 : integer range -24 to 24;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 255;
   signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 255;
   signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 255;
@@ -428,8 +426,7 @@ architecture rtl of stereo_core_census_450_full is
   signal slice0window_change_tag_end_of_line, slice0window_centre_map_column_0 : boolean;
   signal slice0window_centre_first_column_0, slice0window_centre_first_column_1 : boolean;
   signal slice0window_centre_first_column_2, slice0window_centre_first_column_3 : boolean;
-  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_1 : boolean;
-  signal slice0window_centre_start_of_frame_2, slice0window_centre_start_of_frame_3 : boolean;
+  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_3 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_first_column : boolean;
   signal slice0window_tag_start_of_frame : boolean;
   signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -255 to 255;
@@ -438,12 +435,12 @@ architecture rtl of stereo_core_census_450_full is
   signal slice0window_change_0_9, slice0window_change_0_10, slice0window_change_0_11 : integer range -255 to 255;
   signal slice0window_change_0_12, slice0window_change_0_13, slice0window_change_0_14 : integer range -255 to 255;
   signal slice0window_change_0_15 : integer range -255 to 255;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 4095;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 4095;
-  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 4095;
-  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 4095;
-  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 4095;
-  signal slice0window_sum_0_15 : natural range 0 to 4095;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2047;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 2047;
+  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 2047;
+  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 2047;
+  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 2047;
+  signal slice0window_sum_0_15 : natural range 0 to 2047;
   -- slice0mask
   signal slice0mask_inside_0, slice0mask_inside_1, slice0mask_inside_2, slice0mask_inside_3 : boolean;
   signal slice0mask_inside_4, slice0mask_inside_5, slice0mask_inside_6, slice0mask_inside_7 : boolean;
@@ -452,26 +449,26 @@ architecture rtl of stereo_core_census_450_full is
   signal slice0mask_left_out : boolean;
   signal slice0mask_column : natural range 0 to 511;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 4095;
-  signal slice0winner1_best_below_0_0, slice0winner1_best_below_0_1 : natural range 0 to 4095;
-  signal slice0winner1_best_below_0_2, slice0winner1_best_below_0_3 : natural range 0 to 4095;
-  signal slice0winner1_best_below_0_4, slice0winner1_best_below_0_5 : natural range 0 to 4095;
-  signal slice0winner1_best_below_0_6, slice0winner1_best_below_0_7 : natural range 0 to 4095;
-  signal slice0winner1_best_above_0_0, slice0winner1_best_above_0_1 : natural range 0 to 4095;
-  signal slice0winner1_best_above_0_2, slice0winner1_best_above_0_3 : natural range 0 to 4095;
-  signal slice0winner1_best_above_0_4, slice0winner1_best_above_0_5 : natural range 0 to 4095;
-  signal slice0winner1_best_above_0_6, slice0winner1_best_above_0_7 : natural range 0 to 4095;
-  signal slice0winner1_best_first_0_1, slice0winner1_best_first_0_2 : natural range 0 to 4095;
-  signal slice0winner1_best_first_0_3, slice0winner1_best_first_0_4 : natural range 0 to 4095;
-  signal slice0winner1_best_first_0_5, slice0winner1_best_first_0_6 : natural range 0 to 4095;
-  signal slice0winner1_best_first_0_7, slice0winner1_best_last_0_0 : natural range 0 to 4095;
-  signal slice0winner1_best_last_0_1, slice0winner1_best_last_0_2 : natural range 0 to 4095;
-  signal slice0winner1_best_last_0_3, slice0winner1_best_last_0_4 : natural range 0 to 4095;
-  signal slice0winner1_best_last_0_5, slice0winner1_best_last_0_6 : natural range 0 to 4095;
-  signal slice0winner1_best_last_0_7 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2047;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 2047;
+  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 2047;
+  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 2047;
+  signal slice0winner1_best_below_0_0, slice0winner1_best_below_0_1 : natural range 0 to 2047;
+  signal slice0winner1_best_below_0_2, slice0winner1_best_below_0_3 : natural range 0 to 2047;
+  signal slice0winner1_best_below_0_4, slice0winner1_best_below_0_5 : natural range 0 to 2047;
+  signal slice0winner1_best_below_0_6, slice0winner1_best_below_0_7 : natural range 0 to 2047;
+  signal slice0winner1_best_above_0_0, slice0winner1_best_above_0_1 : natural range 0 to 2047;
+  signal slice0winner1_best_above_0_2, slice0winner1_best_above_0_3 : natural range 0 to 2047;
+  signal slice0winner1_best_above_0_4, slice0winner1_best_above_0_5 : natural range 0 to 2047;
+  signal slice0winner1_best_above_0_6, slice0winner1_best_above_0_7 : natural range 0 to 2047;
+  signal slice0winner1_best_first_0_1, slice0winner1_best_first_0_2 : natural range 0 to 2047;
+  signal slice0winner1_best_first_0_3, slice0winner1_best_first_0_4 : natural range 0 to 2047;
+  signal slice0winner1_best_first_0_5, slice0winner1_best_first_0_6 : natural range 0 to 2047;
+  signal slice0winner1_best_first_0_7, slice0winner1_best_last_0_0 : natural range 0 to 2047;
+  signal slice0winner1_best_last_0_1, slice0winner1_best_last_0_2 : natural range 0 to 2047;
+  signal slice0winner1_best_last_0_3, slice0winner1_best_last_0_4 : natural range 0 to 2047;
+  signal slice0winner1_best_last_0_5, slice0winner1_best_last_0_6 : natural range 0 to 2047;
+  signal slice0winner1_best_last_0_7 : natural range 0 to 2047;
   signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
   signal slice0winner1_tag_first_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
   signal slice0winner1_best_index_0_1 : natural range 0 to 3;
@@ -482,16 +479,16 @@ architecture rtl of stereo_core_census_450_full is
   signal slice0winner1_best_index_0_6 : natural range 0 to 13;
   signal slice0winner1_best_index_0_7 : natural range 0 to 15;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 4095;
-  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 4095;
-  signal slice0winner2_best_below_0_0, slice0winner2_best_below_0_1 : natural range 0 to 4095;
-  signal slice0winner2_best_below_0_2, slice0winner2_best_below_0_3 : natural range 0 to 4095;
-  signal slice0winner2_best_above_0_0, slice0winner2_best_above_0_1 : natural range 0 to 4095;
-  signal slice0winner2_best_above_0_2, slice0winner2_best_above_0_3 : natural range 0 to 4095;
-  signal slice0winner2_best_first_0_1, slice0winner2_best_first_0_2 : natural range 0 to 4095;
-  signal slice0winner2_best_first_0_3, slice0winner2_best_last_0_0 : natural range 0 to 4095;
-  signal slice0winner2_best_last_0_1, slice0winner2_best_last_0_2 : natural range 0 to 4095;
-  signal slice0winner2_best_last_0_3 : natural range 0 to 4095;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 2047;
+  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 2047;
+  signal slice0winner2_best_below_0_0, slice0winner2_best_below_0_1 : natural range 0 to 2047;
+  signal slice0winner2_best_below_0_2, slice0winner2_best_below_0_3 : natural range 0 to 2047;
+  signal slice0winner2_best_above_0_0, slice0winner2_best_above_0_1 : natural range 0 to 2047;
+  signal slice0winner2_best_above_0_2, slice0winner2_best_above_0_3 : natural range 0 to 2047;
+  signal slice0winner2_best_first_0_1, slice0winner2_best_first_0_2 : natural range 0 to 2047;
+  signal slice0winner2_best_first_0_3, slice0winner2_best_last_0_0 : natural range 0 to 2047;
+  signal slice0winner2_best_last_0_1, slice0winner2_best_last_0_2 : natural range 0 to 2047;
+  signal slice0winner2_best_last_0_3 : natural range 0 to 2047;
   signal slice0winner2_best_index_0_0 : natural range 0 to 3;
   signal slice0winner2_best_index_0_1 : natural range 0 to 7;
   signal slice0winner2_best_index_0_2 : natural range 0 to 11;
@@ -499,40 +496,40 @@ architecture rtl of stereo_core_census_450_full is
   signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 4095;
-  signal slice0winner3_best_below_0_0, slice0winner3_best_below_0_1 : natural range 0 to 4095;
-  signal slice0winner3_best_above_0_0, slice0winner3_best_above_0_1 : natural range 0 to 4095;
-  signal slice0winner3_best_first_0_1, slice0winner3_best_last_0_0 : natural range 0 to 4095;
-  signal slice0winner3_best_last_0_1 : natural range 0 to 4095;
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 2047;
+  signal slice0winner3_best_below_0_0, slice0winner3_best_below_0_1 : natural range 0 to 2047;
+  signal slice0winner3_best_above_0_0, slice0winner3_best_above_0_1 : natural range 0 to 2047;
+  signal slice0winner3_best_first_0_1, slice0winner3_best_last_0_0 : natural range 0 to 2047;
+  signal slice0winner3_best_last_0_1 : natural range 0 to 2047;
   signal slice0winner3_best_index_0_0 : natural range 0 to 7;
   signal slice0winner3_best_index_0_1 : natural range 0 to 15;
   signal slice0winner3_tag_valid, slice0winner3_tag_map_column, slice0winner3_tag_start_of_frame : boolean;
   signal slice0winner3_tag_end_of_line : boolean;
   -- slice0winner4
-  signal slice0winner4_best_cost_0_0, slice0winner4_best_below_0_0 : natural range 0 to 4095;
-  signal slice0winner4_best_above_0_0, slice0winner4_best_last_0_0 : natural range 0 to 4095;
+  signal slice0winner4_best_cost_0_0, slice0winner4_best_below_0_0 : natural range 0 to 2047;
+  signal slice0winner4_best_above_0_0, slice0winner4_best_last_0_0 : natural range 0 to 2047;
   signal slice0winner4_best_index_0_0 : natural range 0 to 15;
   signal slice0winner4_tag_valid, slice0winner4_tag_map_column, slice0winner4_tag_start_of_frame : boolean;
   signal slice0winner4_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_below_0_0, slice0_best_above_0_0 : natural range 0 to 4095;
-  signal slice0_best_last_0_0 : natural range 0 to 4095;
+  signal slice0_best_cost_0_0, slice0_best_below_0_0, slice0_best_above_0_0 : natural range 0 to 2047;
+  signal slice0_best_last_0_0 : natural range 0 to 2047;
   signal slice0_best_index_0_0 : natural range 0 to 15;
   signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
-  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 67108863;
-  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 67108863;
-  signal slice1shift_search_0_6, slice1shift_search_0_7, slice1shift_search_0_8 : natural range 0 to 67108863;
-  signal slice1shift_search_0_9, slice1shift_search_0_10, slice1shift_search_0_11 : natural range 0 to 67108863;
-  signal slice1shift_search_0_12, slice1shift_search_0_13, slice1shift_search_0_14 : natural range 0 to 67108863;
-  signal slice1shift_search_0_15, slice1shift_search_1_0, slice1shift_search_1_1 : natural range 0 to 67108863;
-  signal slice1shift_search_1_2, slice1shift_search_1_3, slice1shift_search_1_4 : natural range 0 to 67108863;
-  signal slice1shift_search_1_5, slice1shift_search_1_6, slice1shift_search_1_7 : natural range 0 to 67108863;
-  signal slice1shift_search_1_8, slice1shift_search_1_9, slice1shift_search_1_10 : natural range 0 to 67108863;
-  signal slice1shift_search_1_11, slice1shift_search_1_12, slice1shift_search_1_13 : natural range 0 to 67108863;
-  signal slice1shift_search_1_14, slice1shift_search_1_15, slice1shift_reference_0 : natural range 0 to 67108863;
-  signal slice1shift_reference_1, slice1shift_search_out_0, slice1shift_search_out_1 : natural range 0 to 67108863;
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 16777215;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 16777215;
+  signal slice1shift_search_0_6, slice1shift_search_0_7, slice1shift_search_0_8 : natural range 0 to 16777215;
+  signal slice1shift_search_0_9, slice1shift_search_0_10, slice1shift_search_0_11 : natural range 0 to 16777215;
+  signal slice1shift_search_0_12, slice1shift_search_0_13, slice1shift_search_0_14 : natural range 0 to 16777215;
+  signal slice1shift_search_0_15, slice1shift_search_1_0, slice1shift_search_1_1 : natural range 0 to 16777215;
+  signal slice1shift_search_1_2, slice1shift_search_1_3, slice1shift_search_1_4 : natural range 0 to 16777215;
+  signal slice1shift_search_1_5, slice1shift_search_1_6, slice1shift_search_1_7 : natural range 0 to 16777215;
+  signal slice1shift_search_1_8, slice1shift_search_1_9, slice1shift_search_1_10 : natural range 0 to 16777215;
+  signal slice1shift_search_1_11, slice1shift_search_1_12, slice1shift_search_1_13 : natural range 0 to 16777215;
+  signal slice1shift_search_1_14, slice1shift_search_1_15, slice1shift_reference_0 : natural range 0 to 16777215;
+  signal slice1shift_reference_1, slice1shift_search_out_0, slice1shift_search_out_1 : natural range 0 to 16777215;
   -- slice1cost
   signal slice1cost_pixels_first_0_0_count_0, slice1cost_pixels_first_0_0_count_1 : natural range 0 to 3;
   signal slice1cost_pixels_first_0_0_count_2, slice1cost_pixels_first_0_0_count_3 : natural range 0 to 3;
@@ -662,45 +659,29 @@ architecture rtl of stereo_core_census_450_full is
   signal slice1cost_pixels_first_1_15_count_2, slice1cost_pixels_first_1_15_count_3 : natural range 0 to 3;
   signal slice1cost_pixels_first_1_15_count_4, slice1cost_pixels_first_1_15_count_5 : natural range 0 to 3;
   signal slice1cost_pixels_first_1_15_count_6, slice1cost_pixels_first_1_15_count_7 : natural range 0 to 3;
-  signal slice1cost_pixels_first_0_0_count_8, slice1cost_pixels_first_0_1_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_0_2_count_8, slice1cost_pixels_first_0_3_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_0_4_count_8, slice1cost_pixels_first_0_5_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_0_6_count_8, slice1cost_pixels_first_0_7_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_0_8_count_8, slice1cost_pixels_first_0_9_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_0_10_count_8, slice1cost_pixels_first_0_11_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_0_12_count_8, slice1cost_pixels_first_0_13_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_0_14_count_8, slice1cost_pixels_first_0_15_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_1_0_count_8, slice1cost_pixels_first_1_1_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_1_2_count_8, slice1cost_pixels_first_1_3_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_1_4_count_8, slice1cost_pixels_first_1_5_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_1_6_count_8, slice1cost_pixels_first_1_7_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_1_8_count_8, slice1cost_pixels_first_1_9_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_1_10_count_8, slice1cost_pixels_first_1_11_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_1_12_count_8, slice1cost_pixels_first_1_13_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_first_1_14_count_8, slice1cost_pixels_first_1_15_count_8 : natural range 0 to 2;
-  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 26;
-  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_0_5 : natural range 0 to 26;
-  signal slice1cost_pixels_cost_0_6, slice1cost_pixels_cost_0_7, slice1cost_pixels_cost_0_8 : natural range 0 to 26;
-  signal slice1cost_pixels_cost_0_9, slice1cost_pixels_cost_0_10, slice1cost_pixels_cost_0_11 : natural range 0 to 26;
-  signal slice1cost_pixels_cost_0_12, slice1cost_pixels_cost_0_13, slice1cost_pixels_cost_0_14 : natural range 0 to 26;
-  signal slice1cost_pixels_cost_0_15, slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1 : natural range 0 to 26;
-  signal slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3, slice1cost_pixels_cost_1_4 : natural range 0 to 26;
-  signal slice1cost_pixels_cost_1_5, slice1cost_pixels_cost_1_6, slice1cost_pixels_cost_1_7 : natural range 0 to 26;
-  signal slice1cost_pixels_cost_1_8, slice1cost_pixels_cost_1_9, slice1cost_pixels_cost_1_10 : natural range 0 to 26;
-  signal slice1cost_pixels_cost_1_11, slice1cost_pixels_cost_1_12, slice1cost_pixels_cost_1_13 : natural range 0 to 26;
-  signal slice1cost_pixels_cost_1_14, slice1cost_pixels_cost_1_15 : natural range 0 to 26;
+  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_0_5 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_0_6, slice1cost_pixels_cost_0_7, slice1cost_pixels_cost_0_8 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_0_9, slice1cost_pixels_cost_0_10, slice1cost_pixels_cost_0_11 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_0_12, slice1cost_pixels_cost_0_13, slice1cost_pixels_cost_0_14 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_0_15, slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3, slice1cost_pixels_cost_1_4 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_1_5, slice1cost_pixels_cost_1_6, slice1cost_pixels_cost_1_7 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_1_8, slice1cost_pixels_cost_1_9, slice1cost_pixels_cost_1_10 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_1_11, slice1cost_pixels_cost_1_12, slice1cost_pixels_cost_1_13 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_1_14, slice1cost_pixels_cost_1_15 : natural range 0 to 24;
   signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 511;
   signal slice1cost_write_column : natural range 0 to 511;
   signal slice1cost_read_words_0, slice1cost_read_words_1, slice1cost_read_words_2 : unsigned(31 downto 0);
   signal slice1cost_read_words_3, slice1cost_ready_words_0, slice1cost_ready_words_1 : unsigned(31 downto 0);
   signal slice1cost_ready_words_2, slice1cost_ready_words_3, slice1cost_write_words_0 : unsigned(31 downto 0);
   signal slice1cost_write_words_1, slice1cost_write_words_2, slice1cost_write_words_3 : unsigned(31 downto 0);
-  signal slice1cost_change_0_0, slice1cost_change_0_1, slice1cost_change_0_2 : integer range -26 to 26;
-  signal slice1cost_change_0_3, slice1cost_change_0_4, slice1cost_change_0_5 : integer range -26 to 26;
-  signal slice1cost_change_0_6, slice1cost_change_0_7, slice1cost_change_0_8 : integer range -26 to 26;
-  signal slice1cost_change_0_9, slice1cost_change_0_10, slice1cost_change_0_11 : integer range -26 to 26;
-  signal slice1cost_change_0_12, slice1cost_change_0_13, slice1cost_change_0_14 : integer range -26 to 26;
-  signal slice1cost_change_0_15 : integer range -26 to 26;
+  signal slice1cost_change_0_0, slice1cost_change_0_1, slice1cost_change_0_2 : integer range -24 to 24;
+  signal slice1cost_change_0_3, slice1cost_change_0_4, slice1cost_change_0_5 : integer range -24 to 24;
+  signal slice1cost_change_0_6, slice1cost_change_0_7, slice1cost_change_0_8 : integer range -24 to 24;
+  signal slice1cost_change_0_9, slice1cost_change_0_10, slice1cost_change_0_11 : integer range -24 to 24;
+  signal slice1cost_change_0_12, slice1cost_change_0_13, slice1cost_change_0_14 : integer range -24 to 24;
+  signal slice1cost_change_0_15 : integer range -24 to 24;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 255;
   signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 255;
   signal slice1cost_column_0_6, slice1cost_column_0_7, slice1cost_column_0_8 : natural range 0 to 255;
@@ -726,13 +707,14 @@ architecture rtl of stereo_core_census_450_full is
   signal slice1window_change_tag_row_start, slice1window_change_tag_leaves_window : boolean;
   signal slice1window_change_tag_first_column, slice1window_centre_map_column_0 : boolean;
   signal slice1window_centre_first_column_0, slice1window_centre_first_column_1 : boolean;
-  signal slice1window_centre_first_column_2, slice1window_centre_end_of_line_0 : boolean;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 4095;
-  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 4095;
-  signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 4095;
-  signal slice1window_sum_0_9, slice1window_sum_0_10, slice1window_sum_0_11 : natural range 0 to 4095;
-  signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 4095;
-  signal slice1window_sum_0_15 : natural range 0 to 4095;
+  signal slice1window_centre_first_column_2, slice1window_centre_start_of_frame_0 : boolean;
+  signal slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2047;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 2047;
+  signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 2047;
+  signal slice1window_sum_0_9, slice1window_sum_0_10, slice1window_sum_0_11 : natural range 0 to 2047;
+  signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 2047;
+  signal slice1window_sum_0_15 : natural range 0 to 2047;
   -- slice1mask
   signal slice1mask_inside_0, slice1mask_inside_1, slice1mask_inside_2, slice1mask_inside_3 : boolean;
   signal slice1mask_inside_4, slice1mask_inside_5, slice1mask_inside_6, slice1mask_inside_7 : boolean;
@@ -740,26 +722,26 @@ architecture rtl of stereo_core_census_450_full is
   signal slice1mask_inside_12, slice1mask_inside_13, slice1mask_inside_14, slice1mask_inside_15 : boolean;
   signal slice1mask_left_out : boolean;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 4095;
-  signal slice1winner1_best_below_0_0, slice1winner1_best_below_0_1 : natural range 0 to 4095;
-  signal slice1winner1_best_below_0_2, slice1winner1_best_below_0_3 : natural range 0 to 4095;
-  signal slice1winner1_best_below_0_4, slice1winner1_best_below_0_5 : natural range 0 to 4095;
-  signal slice1winner1_best_below_0_6, slice1winner1_best_below_0_7 : natural range 0 to 4095;
-  signal slice1winner1_best_above_0_0, slice1winner1_best_above_0_1 : natural range 0 to 4095;
-  signal slice1winner1_best_above_0_2, slice1winner1_best_above_0_3 : natural range 0 to 4095;
-  signal slice1winner1_best_above_0_4, slice1winner1_best_above_0_5 : natural range 0 to 4095;
-  signal slice1winner1_best_above_0_6, slice1winner1_best_above_0_7 : natural range 0 to 4095;
-  signal slice1winner1_best_first_0_0, slice1winner1_best_first_0_1 : natural range 0 to 4095;
-  signal slice1winner1_best_first_0_2, slice1winner1_best_first_0_3 : natural range 0 to 4095;
-  signal slice1winner1_best_first_0_4, slice1winner1_best_first_0_5 : natural range 0 to 4095;
-  signal slice1winner1_best_first_0_6, slice1winner1_best_first_0_7 : natural range 0 to 4095;
-  signal slice1winner1_best_last_0_0, slice1winner1_best_last_0_1 : natural range 0 to 4095;
-  signal slice1winner1_best_last_0_2, slice1winner1_best_last_0_3 : natural range 0 to 4095;
-  signal slice1winner1_best_last_0_4, slice1winner1_best_last_0_5 : natural range 0 to 4095;
-  signal slice1winner1_best_last_0_6, slice1winner1_best_last_0_7 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2047;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 2047;
+  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 2047;
+  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 2047;
+  signal slice1winner1_best_below_0_0, slice1winner1_best_below_0_1 : natural range 0 to 2047;
+  signal slice1winner1_best_below_0_2, slice1winner1_best_below_0_3 : natural range 0 to 2047;
+  signal slice1winner1_best_below_0_4, slice1winner1_best_below_0_5 : natural range 0 to 2047;
+  signal slice1winner1_best_below_0_6, slice1winner1_best_below_0_7 : natural range 0 to 2047;
+  signal slice1winner1_best_above_0_0, slice1winner1_best_above_0_1 : natural range 0 to 2047;
+  signal slice1winner1_best_above_0_2, slice1winner1_best_above_0_3 : natural range 0 to 2047;
+  signal slice1winner1_best_above_0_4, slice1winner1_best_above_0_5 : natural range 0 to 2047;
+  signal slice1winner1_best_above_0_6, slice1winner1_best_above_0_7 : natural range 0 to 2047;
+  signal slice1winner1_best_first_0_0, slice1winner1_best_first_0_1 : natural range 0 to 2047;
+  signal slice1winner1_best_first_0_2, slice1winner1_best_first_0_3 : natural range 0 to 2047;
+  signal slice1winner1_best_first_0_4, slice1winner1_best_first_0_5 : natural range 0 to 2047;
+  signal slice1winner1_best_first_0_6, slice1winner1_best_first_0_7 : natural range 0 to 2047;
+  signal slice1winner1_best_last_0_0, slice1winner1_best_last_0_1 : natural range 0 to 2047;
+  signal slice1winner1_best_last_0_2, slice1winner1_best_last_0_3 : natural range 0 to 2047;
+  signal slice1winner1_best_last_0_4, slice1winner1_best_last_0_5 : natural range 0 to 2047;
+  signal slice1winner1_best_last_0_6, slice1winner1_best_last_0_7 : natural range 0 to 2047;
   signal slice1winner1_best_index_0_0 : boolean;
   signal slice1winner1_best_index_0_1 : natural range 0 to 3;
   signal slice1winner1_best_index_0_2 : natural range 0 to 5;
@@ -769,52 +751,52 @@ architecture rtl of stereo_core_census_450_full is
   signal slice1winner1_best_index_0_6 : natural range 0 to 13;
   signal slice1winner1_best_index_0_7 : natural range 0 to 15;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 4095;
-  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 4095;
-  signal slice1winner2_best_below_0_0, slice1winner2_best_below_0_1 : natural range 0 to 4095;
-  signal slice1winner2_best_below_0_2, slice1winner2_best_below_0_3 : natural range 0 to 4095;
-  signal slice1winner2_best_above_0_0, slice1winner2_best_above_0_1 : natural range 0 to 4095;
-  signal slice1winner2_best_above_0_2, slice1winner2_best_above_0_3 : natural range 0 to 4095;
-  signal slice1winner2_best_first_0_0, slice1winner2_best_first_0_1 : natural range 0 to 4095;
-  signal slice1winner2_best_first_0_2, slice1winner2_best_first_0_3 : natural range 0 to 4095;
-  signal slice1winner2_best_last_0_0, slice1winner2_best_last_0_1 : natural range 0 to 4095;
-  signal slice1winner2_best_last_0_2, slice1winner2_best_last_0_3 : natural range 0 to 4095;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 2047;
+  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 2047;
+  signal slice1winner2_best_below_0_0, slice1winner2_best_below_0_1 : natural range 0 to 2047;
+  signal slice1winner2_best_below_0_2, slice1winner2_best_below_0_3 : natural range 0 to 2047;
+  signal slice1winner2_best_above_0_0, slice1winner2_best_above_0_1 : natural range 0 to 2047;
+  signal slice1winner2_best_above_0_2, slice1winner2_best_above_0_3 : natural range 0 to 2047;
+  signal slice1winner2_best_first_0_0, slice1winner2_best_first_0_1 : natural range 0 to 2047;
+  signal slice1winner2_best_first_0_2, slice1winner2_best_first_0_3 : natural range 0 to 2047;
+  signal slice1winner2_best_last_0_0, slice1winner2_best_last_0_1 : natural range 0 to 2047;
+  signal slice1winner2_best_last_0_2, slice1winner2_best_last_0_3 : natural range 0 to 2047;
   signal slice1winner2_best_index_0_0 : natural range 0 to 3;
   signal slice1winner2_best_index_0_1 : natural range 0 to 7;
   signal slice1winner2_best_index_0_2 : natural range 0 to 11;
   signal slice1winner2_best_index_0_3 : natural range 0 to 15;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 4095;
-  signal slice1winner3_best_below_0_0, slice1winner3_best_below_0_1 : natural range 0 to 4095;
-  signal slice1winner3_best_above_0_0, slice1winner3_best_above_0_1 : natural range 0 to 4095;
-  signal slice1winner3_best_first_0_0, slice1winner3_best_first_0_1 : natural range 0 to 4095;
-  signal slice1winner3_best_last_0_0, slice1winner3_best_last_0_1 : natural range 0 to 4095;
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 2047;
+  signal slice1winner3_best_below_0_0, slice1winner3_best_below_0_1 : natural range 0 to 2047;
+  signal slice1winner3_best_above_0_0, slice1winner3_best_above_0_1 : natural range 0 to 2047;
+  signal slice1winner3_best_first_0_0, slice1winner3_best_first_0_1 : natural range 0 to 2047;
+  signal slice1winner3_best_last_0_0, slice1winner3_best_last_0_1 : natural range 0 to 2047;
   signal slice1winner3_best_index_0_0 : natural range 0 to 7;
   signal slice1winner3_best_index_0_1 : natural range 0 to 15;
   -- slice1winner4
-  signal slice1winner4_best_cost_0_0, slice1winner4_best_below_0_0 : natural range 0 to 4095;
-  signal slice1winner4_best_above_0_0, slice1winner4_best_first_0_0 : natural range 0 to 4095;
-  signal slice1winner4_best_last_0_0 : natural range 0 to 4095;
+  signal slice1winner4_best_cost_0_0, slice1winner4_best_below_0_0 : natural range 0 to 2047;
+  signal slice1winner4_best_above_0_0, slice1winner4_best_first_0_0 : natural range 0 to 2047;
+  signal slice1winner4_best_last_0_0 : natural range 0 to 2047;
   signal slice1winner4_best_index_0_0 : natural range 0 to 15;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_below_0_0, slice1_best_above_0_0 : natural range 0 to 4095;
-  signal slice1_best_last_0_0 : natural range 0 to 4095;
+  signal slice1_best_cost_0_0, slice1_best_below_0_0, slice1_best_above_0_0 : natural range 0 to 2047;
+  signal slice1_best_last_0_0 : natural range 0 to 2047;
   signal slice1_best_index_0_0 : natural range 0 to 31;
   signal slice1_best_tag_valid, slice1_best_tag_map_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
   -- slice2shift
-  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_0_2 : natural range 0 to 67108863;
-  signal slice2shift_search_0_3, slice2shift_search_0_4, slice2shift_search_0_5 : natural range 0 to 67108863;
-  signal slice2shift_search_0_6, slice2shift_search_0_7, slice2shift_search_0_8 : natural range 0 to 67108863;
-  signal slice2shift_search_0_9, slice2shift_search_0_10, slice2shift_search_0_11 : natural range 0 to 67108863;
-  signal slice2shift_search_0_12, slice2shift_search_0_13, slice2shift_search_0_14 : natural range 0 to 67108863;
-  signal slice2shift_search_0_15, slice2shift_search_1_0, slice2shift_search_1_1 : natural range 0 to 67108863;
-  signal slice2shift_search_1_2, slice2shift_search_1_3, slice2shift_search_1_4 : natural range 0 to 67108863;
-  signal slice2shift_search_1_5, slice2shift_search_1_6, slice2shift_search_1_7 : natural range 0 to 67108863;
-  signal slice2shift_search_1_8, slice2shift_search_1_9, slice2shift_search_1_10 : natural range 0 to 67108863;
-  signal slice2shift_search_1_11, slice2shift_search_1_12, slice2shift_search_1_13 : natural range 0 to 67108863;
-  signal slice2shift_search_1_14, slice2shift_search_1_15, slice2shift_reference_0 : natural range 0 to 67108863;
-  signal slice2shift_reference_1 : natural range 0 to 67108863;
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_0_2 : natural range 0 to 16777215;
+  signal slice2shift_search_0_3, slice2shift_search_0_4, slice2shift_search_0_5 : natural range 0 to 16777215;
+  signal slice2shift_search_0_6, slice2shift_search_0_7, slice2shift_search_0_8 : natural range 0 to 16777215;
+  signal slice2shift_search_0_9, slice2shift_search_0_10, slice2shift_search_0_11 : natural range 0 to 16777215;
+  signal slice2shift_search_0_12, slice2shift_search_0_13, slice2shift_search_0_14 : natural range 0 to 16777215;
+  signal slice2shift_search_0_15, slice2shift_search_1_0, slice2shift_search_1_1 : natural range 0 to 16777215;
+  signal slice2shift_search_1_2, slice2shift_search_1_3, slice2shift_search_1_4 : natural range 0 to 16777215;
+  signal slice2shift_search_1_5, slice2shift_search_1_6, slice2shift_search_1_7 : natural range 0 to 16777215;
+  signal slice2shift_search_1_8, slice2shift_search_1_9, slice2shift_search_1_10 : natural range 0 to 16777215;
+  signal slice2shift_search_1_11, slice2shift_search_1_12, slice2shift_search_1_13 : natural range 0 to 16777215;
+  signal slice2shift_search_1_14, slice2shift_search_1_15, slice2shift_reference_0 : natural range 0 to 16777215;
+  signal slice2shift_reference_1 : natural range 0 to 16777215;
   -- slice2cost
   signal slice2cost_pixels_first_0_0_count_0, slice2cost_pixels_first_0_0_count_1 : natural range 0 to 3;
   signal slice2cost_pixels_first_0_0_count_2, slice2cost_pixels_first_0_0_count_3 : natural range 0 to 3;
@@ -944,45 +926,29 @@ architecture rtl of stereo_core_census_450_full is
   signal slice2cost_pixels_first_1_15_count_2, slice2cost_pixels_first_1_15_count_3 : natural range 0 to 3;
   signal slice2cost_pixels_first_1_15_count_4, slice2cost_pixels_first_1_15_count_5 : natural range 0 to 3;
   signal slice2cost_pixels_first_1_15_count_6, slice2cost_pixels_first_1_15_count_7 : natural range 0 to 3;
-  signal slice2cost_pixels_first_0_0_count_8, slice2cost_pixels_first_0_1_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_0_2_count_8, slice2cost_pixels_first_0_3_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_0_4_count_8, slice2cost_pixels_first_0_5_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_0_6_count_8, slice2cost_pixels_first_0_7_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_0_8_count_8, slice2cost_pixels_first_0_9_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_0_10_count_8, slice2cost_pixels_first_0_11_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_0_12_count_8, slice2cost_pixels_first_0_13_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_0_14_count_8, slice2cost_pixels_first_0_15_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_1_0_count_8, slice2cost_pixels_first_1_1_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_1_2_count_8, slice2cost_pixels_first_1_3_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_1_4_count_8, slice2cost_pixels_first_1_5_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_1_6_count_8, slice2cost_pixels_first_1_7_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_1_8_count_8, slice2cost_pixels_first_1_9_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_1_10_count_8, slice2cost_pixels_first_1_11_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_1_12_count_8, slice2cost_pixels_first_1_13_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_first_1_14_count_8, slice2cost_pixels_first_1_15_count_8 : natural range 0 to 2;
-  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_0_2 : natural range 0 to 26;
-  signal slice2cost_pixels_cost_0_3, slice2cost_pixels_cost_0_4, slice2cost_pixels_cost_0_5 : natural range 0 to 26;
-  signal slice2cost_pixels_cost_0_6, slice2cost_pixels_cost_0_7, slice2cost_pixels_cost_0_8 : natural range 0 to 26;
-  signal slice2cost_pixels_cost_0_9, slice2cost_pixels_cost_0_10, slice2cost_pixels_cost_0_11 : natural range 0 to 26;
-  signal slice2cost_pixels_cost_0_12, slice2cost_pixels_cost_0_13, slice2cost_pixels_cost_0_14 : natural range 0 to 26;
-  signal slice2cost_pixels_cost_0_15, slice2cost_pixels_cost_1_0, slice2cost_pixels_cost_1_1 : natural range 0 to 26;
-  signal slice2cost_pixels_cost_1_2, slice2cost_pixels_cost_1_3, slice2cost_pixels_cost_1_4 : natural range 0 to 26;
-  signal slice2cost_pixels_cost_1_5, slice2cost_pixels_cost_1_6, slice2cost_pixels_cost_1_7 : natural range 0 to 26;
-  signal slice2cost_pixels_cost_1_8, slice2cost_pixels_cost_1_9, slice2cost_pixels_cost_1_10 : natural range 0 to 26;
-  signal slice2cost_pixels_cost_1_11, slice2cost_pixels_cost_1_12, slice2cost_pixels_cost_1_13 : natural range 0 to 26;
-  signal slice2cost_pixels_cost_1_14, slice2cost_pixels_cost_1_15 : natural range 0 to 26;
+  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_0_2 : natural range 0 to 24;
+  signal slice2cost_pixels_cost_0_3, slice2cost_pixels_cost_0_4, slice2cost_pixels_cost_0_5 : natural range 0 to 24;
+  signal slice2cost_pixels_cost_0_6, slice2cost_pixels_cost_0_7, slice2cost_pixels_cost_0_8 : natural range 0 to 24;
+  signal slice2cost_pixels_cost_0_9, slice2cost_pixels_cost_0_10, slice2cost_pixels_cost_0_11 : natural range 0 to 24;
+  signal slice2cost_pixels_cost_0_12, slice2cost_pixels_cost_0_13, slice2cost_pixels_cost_0_14 : natural range 0 to 24;
+  signal slice2cost_pixels_cost_0_15, slice2cost_pixels_cost_1_0, slice2cost_pixels_cost_1_1 : natural range 0 to 24;
+  signal slice2cost_pixels_cost_1_2, slice2cost_pixels_cost_1_3, slice2cost_pixels_cost_1_4 : natural range 0 to 24;
+  signal slice2cost_pixels_cost_1_5, slice2cost_pixels_cost_1_6, slice2cost_pixels_cost_1_7 : natural range 0 to 24;
+  signal slice2cost_pixels_cost_1_8, slice2cost_pixels_cost_1_9, slice2cost_pixels_cost_1_10 : natural range 0 to 24;
+  signal slice2cost_pixels_cost_1_11, slice2cost_pixels_cost_1_12, slice2cost_pixels_cost_1_13 : natural range 0 to 24;
+  signal slice2cost_pixels_cost_1_14, slice2cost_pixels_cost_1_15 : natural range 0 to 24;
   signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_column : natural range 0 to 511;
   signal slice2cost_write_column : natural range 0 to 511;
   signal slice2cost_read_words_0, slice2cost_read_words_1, slice2cost_read_words_2 : unsigned(31 downto 0);
   signal slice2cost_read_words_3, slice2cost_ready_words_0, slice2cost_ready_words_1 : unsigned(31 downto 0);
   signal slice2cost_ready_words_2, slice2cost_ready_words_3, slice2cost_write_words_0 : unsigned(31 downto 0);
   signal slice2cost_write_words_1, slice2cost_write_words_2, slice2cost_write_words_3 : unsigned(31 downto 0);
-  signal slice2cost_change_0_0, slice2cost_change_0_1, slice2cost_change_0_2 : integer range -26 to 26;
-  signal slice2cost_change_0_3, slice2cost_change_0_4, slice2cost_change_0_5 : integer range -26 to 26;
-  signal slice2cost_change_0_6, slice2cost_change_0_7, slice2cost_change_0_8 : integer range -26 to 26;
-  signal slice2cost_change_0_9, slice2cost_change_0_10, slice2cost_change_0_11 : integer range -26 to 26;
-  signal slice2cost_change_0_12, slice2cost_change_0_13, slice2cost_change_0_14 : integer range -26 to 26;
-  signal slice2cost_change_0_15 : integer range -26 to 26;
+  signal slice2cost_change_0_0, slice2cost_change_0_1, slice2cost_change_0_2 : integer range -24 to 24;
+  signal slice2cost_change_0_3, slice2cost_change_0_4, slice2cost_change_0_5 : integer range -24 to 24;
+  signal slice2cost_change_0_6, slice2cost_change_0_7, slice2cost_change_0_8 : integer range -24 to 24;
+  signal slice2cost_change_0_9, slice2cost_change_0_10, slice2cost_change_0_11 : integer range -24 to 24;
+  signal slice2cost_change_0_12, slice2cost_change_0_13, slice2cost_change_0_14 : integer range -24 to 24;
+  signal slice2cost_change_0_15 : integer range -24 to 24;
   signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_0_2 : natural range 0 to 255;
   signal slice2cost_column_0_3, slice2cost_column_0_4, slice2cost_column_0_5 : natural range 0 to 255;
   signal slice2cost_column_0_6, slice2cost_column_0_7, slice2cost_column_0_8 : natural range 0 to 255;
@@ -1008,40 +974,41 @@ architecture rtl of stereo_core_census_450_full is
   signal slice2window_change_tag_row_start, slice2window_change_tag_first_column : boolean;
   signal slice2window_centre_map_column_0, slice2window_centre_map_column_1, slice2window_centre_map_column_2 : boolean;
   signal slice2window_centre_first_column_0, slice2window_centre_first_column_1 : boolean;
-  signal slice2window_centre_first_column_2, slice2window_centre_end_of_line_0 : boolean;
-  signal slice2window_centre_end_of_line_1, slice2window_centre_end_of_line_2 : boolean;
-  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 4095;
-  signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 4095;
-  signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 4095;
-  signal slice2window_sum_0_9, slice2window_sum_0_10, slice2window_sum_0_11 : natural range 0 to 4095;
-  signal slice2window_sum_0_12, slice2window_sum_0_13, slice2window_sum_0_14 : natural range 0 to 4095;
-  signal slice2window_sum_0_15 : natural range 0 to 4095;
+  signal slice2window_centre_first_column_2, slice2window_centre_start_of_frame_0 : boolean;
+  signal slice2window_centre_end_of_line_0, slice2window_centre_end_of_line_1 : boolean;
+  signal slice2window_centre_end_of_line_2 : boolean;
+  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 2047;
+  signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 2047;
+  signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 2047;
+  signal slice2window_sum_0_9, slice2window_sum_0_10, slice2window_sum_0_11 : natural range 0 to 2047;
+  signal slice2window_sum_0_12, slice2window_sum_0_13, slice2window_sum_0_14 : natural range 0 to 2047;
+  signal slice2window_sum_0_15 : natural range 0 to 2047;
   -- slice2mask
   signal slice2mask_inside_0, slice2mask_inside_1, slice2mask_inside_2, slice2mask_inside_3 : boolean;
   signal slice2mask_inside_4, slice2mask_inside_5, slice2mask_inside_6, slice2mask_inside_7 : boolean;
   signal slice2mask_inside_8, slice2mask_inside_9, slice2mask_inside_10, slice2mask_inside_11 : boolean;
   signal slice2mask_inside_12, slice2mask_inside_13, slice2mask_inside_14, slice2mask_inside_15 : boolean;
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 4095;
-  signal slice2winner1_best_below_0_0, slice2winner1_best_below_0_1 : natural range 0 to 4095;
-  signal slice2winner1_best_below_0_2, slice2winner1_best_below_0_3 : natural range 0 to 4095;
-  signal slice2winner1_best_below_0_4, slice2winner1_best_below_0_5 : natural range 0 to 4095;
-  signal slice2winner1_best_below_0_6, slice2winner1_best_below_0_7 : natural range 0 to 4095;
-  signal slice2winner1_best_above_0_0, slice2winner1_best_above_0_1 : natural range 0 to 4095;
-  signal slice2winner1_best_above_0_2, slice2winner1_best_above_0_3 : natural range 0 to 4095;
-  signal slice2winner1_best_above_0_4, slice2winner1_best_above_0_5 : natural range 0 to 4095;
-  signal slice2winner1_best_above_0_6, slice2winner1_best_above_0_7 : natural range 0 to 4095;
-  signal slice2winner1_best_first_0_0, slice2winner1_best_first_0_1 : natural range 0 to 4095;
-  signal slice2winner1_best_first_0_2, slice2winner1_best_first_0_3 : natural range 0 to 4095;
-  signal slice2winner1_best_first_0_4, slice2winner1_best_first_0_5 : natural range 0 to 4095;
-  signal slice2winner1_best_first_0_6, slice2winner1_best_first_0_7 : natural range 0 to 4095;
-  signal slice2winner1_best_last_0_0, slice2winner1_best_last_0_1 : natural range 0 to 4095;
-  signal slice2winner1_best_last_0_2, slice2winner1_best_last_0_3 : natural range 0 to 4095;
-  signal slice2winner1_best_last_0_4, slice2winner1_best_last_0_5 : natural range 0 to 4095;
-  signal slice2winner1_best_last_0_6 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 2047;
+  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 2047;
+  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 2047;
+  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 2047;
+  signal slice2winner1_best_below_0_0, slice2winner1_best_below_0_1 : natural range 0 to 2047;
+  signal slice2winner1_best_below_0_2, slice2winner1_best_below_0_3 : natural range 0 to 2047;
+  signal slice2winner1_best_below_0_4, slice2winner1_best_below_0_5 : natural range 0 to 2047;
+  signal slice2winner1_best_below_0_6, slice2winner1_best_below_0_7 : natural range 0 to 2047;
+  signal slice2winner1_best_above_0_0, slice2winner1_best_above_0_1 : natural range 0 to 2047;
+  signal slice2winner1_best_above_0_2, slice2winner1_best_above_0_3 : natural range 0 to 2047;
+  signal slice2winner1_best_above_0_4, slice2winner1_best_above_0_5 : natural range 0 to 2047;
+  signal slice2winner1_best_above_0_6, slice2winner1_best_above_0_7 : natural range 0 to 2047;
+  signal slice2winner1_best_first_0_0, slice2winner1_best_first_0_1 : natural range 0 to 2047;
+  signal slice2winner1_best_first_0_2, slice2winner1_best_first_0_3 : natural range 0 to 2047;
+  signal slice2winner1_best_first_0_4, slice2winner1_best_first_0_5 : natural range 0 to 2047;
+  signal slice2winner1_best_first_0_6, slice2winner1_best_first_0_7 : natural range 0 to 2047;
+  signal slice2winner1_best_last_0_0, slice2winner1_best_last_0_1 : natural range 0 to 2047;
+  signal slice2winner1_best_last_0_2, slice2winner1_best_last_0_3 : natural range 0 to 2047;
+  signal slice2winner1_best_last_0_4, slice2winner1_best_last_0_5 : natural range 0 to 2047;
+  signal slice2winner1_best_last_0_6 : natural range 0 to 2047;
   signal slice2winner1_best_index_0_0 : boolean;
   signal slice2winner1_best_index_0_1 : natural range 0 to 3;
   signal slice2winner1_best_index_0_2 : natural range 0 to 5;
@@ -1051,34 +1018,34 @@ architecture rtl of stereo_core_census_450_full is
   signal slice2winner1_best_index_0_6 : natural range 0 to 13;
   signal slice2winner1_best_index_0_7 : natural range 0 to 15;
   -- slice2winner2
-  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 4095;
-  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 4095;
-  signal slice2winner2_best_below_0_0, slice2winner2_best_below_0_1 : natural range 0 to 4095;
-  signal slice2winner2_best_below_0_2, slice2winner2_best_below_0_3 : natural range 0 to 4095;
-  signal slice2winner2_best_above_0_0, slice2winner2_best_above_0_1 : natural range 0 to 4095;
-  signal slice2winner2_best_above_0_2, slice2winner2_best_above_0_3 : natural range 0 to 4095;
-  signal slice2winner2_best_first_0_0, slice2winner2_best_first_0_1 : natural range 0 to 4095;
-  signal slice2winner2_best_first_0_2, slice2winner2_best_first_0_3 : natural range 0 to 4095;
-  signal slice2winner2_best_last_0_0, slice2winner2_best_last_0_1 : natural range 0 to 4095;
-  signal slice2winner2_best_last_0_2 : natural range 0 to 4095;
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 2047;
+  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 2047;
+  signal slice2winner2_best_below_0_0, slice2winner2_best_below_0_1 : natural range 0 to 2047;
+  signal slice2winner2_best_below_0_2, slice2winner2_best_below_0_3 : natural range 0 to 2047;
+  signal slice2winner2_best_above_0_0, slice2winner2_best_above_0_1 : natural range 0 to 2047;
+  signal slice2winner2_best_above_0_2, slice2winner2_best_above_0_3 : natural range 0 to 2047;
+  signal slice2winner2_best_first_0_0, slice2winner2_best_first_0_1 : natural range 0 to 2047;
+  signal slice2winner2_best_first_0_2, slice2winner2_best_first_0_3 : natural range 0 to 2047;
+  signal slice2winner2_best_last_0_0, slice2winner2_best_last_0_1 : natural range 0 to 2047;
+  signal slice2winner2_best_last_0_2 : natural range 0 to 2047;
   signal slice2winner2_best_index_0_0 : natural range 0 to 3;
   signal slice2winner2_best_index_0_1 : natural range 0 to 7;
   signal slice2winner2_best_index_0_2 : natural range 0 to 11;
   signal slice2winner2_best_index_0_3 : natural range 0 to 15;
   -- slice2winner3
-  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 4095;
-  signal slice2winner3_best_below_0_0, slice2winner3_best_below_0_1 : natural range 0 to 4095;
-  signal slice2winner3_best_above_0_0, slice2winner3_best_above_0_1 : natural range 0 to 4095;
-  signal slice2winner3_best_first_0_0, slice2winner3_best_first_0_1 : natural range 0 to 4095;
-  signal slice2winner3_best_last_0_0 : natural range 0 to 4095;
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 2047;
+  signal slice2winner3_best_below_0_0, slice2winner3_best_below_0_1 : natural range 0 to 2047;
+  signal slice2winner3_best_above_0_0, slice2winner3_best_above_0_1 : natural range 0 to 2047;
+  signal slice2winner3_best_first_0_0, slice2winner3_best_first_0_1 : natural range 0 to 2047;
+  signal slice2winner3_best_last_0_0 : natural range 0 to 2047;
   signal slice2winner3_best_index_0_0 : natural range 0 to 7;
   signal slice2winner3_best_index_0_1 : natural range 0 to 15;
   -- slice2winner4
-  signal slice2winner4_best_cost_0_0, slice2winner4_best_below_0_0 : natural range 0 to 4095;
-  signal slice2winner4_best_above_0_0, slice2winner4_best_first_0_0 : natural range 0 to 4095;
+  signal slice2winner4_best_cost_0_0, slice2winner4_best_below_0_0 : natural range 0 to 2047;
+  signal slice2winner4_best_above_0_0, slice2winner4_best_first_0_0 : natural range 0 to 2047;
   signal slice2winner4_best_index_0_0 : natural range 0 to 15;
   -- slice2
-  signal slice2_best_cost_0_0, slice2_best_below_0_0, slice2_best_above_0_0 : natural range 0 to 4095;
+  signal slice2_best_cost_0_0, slice2_best_below_0_0, slice2_best_above_0_0 : natural range 0 to 2047;
   signal slice2_best_index_0_0 : natural range 0 to 47;
   signal slice2_best_tag_valid, slice2_best_tag_map_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
@@ -1108,14 +1075,14 @@ architecture rtl of stereo_core_census_450_full is
   signal refinement_tag_11_start_of_frame, refinement_tag_11_end_of_line, refinement_negative_0_0 : boolean;
   signal refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0 : boolean;
   signal refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
-  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_u_0 : natural range 0 to 4095;
-  signal refinement_v_0, refinement_remainder_0_0, refinement_remainder_1_0 : natural range 0 to 4095;
-  signal refinement_remainder_2_0, refinement_remainder_3_0, refinement_remainder_4_0 : natural range 0 to 4095;
-  signal refinement_remainder_5_0, refinement_remainder_6_0, refinement_remainder_7_0 : natural range 0 to 4095;
-  signal refinement_divisor_0_0, refinement_divisor_1_0, refinement_divisor_2_0 : natural range 0 to 4095;
-  signal refinement_divisor_3_0, refinement_divisor_4_0, refinement_divisor_5_0 : natural range 0 to 4095;
-  signal refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 4095;
-  signal refinement_difference_0 : integer range -4095 to 4095;
+  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_u_0 : natural range 0 to 2047;
+  signal refinement_v_0, refinement_remainder_0_0, refinement_remainder_1_0 : natural range 0 to 2047;
+  signal refinement_remainder_2_0, refinement_remainder_3_0, refinement_remainder_4_0 : natural range 0 to 2047;
+  signal refinement_remainder_5_0, refinement_remainder_6_0, refinement_remainder_7_0 : natural range 0 to 2047;
+  signal refinement_divisor_0_0, refinement_divisor_1_0, refinement_divisor_2_0 : natural range 0 to 2047;
+  signal refinement_divisor_3_0, refinement_divisor_4_0, refinement_divisor_5_0 : natural range 0 to 2047;
+  signal refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 2047;
+  signal refinement_difference_0 : integer range -2047 to 2047;
   signal refinement_quotient_8_0, refinement_fraction_0 : natural range 0 to 255;
   -- map
   signal map_counter_column, map_counter_group, map_write_column, map_at_column : natural range 0 to 511;
@@ -1160,11 +1127,11 @@ architecture rtl of stereo_core_census_450_full is
   signal transform_left_rows_read_words_0_memory_read_enable : boolean;
   signal transform_left_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
   signal transform_left_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal transform_right_rows_read_words_0_memory_read_enable : boolean;
   signal transform_right_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
   signal transform_right_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal map_rows_read_words_0_memory_read_enable : boolean;
   signal map_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
   signal map_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
@@ -1268,75 +1235,75 @@ architecture rtl of stereo_core_census_450_full is
   signal rows_search_rows_read_words_8_memory_read_enable : boolean;
   signal rows_search_rows_read_words_8_memory_read_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_8_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_8_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_8_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_7_memory_read_enable : boolean;
   signal rows_search_rows_read_words_7_memory_read_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_7_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_7_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_7_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_6_memory_read_enable : boolean;
   signal rows_search_rows_read_words_6_memory_read_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_6_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_6_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_6_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_5_memory_read_enable : boolean;
   signal rows_search_rows_read_words_5_memory_read_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_5_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_5_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_5_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_4_memory_read_enable : boolean;
   signal rows_search_rows_read_words_4_memory_read_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_4_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_4_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_3_memory_read_enable : boolean;
   signal rows_search_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_3_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_2_memory_read_enable : boolean;
   signal rows_search_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_2_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_1_memory_read_enable : boolean;
   signal rows_search_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_0_memory_read_enable : boolean;
   signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_8_memory_read_enable : boolean;
   signal rows_reference_rows_read_words_8_memory_read_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_8_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_8_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_8_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_7_memory_read_enable : boolean;
   signal rows_reference_rows_read_words_7_memory_read_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_7_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_7_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_7_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_6_memory_read_enable : boolean;
   signal rows_reference_rows_read_words_6_memory_read_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_6_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_6_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_6_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_5_memory_read_enable : boolean;
   signal rows_reference_rows_read_words_5_memory_read_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_5_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_5_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_5_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_4_memory_read_enable : boolean;
   signal rows_reference_rows_read_words_4_memory_read_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_4_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_4_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_3_memory_read_enable : boolean;
   signal rows_reference_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_3_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
   signal rows_reference_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_2_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
   signal rows_reference_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
   signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -1352,9 +1319,9 @@ begin
   transform_left_rows_read_words_0_memory_read_enable <= true;
   transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
   transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 16, address_bits => 9)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
       clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
       read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
@@ -1363,9 +1330,9 @@ begin
   transform_right_rows_read_words_0_memory_read_enable <= true;
   transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
   transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 16, address_bits => 9)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
       clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
       read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
@@ -1649,9 +1616,9 @@ begin
   rows_search_rows_read_words_8_memory_read_enable <= true;
   rows_search_rows_read_words_8_memory_read_address <= to_unsigned(delay_column, 9);
   rows_search_rows_read_words_8_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_8_memory_write_data <= to_unsigned(rows_search_rows_write_words_8, 26);
+  rows_search_rows_read_words_8_memory_write_data <= to_unsigned(rows_search_rows_write_words_8, 24);
   rows_search_rows_read_words_8_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_8_memory_read_enable,
       read_address => rows_search_rows_read_words_8_memory_read_address, read_data => rows_search_rows_read_words_8,
@@ -1660,9 +1627,9 @@ begin
   rows_search_rows_read_words_7_memory_read_enable <= true;
   rows_search_rows_read_words_7_memory_read_address <= to_unsigned(delay_column, 9);
   rows_search_rows_read_words_7_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_7_memory_write_data <= to_unsigned(rows_search_rows_write_words_7, 26);
+  rows_search_rows_read_words_7_memory_write_data <= to_unsigned(rows_search_rows_write_words_7, 24);
   rows_search_rows_read_words_7_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_7_memory_read_enable,
       read_address => rows_search_rows_read_words_7_memory_read_address, read_data => rows_search_rows_read_words_7,
@@ -1671,9 +1638,9 @@ begin
   rows_search_rows_read_words_6_memory_read_enable <= true;
   rows_search_rows_read_words_6_memory_read_address <= to_unsigned(delay_column, 9);
   rows_search_rows_read_words_6_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_6_memory_write_data <= to_unsigned(rows_search_rows_write_words_6, 26);
+  rows_search_rows_read_words_6_memory_write_data <= to_unsigned(rows_search_rows_write_words_6, 24);
   rows_search_rows_read_words_6_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_6_memory_read_enable,
       read_address => rows_search_rows_read_words_6_memory_read_address, read_data => rows_search_rows_read_words_6,
@@ -1682,9 +1649,9 @@ begin
   rows_search_rows_read_words_5_memory_read_enable <= true;
   rows_search_rows_read_words_5_memory_read_address <= to_unsigned(delay_column, 9);
   rows_search_rows_read_words_5_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_5_memory_write_data <= to_unsigned(rows_search_rows_write_words_5, 26);
+  rows_search_rows_read_words_5_memory_write_data <= to_unsigned(rows_search_rows_write_words_5, 24);
   rows_search_rows_read_words_5_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_5_memory_read_enable,
       read_address => rows_search_rows_read_words_5_memory_read_address, read_data => rows_search_rows_read_words_5,
@@ -1693,9 +1660,9 @@ begin
   rows_search_rows_read_words_4_memory_read_enable <= true;
   rows_search_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 9);
   rows_search_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_4_memory_write_data <= to_unsigned(rows_search_rows_write_words_4, 26);
+  rows_search_rows_read_words_4_memory_write_data <= to_unsigned(rows_search_rows_write_words_4, 24);
   rows_search_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_4_memory_read_enable,
       read_address => rows_search_rows_read_words_4_memory_read_address, read_data => rows_search_rows_read_words_4,
@@ -1704,9 +1671,9 @@ begin
   rows_search_rows_read_words_3_memory_read_enable <= true;
   rows_search_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
   rows_search_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words_3, 26);
+  rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words_3, 24);
   rows_search_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_3_memory_read_enable,
       read_address => rows_search_rows_read_words_3_memory_read_address, read_data => rows_search_rows_read_words_3,
@@ -1715,9 +1682,9 @@ begin
   rows_search_rows_read_words_2_memory_read_enable <= true;
   rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
   rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 26);
+  rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 24);
   rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
       read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words_2,
@@ -1726,9 +1693,9 @@ begin
   rows_search_rows_read_words_1_memory_read_enable <= true;
   rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
   rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 26);
+  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
       read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
@@ -1737,9 +1704,9 @@ begin
   rows_search_rows_read_words_0_memory_read_enable <= true;
   rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
   rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 26);
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
       read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
@@ -1748,9 +1715,9 @@ begin
   rows_reference_rows_read_words_8_memory_read_enable <= true;
   rows_reference_rows_read_words_8_memory_read_address <= to_unsigned(delay_column, 9);
   rows_reference_rows_read_words_8_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_8_memory_write_data <= to_unsigned(rows_reference_rows_write_words_8, 26);
+  rows_reference_rows_read_words_8_memory_write_data <= to_unsigned(rows_reference_rows_write_words_8, 24);
   rows_reference_rows_read_words_8_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_8_memory_read_enable,
       read_address => rows_reference_rows_read_words_8_memory_read_address, read_data => rows_reference_rows_read_words_8,
@@ -1759,9 +1726,9 @@ begin
   rows_reference_rows_read_words_7_memory_read_enable <= true;
   rows_reference_rows_read_words_7_memory_read_address <= to_unsigned(delay_column, 9);
   rows_reference_rows_read_words_7_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_7_memory_write_data <= to_unsigned(rows_reference_rows_write_words_7, 26);
+  rows_reference_rows_read_words_7_memory_write_data <= to_unsigned(rows_reference_rows_write_words_7, 24);
   rows_reference_rows_read_words_7_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_7_memory_read_enable,
       read_address => rows_reference_rows_read_words_7_memory_read_address, read_data => rows_reference_rows_read_words_7,
@@ -1770,9 +1737,9 @@ begin
   rows_reference_rows_read_words_6_memory_read_enable <= true;
   rows_reference_rows_read_words_6_memory_read_address <= to_unsigned(delay_column, 9);
   rows_reference_rows_read_words_6_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_6_memory_write_data <= to_unsigned(rows_reference_rows_write_words_6, 26);
+  rows_reference_rows_read_words_6_memory_write_data <= to_unsigned(rows_reference_rows_write_words_6, 24);
   rows_reference_rows_read_words_6_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_6_memory_read_enable,
       read_address => rows_reference_rows_read_words_6_memory_read_address, read_data => rows_reference_rows_read_words_6,
@@ -1781,9 +1748,9 @@ begin
   rows_reference_rows_read_words_5_memory_read_enable <= true;
   rows_reference_rows_read_words_5_memory_read_address <= to_unsigned(delay_column, 9);
   rows_reference_rows_read_words_5_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_5_memory_write_data <= to_unsigned(rows_reference_rows_write_words_5, 26);
+  rows_reference_rows_read_words_5_memory_write_data <= to_unsigned(rows_reference_rows_write_words_5, 24);
   rows_reference_rows_read_words_5_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_5_memory_read_enable,
       read_address => rows_reference_rows_read_words_5_memory_read_address, read_data => rows_reference_rows_read_words_5,
@@ -1792,9 +1759,9 @@ begin
   rows_reference_rows_read_words_4_memory_read_enable <= true;
   rows_reference_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 9);
   rows_reference_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_4_memory_write_data <= to_unsigned(rows_reference_rows_write_words_4, 26);
+  rows_reference_rows_read_words_4_memory_write_data <= to_unsigned(rows_reference_rows_write_words_4, 24);
   rows_reference_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_4_memory_read_enable,
       read_address => rows_reference_rows_read_words_4_memory_read_address, read_data => rows_reference_rows_read_words_4,
@@ -1803,9 +1770,9 @@ begin
   rows_reference_rows_read_words_3_memory_read_enable <= true;
   rows_reference_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
   rows_reference_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words_3, 26);
+  rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words_3, 24);
   rows_reference_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_3_memory_read_enable,
       read_address => rows_reference_rows_read_words_3_memory_read_address, read_data => rows_reference_rows_read_words_3,
@@ -1814,9 +1781,9 @@ begin
   rows_reference_rows_read_words_2_memory_read_enable <= true;
   rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
   rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 26);
+  rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 24);
   rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
       read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words_2,
@@ -1825,9 +1792,9 @@ begin
   rows_reference_rows_read_words_1_memory_read_enable <= true;
   rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
   rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 26);
+  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
       read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
@@ -1836,9 +1803,9 @@ begin
   rows_reference_rows_read_words_0_memory_read_enable <= true;
   rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
   rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 26);
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 26, address_bits => 9)
+    generic map (depth => 450, width => 24, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
       read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
@@ -1860,119 +1827,114 @@ begin
     variable transform_left_filter_feature_0_choice_12, transform_left_filter_feature_0_choice_13 : boolean;
     variable transform_left_filter_feature_0_choice_14, transform_left_filter_feature_0_choice_15 : boolean;
     variable transform_left_filter_feature_0_choice_16, transform_left_filter_feature_0_choice_17 : boolean;
-    variable transform_left_filter_feature_0_choice_18, transform_left_filter_feature_0_choice_19 : boolean;
-    variable transform_left_filter_feature_0_choice_20, transform_left_filter_feature_0_choice_21 : boolean;
-    variable transform_left_filter_feature_0_choice_22, transform_left_filter_feature_0_choice_23 : boolean;
-    variable transform_left_filter_feature_0_choice_24, transform_left_filter_feature_0_choice_25 : boolean;
-    variable transform_left_filter_feature_0_choice_26, transform_left_filter_feature_0_choice_27 : boolean;
-    variable transform_left_filter_feature_0_choice_28, transform_left_filter_feature_0_choice_29 : boolean;
-    variable transform_left_filter_feature_0_choice_30, transform_left_filter_feature_0_choice_31 : boolean;
-    variable transform_left_filter_feature_0_choice_32, transform_left_filter_feature_0_choice_33 : boolean;
-    variable transform_left_filter_feature_0_choice_34, transform_left_filter_feature_0_choice_35 : boolean;
-    variable transform_left_filter_feature_0_choice_36, transform_left_filter_feature_0_choice_37 : boolean;
-    variable transform_left_filter_feature_0_choice_38, transform_left_filter_feature_0_choice_39 : boolean;
-    variable transform_left_filter_feature_0_choice_40, transform_left_filter_feature_0_choice_41 : boolean;
-    variable transform_left_filter_feature_0_choice_42, transform_left_filter_feature_0_choice_43 : boolean;
-    variable transform_left_filter_feature_0_choice_44, transform_left_filter_feature_0_choice_45 : boolean;
-    variable transform_left_filter_feature_0_choice_46, transform_left_filter_feature_0_choice_47 : boolean;
-    variable transform_left_filter_feature_0_choice_48, transform_left_filter_feature_0_choice_49 : boolean;
-    variable transform_left_filter_feature_0_choice_50, transform_left_filter_feature_0_choice_51 : boolean;
-    variable transform_left_filter_feature_0_choice_52, transform_left_filter_feature_0_choice_53 : boolean;
-    variable transform_left_filter_feature_0_choice_54, transform_left_filter_feature_0_choice_55 : boolean;
-    variable transform_left_filter_feature_0_choice_56, transform_left_filter_feature_0_choice_57 : boolean;
-    variable transform_left_filter_feature_0_choice_58, transform_left_filter_feature_0_choice_59 : boolean;
-    variable transform_left_filter_feature_0_choice_60, transform_left_filter_feature_0_choice_61 : boolean;
-    variable transform_left_filter_feature_0_choice_62, transform_left_filter_feature_0_choice_63 : boolean;
-    variable transform_left_filter_feature_0_choice_64, transform_left_filter_feature_0_choice_65 : boolean;
-    variable transform_left_filter_feature_0_choice_66, transform_left_filter_feature_0_choice_67 : boolean;
-    variable transform_left_filter_feature_0_choice_68, transform_left_filter_feature_0_choice_69 : boolean;
-    variable transform_left_filter_feature_0_choice_70, transform_left_filter_feature_0_choice_71 : boolean;
-    variable transform_left_filter_feature_0_choice_72, transform_left_filter_feature_0_choice_73 : boolean;
-    variable transform_left_filter_feature_0_choice_74, transform_left_filter_feature_0_choice_75 : boolean;
-    variable transform_left_filter_feature_0_choice_76, transform_left_filter_feature_0_choice_77 : boolean;
-    variable transform_left_filter_feature_0_choice_78, transform_left_filter_feature_0_choice_79 : boolean;
-    variable transform_left_filter_feature_0_choice_80, transform_left_filter_feature_0_choice_81 : boolean;
-    variable transform_left_filter_feature_0_choice_82, transform_left_filter_feature_0_choice_83 : boolean;
-    variable transform_left_filter_feature_0_choice_84, transform_left_filter_feature_0_choice_85 : boolean;
-    variable transform_left_filter_feature_0_choice_86, transform_left_filter_feature_0_choice_87 : boolean;
-    variable transform_left_filter_feature_0_choice_88, transform_left_filter_feature_0_choice_89 : boolean;
-    variable transform_left_filter_feature_0_choice_90, transform_left_filter_feature_0_choice_91 : boolean;
-    variable transform_left_filter_feature_0_choice_92, transform_left_filter_feature_0_choice_93 : boolean;
-    variable transform_left_filter_feature_0_choice_94, transform_left_filter_feature_0_choice_95 : boolean;
-    variable transform_left_filter_feature_0_choice_96, transform_left_filter_feature_0_choice_97 : boolean;
-    variable transform_left_filter_feature_0_choice_98, transform_left_filter_feature_0_choice_99 : boolean;
-    variable transform_left_filter_feature_0_choice_100, transform_left_filter_feature_0_choice_101 : boolean;
-    variable transform_left_filter_feature_0_choice_102, transform_left_filter_feature_0_choice_103 : boolean;
-    variable transform_left_filter_feature_0_choice_104, transform_left_filter_feature_0_choice_105 : boolean;
-    variable transform_left_filter_feature_0_choice_106, transform_left_filter_feature_0_choice_107 : boolean;
-    variable transform_left_filter_feature_0_choice_108, transform_left_filter_feature_0_choice_109 : boolean;
-    variable transform_left_filter_feature_0_choice_110, transform_left_filter_feature_0_choice_111 : boolean;
-    variable transform_left_filter_feature_0_choice_112, transform_left_filter_feature_0_choice_113 : boolean;
-    variable transform_left_filter_feature_0_choice_114, transform_left_filter_feature_0_choice_115 : boolean;
-    variable transform_left_filter_feature_0_choice_116, transform_left_filter_feature_0_choice_117 : boolean;
-    variable transform_left_filter_feature_0_choice_118, transform_left_filter_feature_0_choice_119 : boolean;
-    variable transform_left_filter_feature_0_choice_120, transform_left_filter_feature_0_choice_121 : boolean;
-    variable transform_left_filter_feature_0_choice_122, transform_left_filter_feature_0_choice_123 : boolean;
-    variable transform_left_filter_feature_0_choice_124, transform_left_filter_feature_0_choice_125 : boolean;
-    variable transform_left_filter_feature_0_choice_126, transform_left_filter_feature_0_choice_127 : boolean;
-    variable transform_left_filter_feature_0_choice_128, transform_left_filter_feature_0_choice_129 : boolean;
-    variable transform_left_filter_feature_0_choice_130, transform_left_filter_feature_0_choice_131 : boolean;
-    variable transform_left_filter_feature_0_choice_132, transform_left_filter_feature_0_choice_133 : boolean;
-    variable transform_left_filter_feature_0_choice_134, transform_left_filter_feature_0_choice_135 : boolean;
-    variable transform_left_filter_feature_0_choice_136, transform_left_filter_feature_0_choice_137 : boolean;
-    variable transform_left_filter_feature_0_choice_138, transform_left_filter_feature_0_choice_139 : boolean;
-    variable transform_left_filter_feature_0_choice_140, transform_left_filter_feature_0_choice_141 : boolean;
-    variable transform_left_filter_feature_0_choice_142, transform_left_filter_feature_0_choice_143 : boolean;
-    variable transform_left_filter_feature_0_choice_144, transform_left_filter_feature_0_choice_145 : boolean;
-    variable transform_left_filter_feature_0_choice_146, transform_left_filter_feature_0_choice_147 : boolean;
-    variable transform_left_filter_feature_0_choice_148, transform_left_filter_feature_0_choice_149 : boolean;
-    variable transform_left_filter_feature_0_choice_150, transform_left_filter_feature_0_choice_151 : boolean;
-    variable transform_left_filter_feature_0_choice_152, transform_left_filter_feature_0_choice_153 : boolean;
-    variable transform_left_filter_feature_0_choice_154, transform_left_filter_feature_0_choice_155 : boolean;
-    variable transform_left_filter_feature_0_choice_156, transform_left_filter_feature_0_choice_157 : boolean;
-    variable transform_left_filter_feature_0_choice_158, transform_left_filter_feature_0_choice_159 : boolean;
-    variable transform_left_filter_feature_0_choice_160, transform_left_filter_feature_0_choice_161 : boolean;
-    variable transform_left_filter_feature_0_choice_162, transform_left_filter_feature_0_choice_163 : boolean;
-    variable transform_left_filter_feature_0_choice_164, transform_left_filter_feature_0_choice_165 : boolean;
-    variable transform_left_filter_feature_0_choice_166, transform_left_filter_feature_0_choice_167 : boolean;
-    variable transform_left_filter_feature_0_choice_168, transform_left_filter_feature_0_choice_169 : boolean;
-    variable transform_left_filter_feature_0_choice_170, transform_left_filter_feature_0_choice_171 : boolean;
-    variable transform_left_filter_feature_0_choice_172, transform_left_filter_feature_0_choice_173 : boolean;
-    variable transform_left_filter_feature_0_choice_174, transform_left_filter_feature_0_choice_175 : boolean;
-    variable transform_left_filter_feature_0_choice_176, transform_left_filter_feature_0_choice_177 : boolean;
-    variable transform_left_filter_feature_0_choice_178, transform_left_filter_feature_0_choice_179 : boolean;
-    variable transform_left_filter_feature_0_choice_180, transform_left_filter_feature_0_choice_181 : boolean;
-    variable transform_left_filter_feature_0_choice_182, transform_left_filter_feature_0_choice_183 : boolean;
-    variable transform_left_filter_feature_0_choice_184, transform_left_filter_feature_0_choice_185 : boolean;
-    variable transform_left_filter_feature_0_choice_186, transform_left_filter_feature_0_choice_187 : boolean;
-    variable transform_left_filter_feature_0_choice_188, transform_left_filter_feature_0_choice_189 : boolean;
-    variable transform_left_filter_feature_0_choice_190, transform_left_filter_feature_0_choice_191 : boolean;
-    variable transform_left_filter_feature_0_choice_192, transform_left_filter_feature_0_choice_193 : boolean;
-    variable transform_left_filter_feature_0_choice_194, transform_left_filter_feature_0_value_7 : boolean;
-    variable transform_left_filter_feature_0_choice_195, transform_left_filter_feature_0_value_8 : boolean;
-    variable transform_left_filter_feature_0_choice_196, transform_left_filter_feature_0_value_9 : boolean;
-    variable transform_left_filter_feature_0_choice_197, transform_left_filter_feature_0_value_10 : boolean;
-    variable transform_left_filter_feature_0_choice_198, transform_left_filter_feature_0_value_11 : boolean;
-    variable transform_left_filter_feature_0_choice_199, transform_left_filter_feature_0_choice_200 : boolean;
-    variable transform_left_filter_feature_0_choice_205, transform_left_filter_feature_0_choice_206 : boolean;
-    variable transform_left_filter_feature_0_choice_207, transform_left_filter_feature_0_choice_208 : boolean;
-    variable transform_left_filter_feature_0_choice_209, transform_left_filter_feature_0_choice_210 : boolean;
-    variable transform_left_filter_feature_0_choice_211, transform_left_filter_feature_0_choice_212 : boolean;
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
-    variable transform_right_filter_feature_0_choice_2, transform_right_filter_feature_0_value_2 : boolean;
-    variable transform_right_filter_feature_0_choice_3, transform_right_filter_feature_0_value_3 : boolean;
-    variable transform_right_filter_feature_0_choice_4, transform_right_filter_feature_0_value_4 : boolean;
-    variable transform_right_filter_feature_0_choice_5, transform_right_filter_feature_0_value_5 : boolean;
-    variable transform_right_filter_feature_0_choice_6, transform_right_filter_feature_0_value_6 : boolean;
-    variable transform_right_filter_feature_0_choice_7, transform_right_filter_feature_0_choice_8 : boolean;
-    variable transform_right_filter_feature_0_choice_9, transform_right_filter_feature_0_choice_10 : boolean;
-    variable transform_right_filter_feature_0_choice_11, transform_right_filter_feature_0_choice_12 : boolean;
-    variable transform_right_filter_feature_0_choice_13, transform_right_filter_feature_0_choice_14 : boolean;
-    variable transform_right_filter_feature_0_choice_15, transform_right_filter_feature_0_choice_16 : boolean;
-    variable transform_right_filter_feature_0_choice_17, transform_right_filter_feature_0_choice_18 : boolean;
-    variable transform_right_filter_feature_0_choice_19, transform_right_filter_feature_0_choice_20 : boolean;
-    variable transform_right_filter_feature_0_choice_21, transform_right_filter_feature_0_choice_22 : boolean;
+    variable transform_left_filter_feature_0_choice_18, transform_left_filter_feature_0_value_7 : boolean;
+    variable transform_left_filter_feature_0_choice_19, transform_left_filter_feature_0_value_8 : boolean;
+    variable transform_left_filter_feature_0_choice_20, transform_left_filter_feature_0_value_9 : boolean;
+    variable transform_left_filter_feature_0_choice_21, transform_left_filter_feature_0_value_10 : boolean;
+    variable transform_left_filter_feature_0_choice_22, transform_left_filter_feature_0_value_11 : boolean;
+    variable transform_left_filter_feature_0_choice_23, transform_left_filter_feature_0_choice_24 : boolean;
+    variable transform_left_filter_feature_0_choice_25, transform_left_filter_feature_0_choice_26 : boolean;
+    variable transform_left_filter_feature_0_choice_27, transform_left_filter_feature_0_choice_28 : boolean;
+    variable transform_left_filter_feature_0_choice_29, transform_left_filter_feature_0_choice_30 : boolean;
+    variable transform_left_filter_feature_0_choice_31, transform_left_filter_feature_0_choice_32 : boolean;
+    variable transform_left_filter_feature_0_choice_33, transform_left_filter_feature_0_choice_34 : boolean;
+    variable transform_left_filter_feature_0_choice_35, transform_left_filter_feature_0_choice_36 : boolean;
+    variable transform_left_filter_feature_0_choice_37, transform_left_filter_feature_0_choice_38 : boolean;
+    variable transform_left_filter_feature_0_choice_39, transform_left_filter_feature_0_choice_40 : boolean;
+    variable transform_left_filter_feature_0_choice_41, transform_left_filter_feature_0_choice_42 : boolean;
+    variable transform_left_filter_feature_0_choice_43, transform_left_filter_feature_0_choice_44 : boolean;
+    variable transform_left_filter_feature_0_choice_45, transform_left_filter_feature_0_choice_46 : boolean;
+    variable transform_left_filter_feature_0_choice_47, transform_left_filter_feature_0_choice_48 : boolean;
+    variable transform_left_filter_feature_0_choice_49, transform_left_filter_feature_0_choice_50 : boolean;
+    variable transform_left_filter_feature_0_choice_51, transform_left_filter_feature_0_choice_52 : boolean;
+    variable transform_left_filter_feature_0_choice_53, transform_left_filter_feature_0_choice_54 : boolean;
+    variable transform_left_filter_feature_0_choice_55, transform_left_filter_feature_0_choice_56 : boolean;
+    variable transform_left_filter_feature_0_choice_57, transform_left_filter_feature_0_choice_58 : boolean;
+    variable transform_left_filter_feature_0_choice_59, transform_left_filter_feature_0_choice_60 : boolean;
+    variable transform_left_filter_feature_0_choice_61, transform_left_filter_feature_0_choice_62 : boolean;
+    variable transform_left_filter_feature_0_choice_63, transform_left_filter_feature_0_choice_64 : boolean;
+    variable transform_left_filter_feature_0_choice_65, transform_left_filter_feature_0_choice_66 : boolean;
+    variable transform_left_filter_feature_0_choice_67, transform_left_filter_feature_0_choice_68 : boolean;
+    variable transform_left_filter_feature_0_choice_69, transform_left_filter_feature_0_choice_70 : boolean;
+    variable transform_left_filter_feature_0_choice_71, transform_left_filter_feature_0_choice_72 : boolean;
+    variable transform_left_filter_feature_0_choice_73, transform_left_filter_feature_0_choice_74 : boolean;
+    variable transform_left_filter_feature_0_choice_75, transform_left_filter_feature_0_choice_76 : boolean;
+    variable transform_left_filter_feature_0_choice_77, transform_left_filter_feature_0_choice_78 : boolean;
+    variable transform_left_filter_feature_0_choice_79, transform_left_filter_feature_0_choice_80 : boolean;
+    variable transform_left_filter_feature_0_choice_81, transform_left_filter_feature_0_choice_82 : boolean;
+    variable transform_left_filter_feature_0_choice_83, transform_left_filter_feature_0_choice_84 : boolean;
+    variable transform_left_filter_feature_0_choice_85, transform_left_filter_feature_0_choice_86 : boolean;
+    variable transform_left_filter_feature_0_choice_87, transform_left_filter_feature_0_choice_88 : boolean;
+    variable transform_left_filter_feature_0_choice_89, transform_left_filter_feature_0_choice_90 : boolean;
+    variable transform_left_filter_feature_0_choice_91, transform_left_filter_feature_0_choice_92 : boolean;
+    variable transform_left_filter_feature_0_choice_93, transform_left_filter_feature_0_choice_94 : boolean;
+    variable transform_left_filter_feature_0_choice_95, transform_left_filter_feature_0_choice_96 : boolean;
+    variable transform_left_filter_feature_0_choice_97, transform_left_filter_feature_0_choice_98 : boolean;
+    variable transform_left_filter_feature_0_choice_99, transform_left_filter_feature_0_choice_100 : boolean;
+    variable transform_left_filter_feature_0_choice_101, transform_left_filter_feature_0_choice_102 : boolean;
+    variable transform_left_filter_feature_0_choice_103, transform_left_filter_feature_0_choice_104 : boolean;
+    variable transform_left_filter_feature_0_choice_105, transform_left_filter_feature_0_choice_106 : boolean;
+    variable transform_left_filter_feature_0_choice_107, transform_left_filter_feature_0_choice_108 : boolean;
+    variable transform_left_filter_feature_0_choice_109, transform_left_filter_feature_0_choice_110 : boolean;
+    variable transform_left_filter_feature_0_choice_111, transform_left_filter_feature_0_choice_112 : boolean;
+    variable transform_left_filter_feature_0_choice_113, transform_left_filter_feature_0_choice_114 : boolean;
+    variable transform_left_filter_feature_0_choice_115, transform_left_filter_feature_0_choice_116 : boolean;
+    variable transform_left_filter_feature_0_choice_117, transform_left_filter_feature_0_choice_118 : boolean;
+    variable transform_left_filter_feature_0_choice_119, transform_left_filter_feature_0_choice_120 : boolean;
+    variable transform_left_filter_feature_0_choice_121, transform_left_filter_feature_0_choice_122 : boolean;
+    variable transform_left_filter_feature_0_choice_123, transform_left_filter_feature_0_choice_124 : boolean;
+    variable transform_left_filter_feature_0_choice_125, transform_left_filter_feature_0_choice_126 : boolean;
+    variable transform_left_filter_feature_0_choice_127, transform_left_filter_feature_0_choice_128 : boolean;
+    variable transform_left_filter_feature_0_choice_129, transform_left_filter_feature_0_choice_130 : boolean;
+    variable transform_left_filter_feature_0_choice_131, transform_left_filter_feature_0_choice_132 : boolean;
+    variable transform_left_filter_feature_0_choice_133, transform_left_filter_feature_0_choice_134 : boolean;
+    variable transform_left_filter_feature_0_choice_135, transform_left_filter_feature_0_choice_136 : boolean;
+    variable transform_left_filter_feature_0_choice_137, transform_left_filter_feature_0_choice_138 : boolean;
+    variable transform_left_filter_feature_0_choice_139, transform_left_filter_feature_0_choice_140 : boolean;
+    variable transform_left_filter_feature_0_choice_141, transform_left_filter_feature_0_choice_142 : boolean;
+    variable transform_left_filter_feature_0_choice_143, transform_left_filter_feature_0_choice_144 : boolean;
+    variable transform_left_filter_feature_0_choice_145, transform_left_filter_feature_0_choice_146 : boolean;
+    variable transform_left_filter_feature_0_choice_147, transform_left_filter_feature_0_choice_148 : boolean;
+    variable transform_left_filter_feature_0_choice_149, transform_left_filter_feature_0_choice_150 : boolean;
+    variable transform_left_filter_feature_0_choice_151, transform_left_filter_feature_0_choice_152 : boolean;
+    variable transform_left_filter_feature_0_choice_153, transform_left_filter_feature_0_choice_154 : boolean;
+    variable transform_left_filter_feature_0_choice_155, transform_left_filter_feature_0_choice_156 : boolean;
+    variable transform_left_filter_feature_0_choice_157, transform_left_filter_feature_0_choice_158 : boolean;
+    variable transform_left_filter_feature_0_choice_159, transform_left_filter_feature_0_choice_160 : boolean;
+    variable transform_left_filter_feature_0_choice_161, transform_left_filter_feature_0_choice_162 : boolean;
+    variable transform_left_filter_feature_0_choice_163, transform_left_filter_feature_0_choice_164 : boolean;
+    variable transform_left_filter_feature_0_choice_165, transform_left_filter_feature_0_choice_166 : boolean;
+    variable transform_left_filter_feature_0_choice_167, transform_left_filter_feature_0_choice_168 : boolean;
+    variable transform_left_filter_feature_0_choice_169, transform_left_filter_feature_0_choice_170 : boolean;
+    variable transform_left_filter_feature_0_choice_171, transform_left_filter_feature_0_choice_172 : boolean;
+    variable transform_left_filter_feature_0_choice_173, transform_left_filter_feature_0_choice_174 : boolean;
+    variable transform_left_filter_feature_0_choice_175, transform_left_filter_feature_0_choice_176 : boolean;
+    variable transform_left_filter_feature_0_choice_177, transform_left_filter_feature_0_choice_178 : boolean;
+    variable transform_left_filter_feature_0_choice_179, transform_left_filter_feature_0_choice_180 : boolean;
+    variable transform_left_filter_feature_0_choice_181, transform_left_filter_feature_0_choice_182 : boolean;
+    variable transform_left_filter_feature_0_choice_183, transform_left_filter_feature_0_choice_184 : boolean;
+    variable transform_left_filter_feature_0_choice_185, transform_left_filter_feature_0_choice_186 : boolean;
+    variable transform_left_filter_feature_0_choice_187, transform_left_filter_feature_0_choice_188 : boolean;
+    variable transform_left_filter_feature_0_choice_189, transform_left_filter_feature_0_choice_190 : boolean;
+    variable transform_left_filter_feature_0_choice_191, transform_left_filter_feature_0_choice_192 : boolean;
+    variable transform_left_filter_feature_0_choice_193, transform_right_filter_feature_0_value : boolean;
+    variable transform_right_filter_feature_0_any, transform_right_filter_feature_0_choice : boolean;
+    variable transform_right_filter_feature_0_is_equal, transform_right_filter_feature_0_choice_2 : boolean;
+    variable transform_right_filter_feature_0_value_2, transform_right_filter_feature_0_choice_3 : boolean;
+    variable transform_right_filter_feature_0_value_3, transform_right_filter_feature_0_choice_4 : boolean;
+    variable transform_right_filter_feature_0_value_4, transform_right_filter_feature_0_choice_5 : boolean;
+    variable transform_right_filter_feature_0_value_5, transform_right_filter_feature_0_choice_6 : boolean;
+    variable transform_right_filter_feature_0_value_6, transform_right_filter_feature_0_choice_7 : boolean;
+    variable transform_right_filter_feature_0_choice_8, transform_right_filter_feature_0_choice_9 : boolean;
+    variable transform_right_filter_feature_0_choice_10, transform_right_filter_feature_0_choice_11 : boolean;
+    variable transform_right_filter_feature_0_choice_12, transform_right_filter_feature_0_choice_13 : boolean;
+    variable transform_right_filter_feature_0_choice_14, transform_right_filter_feature_0_choice_15 : boolean;
+    variable transform_right_filter_feature_0_choice_16, transform_right_filter_feature_0_choice_17 : boolean;
+    variable transform_right_filter_feature_0_choice_18, transform_right_filter_feature_0_value_7 : boolean;
+    variable transform_right_filter_feature_0_choice_19, transform_right_filter_feature_0_value_8 : boolean;
+    variable transform_right_filter_feature_0_choice_20, transform_right_filter_feature_0_value_9 : boolean;
+    variable transform_right_filter_feature_0_choice_21, transform_right_filter_feature_0_value_10 : boolean;
+    variable transform_right_filter_feature_0_choice_22, transform_right_filter_feature_0_value_11 : boolean;
     variable transform_right_filter_feature_0_choice_23, transform_right_filter_feature_0_choice_24 : boolean;
     variable transform_right_filter_feature_0_choice_25, transform_right_filter_feature_0_choice_26 : boolean;
     variable transform_right_filter_feature_0_choice_27, transform_right_filter_feature_0_choice_28 : boolean;
@@ -2058,17 +2020,7 @@ begin
     variable transform_right_filter_feature_0_choice_187, transform_right_filter_feature_0_choice_188 : boolean;
     variable transform_right_filter_feature_0_choice_189, transform_right_filter_feature_0_choice_190 : boolean;
     variable transform_right_filter_feature_0_choice_191, transform_right_filter_feature_0_choice_192 : boolean;
-    variable transform_right_filter_feature_0_choice_193, transform_right_filter_feature_0_choice_194 : boolean;
-    variable transform_right_filter_feature_0_value_7, transform_right_filter_feature_0_choice_195 : boolean;
-    variable transform_right_filter_feature_0_value_8, transform_right_filter_feature_0_choice_196 : boolean;
-    variable transform_right_filter_feature_0_value_9, transform_right_filter_feature_0_choice_197 : boolean;
-    variable transform_right_filter_feature_0_value_10, transform_right_filter_feature_0_choice_198 : boolean;
-    variable transform_right_filter_feature_0_value_11, transform_right_filter_feature_0_choice_199 : boolean;
-    variable transform_right_filter_feature_0_choice_200, transform_right_filter_feature_0_choice_205 : boolean;
-    variable transform_right_filter_feature_0_choice_206, transform_right_filter_feature_0_choice_207 : boolean;
-    variable transform_right_filter_feature_0_choice_208, transform_right_filter_feature_0_choice_209 : boolean;
-    variable transform_right_filter_feature_0_choice_210, transform_right_filter_feature_0_choice_211 : boolean;
-    variable transform_right_filter_feature_0_choice_212, transform_counter_next_frame_choice : boolean;
+    variable transform_right_filter_feature_0_choice_193, transform_counter_next_frame_choice : boolean;
     variable transform_counter_next_frame_choice_2, raster_place_group_is_equal : boolean;
     variable delay_tag_first_column_is_equal, slice0cost_pixels_first_0_0_count_0_value : boolean;
     variable slice0cost_pixels_first_0_0_count_0_value_2, slice0cost_pixels_first_0_0_count_1_value : boolean;
@@ -2081,7 +2033,6 @@ begin
     variable slice0cost_pixels_first_0_0_count_5_value_3, slice0cost_pixels_first_0_0_count_6_value : boolean;
     variable slice0cost_pixels_first_0_0_count_6_value_2, slice0cost_pixels_first_0_0_count_6_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_7_value, slice0cost_pixels_first_0_0_count_7_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_3, slice0cost_pixels_first_0_0_count_8_value : boolean;
     variable slice0cost_pixels_first_1_0_count_0_value, slice0cost_pixels_first_1_0_count_0_value_2 : boolean;
     variable slice0cost_pixels_first_1_0_count_1_value, slice0cost_pixels_first_1_0_count_1_value_2 : boolean;
     variable slice0cost_pixels_first_1_0_count_1_value_3, slice0cost_pixels_first_1_0_count_2_value : boolean;
@@ -2092,8 +2043,7 @@ begin
     variable slice0cost_pixels_first_1_0_count_5_value_2, slice0cost_pixels_first_1_0_count_5_value_3 : boolean;
     variable slice0cost_pixels_first_1_0_count_6_value, slice0cost_pixels_first_1_0_count_6_value_2 : boolean;
     variable slice0cost_pixels_first_1_0_count_6_value_3, slice0cost_pixels_first_1_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_value_2, slice0cost_pixels_first_1_0_count_7_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_8_value, slice0mask_inside_0_choice : boolean;
+    variable slice0cost_pixels_first_1_0_count_7_value_2, slice0mask_inside_0_choice : boolean;
     variable slice0mask_inside_1_choice, slice0mask_inside_2_choice, slice0mask_inside_3_choice : boolean;
     variable slice0mask_inside_4_choice, slice0mask_inside_5_choice, slice0mask_inside_6_choice : boolean;
     variable slice0mask_inside_7_choice, slice0mask_inside_8_choice, slice0mask_inside_9_choice : boolean;
@@ -2117,7 +2067,6 @@ begin
     variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_6_value : boolean;
     variable slice1cost_pixels_first_0_0_count_6_value_2, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_7_value, slice1cost_pixels_first_0_0_count_7_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_3, slice1cost_pixels_first_0_0_count_8_value : boolean;
     variable slice1cost_pixels_first_1_0_count_0_value, slice1cost_pixels_first_1_0_count_0_value_2 : boolean;
     variable slice1cost_pixels_first_1_0_count_1_value, slice1cost_pixels_first_1_0_count_1_value_2 : boolean;
     variable slice1cost_pixels_first_1_0_count_1_value_3, slice1cost_pixels_first_1_0_count_2_value : boolean;
@@ -2128,8 +2077,7 @@ begin
     variable slice1cost_pixels_first_1_0_count_5_value_2, slice1cost_pixels_first_1_0_count_5_value_3 : boolean;
     variable slice1cost_pixels_first_1_0_count_6_value, slice1cost_pixels_first_1_0_count_6_value_2 : boolean;
     variable slice1cost_pixels_first_1_0_count_6_value_3, slice1cost_pixels_first_1_0_count_7_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_value_2, slice1cost_pixels_first_1_0_count_7_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_8_value, slice1mask_inside_0_all, slice1mask_inside_0_choice : boolean;
+    variable slice1cost_pixels_first_1_0_count_7_value_2, slice1mask_inside_0_all, slice1mask_inside_0_choice : boolean;
     variable slice1mask_inside_1_choice, slice1mask_inside_2_choice, slice1mask_inside_3_choice : boolean;
     variable slice1mask_inside_4_choice, slice1mask_inside_5_choice, slice1mask_inside_6_choice : boolean;
     variable slice1mask_inside_7_choice, slice1mask_inside_8_choice, slice1mask_inside_9_choice : boolean;
@@ -2153,8 +2101,7 @@ begin
     variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_6_value, slice2cost_pixels_first_0_0_count_6_value_2 : boolean;
     variable slice2cost_pixels_first_0_0_count_6_value_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_0_0_count_7_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_8_value, slice2cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_1_0_count_0_value : boolean;
     variable slice2cost_pixels_first_1_0_count_0_value_2, slice2cost_pixels_first_1_0_count_1_value : boolean;
     variable slice2cost_pixels_first_1_0_count_1_value_2, slice2cost_pixels_first_1_0_count_1_value_3 : boolean;
     variable slice2cost_pixels_first_1_0_count_2_value, slice2cost_pixels_first_1_0_count_2_value_2 : boolean;
@@ -2165,7 +2112,6 @@ begin
     variable slice2cost_pixels_first_1_0_count_5_value_3, slice2cost_pixels_first_1_0_count_6_value : boolean;
     variable slice2cost_pixels_first_1_0_count_6_value_2, slice2cost_pixels_first_1_0_count_6_value_3 : boolean;
     variable slice2cost_pixels_first_1_0_count_7_value, slice2cost_pixels_first_1_0_count_7_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_value_3, slice2cost_pixels_first_1_0_count_8_value : boolean;
     variable slice2mask_inside_0_all, slice2mask_inside_0_choice, slice2mask_inside_1_choice : boolean;
     variable slice2mask_inside_2_choice, slice2mask_inside_3_choice, slice2mask_inside_4_choice : boolean;
     variable slice2mask_inside_5_choice, slice2mask_inside_6_choice, slice2mask_inside_7_choice : boolean;
@@ -2190,119 +2136,7 @@ begin
     variable map_window_complete_choice, map_low_1_0_all, map_low_0_0_all : boolean;
     variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 375;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 511;
-    variable transform_left_filter_feature_0_choice_203 : natural range 0 to 511;
-    variable transform_right_filter_feature_0_choice_203, map_counter_group_choice_2 : natural range 0 to 511;
-    variable map_counter_group_choice_3 : natural range 0 to 511;
-    variable transform_left_filter_feature_0_choice_201 : natural range 0 to 7;
-    variable transform_right_filter_feature_0_choice_201, refinement_fraction_0_choice_2 : natural range 0 to 7;
-    variable transform_left_filter_feature_0_choice_202 : natural range 0 to 63;
-    variable transform_right_filter_feature_0_choice_202 : natural range 0 to 63;
-    variable transform_left_filter_feature_0_choice_204 : natural range 0 to 4095;
-    variable transform_right_filter_feature_0_choice_204, slice0window_sum_0_0_choice : natural range 0 to 4095;
-    variable slice0window_sum_0_1_choice, slice0window_sum_0_2_choice : natural range 0 to 4095;
-    variable slice0window_sum_0_3_choice, slice0window_sum_0_4_choice : natural range 0 to 4095;
-    variable slice0window_sum_0_5_choice, slice0window_sum_0_6_choice : natural range 0 to 4095;
-    variable slice0window_sum_0_7_choice, slice0window_sum_0_8_choice : natural range 0 to 4095;
-    variable slice0window_sum_0_9_choice, slice0window_sum_0_10_choice : natural range 0 to 4095;
-    variable slice0window_sum_0_11_choice, slice0window_sum_0_12_choice : natural range 0 to 4095;
-    variable slice0window_sum_0_13_choice, slice0window_sum_0_14_choice : natural range 0 to 4095;
-    variable slice0window_sum_0_15_choice, slice0winner1_best_cost_0_0_choice : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_0_any, slice0winner1_best_cost_0_0_choice_2 : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_0_any_2, slice0winner1_best_cost_0_1_choice : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_1_any, slice0winner1_best_cost_0_1_choice_2 : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_1_any_2, slice0winner1_best_cost_0_2_choice : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_2_any, slice0winner1_best_cost_0_2_choice_2 : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_2_any_2, slice0winner1_best_cost_0_3_choice : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_3_any, slice0winner1_best_cost_0_3_choice_2 : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_3_any_2, slice0winner1_best_cost_0_4_choice : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_4_any, slice0winner1_best_cost_0_4_choice_2 : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_4_any_2, slice0winner1_best_cost_0_5_choice : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_5_any, slice0winner1_best_cost_0_5_choice_2 : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_5_any_2, slice0winner1_best_cost_0_6_choice : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_6_any, slice0winner1_best_cost_0_6_choice_2 : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_6_any_2, slice0winner1_best_cost_0_7_choice : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_7_any, slice0winner1_best_cost_0_7_choice_2 : natural range 0 to 4095;
-    variable slice0winner1_best_cost_0_7_any_2, slice0winner2_best_below_0_0_choice : natural range 0 to 4095;
-    variable slice0winner2_best_below_0_1_choice, slice0winner2_best_below_0_2_choice : natural range 0 to 4095;
-    variable slice0winner2_best_below_0_3_choice, slice0winner2_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice0winner2_best_above_0_1_choice, slice0winner2_best_above_0_2_choice : natural range 0 to 4095;
-    variable slice0winner2_best_above_0_3_choice, slice0winner3_best_below_0_0_choice : natural range 0 to 4095;
-    variable slice0winner3_best_below_0_1_choice, slice0winner3_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice0winner3_best_above_0_1_choice, slice0winner4_best_below_0_0_choice : natural range 0 to 4095;
-    variable slice0winner4_best_above_0_0_choice, slice1window_sum_0_0_choice : natural range 0 to 4095;
-    variable slice1window_sum_0_1_choice, slice1window_sum_0_2_choice : natural range 0 to 4095;
-    variable slice1window_sum_0_3_choice, slice1window_sum_0_4_choice : natural range 0 to 4095;
-    variable slice1window_sum_0_5_choice, slice1window_sum_0_6_choice : natural range 0 to 4095;
-    variable slice1window_sum_0_7_choice, slice1window_sum_0_8_choice : natural range 0 to 4095;
-    variable slice1window_sum_0_9_choice, slice1window_sum_0_10_choice : natural range 0 to 4095;
-    variable slice1window_sum_0_11_choice, slice1window_sum_0_12_choice : natural range 0 to 4095;
-    variable slice1window_sum_0_13_choice, slice1window_sum_0_14_choice : natural range 0 to 4095;
-    variable slice1window_sum_0_15_choice, slice1winner1_best_cost_0_0_choice : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_0_any, slice1winner1_best_cost_0_0_choice_2 : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_0_any_2, slice1winner1_best_cost_0_1_choice : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_1_any, slice1winner1_best_cost_0_1_choice_2 : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_1_any_2, slice1winner1_best_cost_0_2_choice : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_2_any, slice1winner1_best_cost_0_2_choice_2 : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_2_any_2, slice1winner1_best_cost_0_3_choice : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_3_any, slice1winner1_best_cost_0_3_choice_2 : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_3_any_2, slice1winner1_best_cost_0_4_choice : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_4_any, slice1winner1_best_cost_0_4_choice_2 : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_4_any_2, slice1winner1_best_cost_0_5_choice : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_5_any, slice1winner1_best_cost_0_5_choice_2 : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_5_any_2, slice1winner1_best_cost_0_6_choice : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_6_any, slice1winner1_best_cost_0_6_choice_2 : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_6_any_2, slice1winner1_best_cost_0_7_choice : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_7_any, slice1winner1_best_cost_0_7_choice_2 : natural range 0 to 4095;
-    variable slice1winner1_best_cost_0_7_any_2, slice1winner2_best_below_0_0_choice : natural range 0 to 4095;
-    variable slice1winner2_best_below_0_1_choice, slice1winner2_best_below_0_2_choice : natural range 0 to 4095;
-    variable slice1winner2_best_below_0_3_choice, slice1winner2_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice1winner2_best_above_0_1_choice, slice1winner2_best_above_0_2_choice : natural range 0 to 4095;
-    variable slice1winner2_best_above_0_3_choice, slice1winner3_best_below_0_0_choice : natural range 0 to 4095;
-    variable slice1winner3_best_below_0_1_choice, slice1winner3_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice1winner3_best_above_0_1_choice, slice1winner4_best_below_0_0_choice : natural range 0 to 4095;
-    variable slice1winner4_best_above_0_0_choice, slice1_best_below_0_0_choice : natural range 0 to 4095;
-    variable slice1_best_above_0_0_choice, slice2window_sum_0_0_choice : natural range 0 to 4095;
-    variable slice2window_sum_0_1_choice, slice2window_sum_0_2_choice : natural range 0 to 4095;
-    variable slice2window_sum_0_3_choice, slice2window_sum_0_4_choice : natural range 0 to 4095;
-    variable slice2window_sum_0_5_choice, slice2window_sum_0_6_choice : natural range 0 to 4095;
-    variable slice2window_sum_0_7_choice, slice2window_sum_0_8_choice : natural range 0 to 4095;
-    variable slice2window_sum_0_9_choice, slice2window_sum_0_10_choice : natural range 0 to 4095;
-    variable slice2window_sum_0_11_choice, slice2window_sum_0_12_choice : natural range 0 to 4095;
-    variable slice2window_sum_0_13_choice, slice2window_sum_0_14_choice : natural range 0 to 4095;
-    variable slice2window_sum_0_15_choice, slice2winner1_best_cost_0_0_choice : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_0_any, slice2winner1_best_cost_0_0_choice_2 : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_0_any_2, slice2winner1_best_cost_0_1_choice : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_1_any, slice2winner1_best_cost_0_1_choice_2 : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_1_any_2, slice2winner1_best_cost_0_2_choice : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_2_any, slice2winner1_best_cost_0_2_choice_2 : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_2_any_2, slice2winner1_best_cost_0_3_choice : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_3_any, slice2winner1_best_cost_0_3_choice_2 : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_3_any_2, slice2winner1_best_cost_0_4_choice : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_4_any, slice2winner1_best_cost_0_4_choice_2 : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_4_any_2, slice2winner1_best_cost_0_5_choice : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_5_any, slice2winner1_best_cost_0_5_choice_2 : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_5_any_2, slice2winner1_best_cost_0_6_choice : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_6_any, slice2winner1_best_cost_0_6_choice_2 : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_6_any_2, slice2winner1_best_cost_0_7_choice : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_7_any, slice2winner1_best_cost_0_7_choice_2 : natural range 0 to 4095;
-    variable slice2winner1_best_cost_0_7_any_2, slice2winner2_best_below_0_0_choice : natural range 0 to 4095;
-    variable slice2winner2_best_below_0_1_choice, slice2winner2_best_below_0_2_choice : natural range 0 to 4095;
-    variable slice2winner2_best_below_0_3_choice, slice2winner2_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice2winner2_best_above_0_1_choice, slice2winner2_best_above_0_2_choice : natural range 0 to 4095;
-    variable slice2winner2_best_above_0_3_choice, slice2winner3_best_below_0_0_choice : natural range 0 to 4095;
-    variable slice2winner3_best_below_0_1_choice, slice2winner3_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice2winner3_best_above_0_1_choice, slice2winner4_best_below_0_0_choice : natural range 0 to 4095;
-    variable slice2winner4_best_above_0_0_choice, slice2_best_below_0_0_choice : natural range 0 to 4095;
-    variable slice2_best_above_0_0_choice, refinement_divisor_0_0_choice : natural range 0 to 4095;
-    variable map_of_column_0_a_choice : natural range 0 to 4095;
-    variable transform_left_filter_feature_0_choice_213 : natural range 0 to 8191;
-    variable transform_right_filter_feature_0_choice_213 : natural range 0 to 8191;
-    variable transform_left_filter_feature_0_choice_214 : natural range 0 to 131071;
-    variable transform_right_filter_feature_0_choice_214 : natural range 0 to 131071;
-    variable transform_left_filter_feature_0_choice_215 : natural range 0 to 1048575;
-    variable transform_right_filter_feature_0_choice_215 : natural range 0 to 1048575;
-    variable transform_left_filter_feature_0_choice_216 : natural range 0 to 8388607;
-    variable transform_right_filter_feature_0_choice_216 : natural range 0 to 8388607;
+    variable map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 511;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_value : natural range 0 to 255;
     variable slice0cost_column_0_1_choice, slice0cost_column_0_1_value : natural range 0 to 255;
     variable slice0cost_column_0_2_choice, slice0cost_column_0_2_value : natural range 0 to 255;
@@ -2376,12 +2210,110 @@ begin
     variable slice2window_change_0_12_choice, slice2window_change_0_13_choice : natural range 0 to 255;
     variable slice2window_change_0_14_choice, slice2window_change_0_15_choice : natural range 0 to 255;
     variable refinement_fraction_0_choice : natural range 0 to 255;
-    variable refinement_remainder_1_0_difference : natural range 4097 to 12287;
-    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 4097 to 16382;
-    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 4097 to 16382;
-    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 4097 to 16382;
+    variable slice0window_sum_0_0_choice, slice0window_sum_0_1_choice : natural range 0 to 2047;
+    variable slice0window_sum_0_2_choice, slice0window_sum_0_3_choice : natural range 0 to 2047;
+    variable slice0window_sum_0_4_choice, slice0window_sum_0_5_choice : natural range 0 to 2047;
+    variable slice0window_sum_0_6_choice, slice0window_sum_0_7_choice : natural range 0 to 2047;
+    variable slice0window_sum_0_8_choice, slice0window_sum_0_9_choice : natural range 0 to 2047;
+    variable slice0window_sum_0_10_choice, slice0window_sum_0_11_choice : natural range 0 to 2047;
+    variable slice0window_sum_0_12_choice, slice0window_sum_0_13_choice : natural range 0 to 2047;
+    variable slice0window_sum_0_14_choice, slice0window_sum_0_15_choice : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_0_choice, slice0winner1_best_cost_0_0_any : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_0_choice_2, slice0winner1_best_cost_0_0_any_2 : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_1_choice, slice0winner1_best_cost_0_1_any : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_1_choice_2, slice0winner1_best_cost_0_1_any_2 : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_2_choice, slice0winner1_best_cost_0_2_any : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_2_choice_2, slice0winner1_best_cost_0_2_any_2 : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_3_choice, slice0winner1_best_cost_0_3_any : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_3_choice_2, slice0winner1_best_cost_0_3_any_2 : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_4_choice, slice0winner1_best_cost_0_4_any : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_4_choice_2, slice0winner1_best_cost_0_4_any_2 : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_5_choice, slice0winner1_best_cost_0_5_any : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_5_choice_2, slice0winner1_best_cost_0_5_any_2 : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_6_choice, slice0winner1_best_cost_0_6_any : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_6_choice_2, slice0winner1_best_cost_0_6_any_2 : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_7_choice, slice0winner1_best_cost_0_7_any : natural range 0 to 2047;
+    variable slice0winner1_best_cost_0_7_choice_2, slice0winner1_best_cost_0_7_any_2 : natural range 0 to 2047;
+    variable slice0winner2_best_below_0_0_choice, slice0winner2_best_below_0_1_choice : natural range 0 to 2047;
+    variable slice0winner2_best_below_0_2_choice, slice0winner2_best_below_0_3_choice : natural range 0 to 2047;
+    variable slice0winner2_best_above_0_0_choice, slice0winner2_best_above_0_1_choice : natural range 0 to 2047;
+    variable slice0winner2_best_above_0_2_choice, slice0winner2_best_above_0_3_choice : natural range 0 to 2047;
+    variable slice0winner3_best_below_0_0_choice, slice0winner3_best_below_0_1_choice : natural range 0 to 2047;
+    variable slice0winner3_best_above_0_0_choice, slice0winner3_best_above_0_1_choice : natural range 0 to 2047;
+    variable slice0winner4_best_below_0_0_choice, slice0winner4_best_above_0_0_choice : natural range 0 to 2047;
+    variable slice1window_sum_0_0_choice, slice1window_sum_0_1_choice : natural range 0 to 2047;
+    variable slice1window_sum_0_2_choice, slice1window_sum_0_3_choice : natural range 0 to 2047;
+    variable slice1window_sum_0_4_choice, slice1window_sum_0_5_choice : natural range 0 to 2047;
+    variable slice1window_sum_0_6_choice, slice1window_sum_0_7_choice : natural range 0 to 2047;
+    variable slice1window_sum_0_8_choice, slice1window_sum_0_9_choice : natural range 0 to 2047;
+    variable slice1window_sum_0_10_choice, slice1window_sum_0_11_choice : natural range 0 to 2047;
+    variable slice1window_sum_0_12_choice, slice1window_sum_0_13_choice : natural range 0 to 2047;
+    variable slice1window_sum_0_14_choice, slice1window_sum_0_15_choice : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_0_choice, slice1winner1_best_cost_0_0_any : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_0_choice_2, slice1winner1_best_cost_0_0_any_2 : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_1_choice, slice1winner1_best_cost_0_1_any : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_1_choice_2, slice1winner1_best_cost_0_1_any_2 : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_2_choice, slice1winner1_best_cost_0_2_any : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_2_choice_2, slice1winner1_best_cost_0_2_any_2 : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_3_choice, slice1winner1_best_cost_0_3_any : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_3_choice_2, slice1winner1_best_cost_0_3_any_2 : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_4_choice, slice1winner1_best_cost_0_4_any : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_4_choice_2, slice1winner1_best_cost_0_4_any_2 : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_5_choice, slice1winner1_best_cost_0_5_any : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_5_choice_2, slice1winner1_best_cost_0_5_any_2 : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_6_choice, slice1winner1_best_cost_0_6_any : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_6_choice_2, slice1winner1_best_cost_0_6_any_2 : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_7_choice, slice1winner1_best_cost_0_7_any : natural range 0 to 2047;
+    variable slice1winner1_best_cost_0_7_choice_2, slice1winner1_best_cost_0_7_any_2 : natural range 0 to 2047;
+    variable slice1winner2_best_below_0_0_choice, slice1winner2_best_below_0_1_choice : natural range 0 to 2047;
+    variable slice1winner2_best_below_0_2_choice, slice1winner2_best_below_0_3_choice : natural range 0 to 2047;
+    variable slice1winner2_best_above_0_0_choice, slice1winner2_best_above_0_1_choice : natural range 0 to 2047;
+    variable slice1winner2_best_above_0_2_choice, slice1winner2_best_above_0_3_choice : natural range 0 to 2047;
+    variable slice1winner3_best_below_0_0_choice, slice1winner3_best_below_0_1_choice : natural range 0 to 2047;
+    variable slice1winner3_best_above_0_0_choice, slice1winner3_best_above_0_1_choice : natural range 0 to 2047;
+    variable slice1winner4_best_below_0_0_choice, slice1winner4_best_above_0_0_choice : natural range 0 to 2047;
+    variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 2047;
+    variable slice2window_sum_0_0_choice, slice2window_sum_0_1_choice : natural range 0 to 2047;
+    variable slice2window_sum_0_2_choice, slice2window_sum_0_3_choice : natural range 0 to 2047;
+    variable slice2window_sum_0_4_choice, slice2window_sum_0_5_choice : natural range 0 to 2047;
+    variable slice2window_sum_0_6_choice, slice2window_sum_0_7_choice : natural range 0 to 2047;
+    variable slice2window_sum_0_8_choice, slice2window_sum_0_9_choice : natural range 0 to 2047;
+    variable slice2window_sum_0_10_choice, slice2window_sum_0_11_choice : natural range 0 to 2047;
+    variable slice2window_sum_0_12_choice, slice2window_sum_0_13_choice : natural range 0 to 2047;
+    variable slice2window_sum_0_14_choice, slice2window_sum_0_15_choice : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_0_choice, slice2winner1_best_cost_0_0_any : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_0_choice_2, slice2winner1_best_cost_0_0_any_2 : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_1_choice, slice2winner1_best_cost_0_1_any : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_1_choice_2, slice2winner1_best_cost_0_1_any_2 : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_2_choice, slice2winner1_best_cost_0_2_any : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_2_choice_2, slice2winner1_best_cost_0_2_any_2 : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_3_choice, slice2winner1_best_cost_0_3_any : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_3_choice_2, slice2winner1_best_cost_0_3_any_2 : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_4_choice, slice2winner1_best_cost_0_4_any : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_4_choice_2, slice2winner1_best_cost_0_4_any_2 : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_5_choice, slice2winner1_best_cost_0_5_any : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_5_choice_2, slice2winner1_best_cost_0_5_any_2 : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_6_choice, slice2winner1_best_cost_0_6_any : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_6_choice_2, slice2winner1_best_cost_0_6_any_2 : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_7_choice, slice2winner1_best_cost_0_7_any : natural range 0 to 2047;
+    variable slice2winner1_best_cost_0_7_choice_2, slice2winner1_best_cost_0_7_any_2 : natural range 0 to 2047;
+    variable slice2winner2_best_below_0_0_choice, slice2winner2_best_below_0_1_choice : natural range 0 to 2047;
+    variable slice2winner2_best_below_0_2_choice, slice2winner2_best_below_0_3_choice : natural range 0 to 2047;
+    variable slice2winner2_best_above_0_0_choice, slice2winner2_best_above_0_1_choice : natural range 0 to 2047;
+    variable slice2winner2_best_above_0_2_choice, slice2winner2_best_above_0_3_choice : natural range 0 to 2047;
+    variable slice2winner3_best_below_0_0_choice, slice2winner3_best_below_0_1_choice : natural range 0 to 2047;
+    variable slice2winner3_best_above_0_0_choice, slice2winner3_best_above_0_1_choice : natural range 0 to 2047;
+    variable slice2winner4_best_below_0_0_choice, slice2winner4_best_above_0_0_choice : natural range 0 to 2047;
+    variable slice2_best_below_0_0_choice, slice2_best_above_0_0_choice : natural range 0 to 2047;
+    variable refinement_divisor_0_0_choice : natural range 0 to 2047;
+    variable refinement_remainder_1_0_difference : natural range 2049 to 6143;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 2049 to 8190;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 2049 to 8190;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 2049 to 8190;
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice_2 : natural range 0 to 7;
+    variable map_of_column_0_a_choice : natural range 0 to 4095;
     variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
     variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
     variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
@@ -2403,9 +2335,9 @@ begin
       else
         transform_counter_group_choice := 0;
       end if;
-      transform_counter_group_differs := transform_counter_group /= 376;
-      if (transform_counter_group = 375) and transform_counter_next_frame then
-        transform_counter_group_choice_2 := 1;
+      transform_counter_group_differs := transform_counter_group /= 377;
+      if (transform_counter_group = 376) and transform_counter_next_frame then
+        transform_counter_group_choice_2 := 2;
       else
         transform_counter_group_choice_2 := (transform_counter_group + 1) mod 512;
       end if;
@@ -2415,2980 +2347,2702 @@ begin
         transform_counter_group_choice_3 := transform_counter_group;
       end if;
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_feature_0_value := ((transform_left_filter_column_4_1 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_value := ((transform_left_filter_column_4_2 / 2) mod 2) = 1;
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
-        ((transform_left_filter_column_4_1 mod 2) = 1));
-      if (transform_left_filter_column_8_0 mod 2) = 1 then
+        ((transform_left_filter_column_4_2 mod 2) = 1));
+      if (transform_left_filter_column_0_1 mod 2) = 1 then
         transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
       else
         transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
       end if;
-      transform_left_filter_feature_0_is_equal := (transform_left_filter_column_4_1 mod 4) = 0;
-      if ((transform_left_filter_column_8_0 / 2) mod 2) = 1 then
+      transform_left_filter_feature_0_is_equal := (transform_left_filter_column_4_2 mod 4) = 0;
+      if ((transform_left_filter_column_0_1 / 2) mod 2) = 1 then
         transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
       else
-        transform_left_filter_feature_0_choice_2 := ((transform_left_filter_column_8_0 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_2 := ((transform_left_filter_column_0_1 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_4_1 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_4_2 / 4) mod 2) = 1;
       if transform_left_filter_feature_0_choice_2 then
-        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
           transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or
           transform_left_filter_feature_0_value_2;
       end if;
-      transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_4_1 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_4_2 / 8) mod 2) = 1;
       if transform_left_filter_feature_0_choice_3 then
-        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
           transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and
           transform_left_filter_feature_0_value_3;
       end if;
-      transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_4_1 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_4_2 / 16) mod 2) = 1;
       if transform_left_filter_feature_0_choice_4 then
-        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
           transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and
           transform_left_filter_feature_0_value_4;
       end if;
-      transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_4_1 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_4_2 / 32) mod 2) = 1;
       if transform_left_filter_feature_0_choice_5 then
-        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
           transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and
           transform_left_filter_feature_0_value_5;
       end if;
-      transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_4_1 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_4_2 / 64) mod 2) = 1;
       if transform_left_filter_feature_0_choice_6 then
-        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
           transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and
           transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_7 then
-        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_8_0 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
+        transform_left_filter_feature_0_choice_8 := transform_filtering_0_column_inside_0 and
+          ((transform_left_filter_column_0_1 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_8_0 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
+        transform_left_filter_feature_0_choice_8 := transform_filtering_0_column_inside_0 and
+          (((transform_left_filter_column_0_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
       end if;
-      if (transform_left_filter_column_8_1 mod 2) = 1 then
+      if (transform_left_filter_column_0_3 mod 2) = 1 then
         transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any;
       else
         transform_left_filter_feature_0_choice_9 := not transform_left_filter_feature_0_value;
       end if;
-      if ((transform_left_filter_column_8_1 / 2) mod 2) = 1 then
+      if ((transform_left_filter_column_0_3 / 2) mod 2) = 1 then
         transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9;
       else
-        transform_left_filter_feature_0_choice_10 := ((transform_left_filter_column_8_1 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_10 := ((transform_left_filter_column_0_3 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_10 then
-        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
           transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or
           transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_11 then
-        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
           transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and
           transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_12 then
-        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
           transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and
           transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_13 then
-        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
           transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and
           transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_14 then
-        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
           transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and
           transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_15 then
-        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_8_1 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
+        transform_left_filter_feature_0_choice_16 := transform_filtering_0_column_inside_0 and
+          ((transform_left_filter_column_0_3 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_8_1 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
+        transform_left_filter_feature_0_choice_16 := transform_filtering_0_column_inside_0 and
+          (((transform_left_filter_column_0_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
       end if;
-      if (transform_left_filter_column_8_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any;
+      if (transform_left_filter_column_0_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_17 := (transform_left_filter_column_4_2 mod 4) = 3;
       else
-        transform_left_filter_feature_0_choice_17 := not transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_value;
       end if;
-      if ((transform_left_filter_column_8_2 / 2) mod 2) = 1 then
+      if ((transform_left_filter_column_0_0 / 2) mod 2) = 1 then
         transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17;
       else
-        transform_left_filter_feature_0_choice_18 := ((transform_left_filter_column_8_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_18 then
-        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_19 then
-        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_20 then
-        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_21 then
-        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_22 then
-        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_23 then
-        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_8_2 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_8_2 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_7_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_25 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_7_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25;
-      else
-        transform_left_filter_feature_0_choice_26 := ((transform_left_filter_column_7_0 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_26 then
-        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_27 then
-        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_28 then
-        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_29 then
-        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_30 then
-        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_31 then
-        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_7_0 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_7_0 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_7_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_33 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_7_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33;
-      else
-        transform_left_filter_feature_0_choice_34 := ((transform_left_filter_column_7_1 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_34 then
-        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_35 then
-        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_36 then
-        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_37 then
-        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_38 then
-        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_39 then
-        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_7_1 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_7_1 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_7_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_41 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_7_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41;
-      else
-        transform_left_filter_feature_0_choice_42 := ((transform_left_filter_column_7_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_42 then
-        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_43 then
-        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_44 then
-        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_45 then
-        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_46 then
-        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_47 then
-        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_7_2 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_7_2 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_6_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_49 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_6_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49;
-      else
-        transform_left_filter_feature_0_choice_50 := ((transform_left_filter_column_6_0 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_50 then
-        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_51 then
-        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_52 then
-        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_53 then
-        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_54 then
-        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_55 then
-        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_6_0 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_6_0 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_6_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_57 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_6_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57;
-      else
-        transform_left_filter_feature_0_choice_58 := ((transform_left_filter_column_6_1 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_58 then
-        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_59 then
-        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_60 then
-        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_61 then
-        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_62 then
-        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_63 then
-        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_6_1 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_6_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_65 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_6_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65;
-      else
-        transform_left_filter_feature_0_choice_66 := ((transform_left_filter_column_6_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_66 then
-        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_67 then
-        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_68 then
-        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_69 then
-        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_70 then
-        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_71 then
-        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_6_2 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_5_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_73 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_5_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73;
-      else
-        transform_left_filter_feature_0_choice_74 := ((transform_left_filter_column_5_0 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_74 then
-        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_75 then
-        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_76 then
-        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_77 then
-        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_78 then
-        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_79 then
-        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_5_0 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_5_0 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_5_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_81 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_5_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81;
-      else
-        transform_left_filter_feature_0_choice_82 := ((transform_left_filter_column_5_1 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_82 then
-        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_83 then
-        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_84 then
-        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_85 then
-        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_86 then
-        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_87 then
-        transform_left_filter_feature_0_choice_88 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_88 := ((transform_left_filter_column_5_1 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_5_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_89 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_5_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89;
-      else
-        transform_left_filter_feature_0_choice_90 := ((transform_left_filter_column_5_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_90 then
-        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_91 then
-        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_92 then
-        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_93 then
-        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_94 then
-        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_95 then
-        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_5_2 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_4_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_97 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_4_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97;
-      else
-        transform_left_filter_feature_0_choice_98 := ((transform_left_filter_column_4_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_98 then
-        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_99 then
-        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_100 then
-        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_101 then
-        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_102 then
-        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_103 then
-        transform_left_filter_feature_0_choice_104 := transform_filtering_0_column_inside_4 and
-          ((transform_left_filter_column_4_2 / 128) = 1) and (not ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_104 := transform_filtering_0_column_inside_4 and
-          (((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1)));
-      end if;
-      if (transform_left_filter_column_3_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_105 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_3_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105;
-      else
-        transform_left_filter_feature_0_choice_106 := ((transform_left_filter_column_3_1 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_106 then
-        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_107 then
-        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_108 then
-        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_109 then
-        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_110 then
-        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_111 then
-        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_3_1 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_3_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_113 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_3_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113;
-      else
-        transform_left_filter_feature_0_choice_114 := ((transform_left_filter_column_3_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_114 then
-        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_115 then
-        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_116 then
-        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_117 then
-        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_118 then
-        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_119 then
-        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_3_2 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_3_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_121 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_3_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121;
-      else
-        transform_left_filter_feature_0_choice_122 := ((transform_left_filter_column_3_0 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_122 then
-        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_123 then
-        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_124 then
-        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_125 then
-        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_126 then
-        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_127 then
-        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_3_0 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_2_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_129 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_2_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129;
-      else
-        transform_left_filter_feature_0_choice_130 := ((transform_left_filter_column_2_1 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_130 then
-        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_131 then
-        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_132 then
-        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_133 then
-        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_134 then
-        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_135 then
-        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_2_1 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_2_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_137 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_2_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137;
-      else
-        transform_left_filter_feature_0_choice_138 := ((transform_left_filter_column_2_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_138 then
-        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_139 then
-        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_140 then
-        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_141 then
-        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_142 then
-        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_143 then
-        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_2_2 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_2_2 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_2_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_145 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145;
-      else
-        transform_left_filter_feature_0_choice_146 := ((transform_left_filter_column_2_0 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_146 then
-        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_147 then
-        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_148 then
-        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_149 then
-        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_150 then
-        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_151 then
-        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_2_0 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_1_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_153 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_1_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153;
-      else
-        transform_left_filter_feature_0_choice_154 := ((transform_left_filter_column_1_1 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_154 then
-        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_155 then
-        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_156 then
-        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_157 then
-        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_158 then
-        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_159 then
-        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_1_1 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_1_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_161 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_1_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161;
-      else
-        transform_left_filter_feature_0_choice_162 := ((transform_left_filter_column_1_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_162 then
-        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_163 then
-        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_164 then
-        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_165 then
-        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_166 then
-        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_167 then
-        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_1_2 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_1_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_169 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_1_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169;
-      else
-        transform_left_filter_feature_0_choice_170 := ((transform_left_filter_column_1_0 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_170 then
-        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_171 then
-        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_172 then
-        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_173 then
-        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_174 then
-        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_175 then
-        transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_1_0 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_0_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_177 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_0_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177;
-      else
-        transform_left_filter_feature_0_choice_178 := ((transform_left_filter_column_0_1 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_178 then
-        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_179 then
-        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_180 then
-        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_181 then
-        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_182 then
-        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_183 then
-        transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_0_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_185 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_185 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_0_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_186 := transform_left_filter_feature_0_choice_185;
-      else
-        transform_left_filter_feature_0_choice_186 := ((transform_left_filter_column_0_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_186 then
-        transform_left_filter_feature_0_choice_187 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_187 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_187 then
-        transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_188 then
-        transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_189 then
-        transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_190 then
-        transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_191 then
-        transform_left_filter_feature_0_choice_192 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_192 := ((transform_left_filter_column_0_2 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_4_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_193 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1);
-      else
-        transform_left_filter_feature_0_choice_193 := (transform_left_filter_column_0_0 mod 4) = 0;
-      end if;
-      if transform_left_filter_feature_0_value then
-        transform_left_filter_feature_0_choice_194 := ((transform_left_filter_column_4_1 mod 2) = 1) or (not
-          (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1));
-      else
-        transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
+        transform_left_filter_feature_0_choice_18 := (not ((transform_left_filter_column_0_0 mod 2) = 1)) or
+          transform_left_filter_feature_0_value or ((transform_left_filter_column_4_2 mod 2) = 1);
       end if;
       transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_194 then
-        transform_left_filter_feature_0_choice_195 := (not transform_left_filter_feature_0_value_2) and
-          transform_left_filter_feature_0_value_7;
+      if transform_left_filter_feature_0_choice_18 then
+        transform_left_filter_feature_0_choice_19 := transform_left_filter_feature_0_value_7 and (not
+          transform_left_filter_feature_0_value_2);
       else
-        transform_left_filter_feature_0_choice_195 := (not transform_left_filter_feature_0_value_2) or
-          transform_left_filter_feature_0_value_7;
+        transform_left_filter_feature_0_choice_19 := transform_left_filter_feature_0_value_7 or (not
+          transform_left_filter_feature_0_value_2);
       end if;
       transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_195 then
-        transform_left_filter_feature_0_choice_196 := (not transform_left_filter_feature_0_value_3) or
-          transform_left_filter_feature_0_value_8;
+      if transform_left_filter_feature_0_choice_19 then
+        transform_left_filter_feature_0_choice_20 := transform_left_filter_feature_0_value_8 or (not
+          transform_left_filter_feature_0_value_3);
       else
-        transform_left_filter_feature_0_choice_196 := (not transform_left_filter_feature_0_value_3) and
-          transform_left_filter_feature_0_value_8;
+        transform_left_filter_feature_0_choice_20 := transform_left_filter_feature_0_value_8 and (not
+          transform_left_filter_feature_0_value_3);
       end if;
       transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_196 then
-        transform_left_filter_feature_0_choice_197 := (not transform_left_filter_feature_0_value_4) or
-          transform_left_filter_feature_0_value_9;
+      if transform_left_filter_feature_0_choice_20 then
+        transform_left_filter_feature_0_choice_21 := transform_left_filter_feature_0_value_9 or (not
+          transform_left_filter_feature_0_value_4);
       else
-        transform_left_filter_feature_0_choice_197 := (not transform_left_filter_feature_0_value_4) and
-          transform_left_filter_feature_0_value_9;
+        transform_left_filter_feature_0_choice_21 := transform_left_filter_feature_0_value_9 and (not
+          transform_left_filter_feature_0_value_4);
       end if;
       transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_197 then
-        transform_left_filter_feature_0_choice_198 := (not transform_left_filter_feature_0_value_5) or
-          transform_left_filter_feature_0_value_10;
+      if transform_left_filter_feature_0_choice_21 then
+        transform_left_filter_feature_0_choice_22 := transform_left_filter_feature_0_value_10 or (not
+          transform_left_filter_feature_0_value_5);
       else
-        transform_left_filter_feature_0_choice_198 := (not transform_left_filter_feature_0_value_5) and
-          transform_left_filter_feature_0_value_10;
+        transform_left_filter_feature_0_choice_22 := transform_left_filter_feature_0_value_10 and (not
+          transform_left_filter_feature_0_value_5);
       end if;
       transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_198 then
-        transform_left_filter_feature_0_choice_199 := (not transform_left_filter_feature_0_value_6) or
-          transform_left_filter_feature_0_value_11;
+      if transform_left_filter_feature_0_choice_22 then
+        transform_left_filter_feature_0_choice_23 := transform_left_filter_feature_0_value_11 or (not
+          transform_left_filter_feature_0_value_6);
       else
-        transform_left_filter_feature_0_choice_199 := (not transform_left_filter_feature_0_value_6) and
-          transform_left_filter_feature_0_value_11;
+        transform_left_filter_feature_0_choice_23 := transform_left_filter_feature_0_value_11 and (not
+          transform_left_filter_feature_0_value_6);
       end if;
-      if transform_left_filter_feature_0_choice_199 then
-        transform_left_filter_feature_0_choice_200 := (not ((transform_left_filter_column_4_1 / 128) = 1)) or
-          ((transform_left_filter_column_0_0 / 128) = 1);
+      if (transform_left_filter_column_0_0 / 128) = 1 then
+        transform_left_filter_feature_0_choice_24 := transform_filtering_0_column_inside_0;
       else
-        transform_left_filter_feature_0_choice_200 := (not ((transform_left_filter_column_4_1 / 128) = 1)) and
-          ((transform_left_filter_column_0_0 / 128) = 1);
+        transform_left_filter_feature_0_choice_24 := transform_filtering_0_column_inside_0 and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_filtering_0_column_inside_0 then
-        transform_left_filter_feature_0_choice_201 := (as_number(transform_left_filter_feature_0_choice_184) * 2) +
-          (as_number(transform_left_filter_feature_0_choice_192) * 4) +
-          as_number(transform_left_filter_feature_0_choice_200);
+      if transform_left_filter_feature_0_choice_23 then
+        transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_choice_24;
       else
-        transform_left_filter_feature_0_choice_201 := 0;
+        transform_left_filter_feature_0_choice_25 := ((transform_left_filter_column_0_0 / 128) = 1) and
+          transform_filtering_0_column_inside_0 and (not ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_filtering_0_column_inside_1 then
-        transform_left_filter_feature_0_choice_202 := (as_number(transform_left_filter_feature_0_choice_160) * 16) +
-          (as_number(transform_left_filter_feature_0_choice_168) * 32) +
-          (as_number(transform_left_filter_feature_0_choice_176) * 8) + transform_left_filter_feature_0_choice_201;
+      if (transform_left_filter_column_0_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_202 := transform_left_filter_feature_0_choice_201;
+        transform_left_filter_feature_0_choice_26 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_filtering_0_column_inside_2 then
-        transform_left_filter_feature_0_choice_203 := (as_number(transform_left_filter_feature_0_choice_136) * 128) +
-          (as_number(transform_left_filter_feature_0_choice_144) * 256) +
-          (as_number(transform_left_filter_feature_0_choice_152) * 64) + transform_left_filter_feature_0_choice_202;
+      if ((transform_left_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_27 := transform_left_filter_feature_0_choice_26;
       else
-        transform_left_filter_feature_0_choice_203 := transform_left_filter_feature_0_choice_202;
-      end if;
-      if transform_filtering_0_column_inside_3 then
-        transform_left_filter_feature_0_choice_204 := (as_number(transform_left_filter_feature_0_choice_112) * 1024) +
-          (as_number(transform_left_filter_feature_0_choice_120) * 2048) +
-          (as_number(transform_left_filter_feature_0_choice_128) * 512) + transform_left_filter_feature_0_choice_203;
-      else
-        transform_left_filter_feature_0_choice_204 := transform_left_filter_feature_0_choice_203;
-      end if;
-      if (transform_left_filter_column_4_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_205 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_205 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_4_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_206 := transform_left_filter_feature_0_choice_205;
-      else
-        transform_left_filter_feature_0_choice_206 := ((transform_left_filter_column_4_0 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_27 := ((transform_left_filter_column_0_2 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_206 then
-        transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+      if transform_left_filter_feature_0_choice_27 then
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
           transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or
           transform_left_filter_feature_0_value_2;
       end if;
-      if transform_left_filter_feature_0_choice_207 then
-        transform_left_filter_feature_0_choice_208 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+      if transform_left_filter_feature_0_choice_28 then
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
           transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_208 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and
           transform_left_filter_feature_0_value_3;
       end if;
-      if transform_left_filter_feature_0_choice_208 then
-        transform_left_filter_feature_0_choice_209 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+      if transform_left_filter_feature_0_choice_29 then
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
           transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_209 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and
           transform_left_filter_feature_0_value_4;
       end if;
-      if transform_left_filter_feature_0_choice_209 then
-        transform_left_filter_feature_0_choice_210 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+      if transform_left_filter_feature_0_choice_30 then
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
           transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_210 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and
           transform_left_filter_feature_0_value_5;
       end if;
-      if transform_left_filter_feature_0_choice_210 then
-        transform_left_filter_feature_0_choice_211 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+      if transform_left_filter_feature_0_choice_31 then
+        transform_left_filter_feature_0_choice_32 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
           transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_211 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_32 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and
           transform_left_filter_feature_0_value_6;
       end if;
-      if transform_left_filter_feature_0_choice_211 then
-        transform_left_filter_feature_0_choice_212 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
+      if transform_left_filter_feature_0_choice_32 then
+        transform_left_filter_feature_0_choice_33 := transform_filtering_0_column_inside_0 and
+          ((transform_left_filter_column_0_2 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_212 := ((transform_left_filter_column_4_0 / 128) = 1) or (not
-          ((transform_left_filter_column_4_1 / 128) = 1));
+        transform_left_filter_feature_0_choice_33 := transform_filtering_0_column_inside_0 and
+          (((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
       end if;
-      if transform_filtering_0_column_inside_4 then
-        transform_left_filter_feature_0_choice_213 := transform_left_filter_feature_0_choice_204 +
-          (as_number(transform_left_filter_feature_0_choice_212) * 4096);
+      if (transform_left_filter_column_0_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_213 := transform_left_filter_feature_0_choice_204;
+        transform_left_filter_feature_0_choice_34 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_filtering_0_column_inside_5 then
-        transform_left_filter_feature_0_choice_214 := (as_number(transform_left_filter_feature_0_choice_80) * 16384) +
-          (as_number(transform_left_filter_feature_0_choice_88) * 32768) +
-          (as_number(transform_left_filter_feature_0_choice_96) * 65536) +
-          (as_number(transform_left_filter_feature_0_choice_104) * 8192) + transform_left_filter_feature_0_choice_213;
+      if ((transform_left_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_35 := transform_left_filter_feature_0_choice_34;
       else
-        transform_left_filter_feature_0_choice_214 := (as_number(transform_left_filter_feature_0_choice_104) * 8192) +
-          transform_left_filter_feature_0_choice_213;
+        transform_left_filter_feature_0_choice_35 := ((transform_left_filter_column_0_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_filtering_0_column_inside_6 then
-        transform_left_filter_feature_0_choice_215 := (as_number(transform_left_filter_feature_0_choice_56) * 131072) +
-          (as_number(transform_left_filter_feature_0_choice_64) * 262144) +
-          (as_number(transform_left_filter_feature_0_choice_72) * 524288) + transform_left_filter_feature_0_choice_214;
+      if transform_left_filter_feature_0_choice_35 then
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_215 := transform_left_filter_feature_0_choice_214;
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
-      if transform_filtering_0_column_inside_7 then
-        transform_left_filter_feature_0_choice_216 := (as_number(transform_left_filter_feature_0_choice_32) * 1048576)
-          + (as_number(transform_left_filter_feature_0_choice_40) * 2097152) +
-          (as_number(transform_left_filter_feature_0_choice_48) * 4194304) + transform_left_filter_feature_0_choice_215;
+      if transform_left_filter_feature_0_choice_36 then
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_216 := transform_left_filter_feature_0_choice_215;
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      transform_right_filter_feature_0_value := ((transform_right_filter_column_4_1 / 2) mod 2) = 1;
+      if transform_left_filter_feature_0_choice_37 then
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_38 then
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_39 then
+        transform_left_filter_feature_0_choice_40 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_40 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_40 then
+        transform_left_filter_feature_0_choice_41 := transform_filtering_0_column_inside_0 and
+          ((transform_left_filter_column_0_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_41 := transform_filtering_0_column_inside_0 and
+          (((transform_left_filter_column_0_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_2_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_42 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_43 := transform_left_filter_feature_0_choice_42;
+      else
+        transform_left_filter_feature_0_choice_43 := ((transform_left_filter_column_2_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_43 then
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_44 then
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_45 then
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_46 then
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_47 then
+        transform_left_filter_feature_0_choice_48 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_48 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_48 then
+        transform_left_filter_feature_0_choice_49 := transform_filtering_0_column_inside_2 and
+          ((transform_left_filter_column_2_3 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_49 := transform_filtering_0_column_inside_2 and
+          (((transform_left_filter_column_2_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_2_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_50 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_51 := transform_left_filter_feature_0_choice_50;
+      else
+        transform_left_filter_feature_0_choice_51 := ((transform_left_filter_column_2_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_51 then
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_52 then
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_53 then
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_54 then
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_55 then
+        transform_left_filter_feature_0_choice_56 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_56 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_56 then
+        transform_left_filter_feature_0_choice_57 := transform_filtering_0_column_inside_2 and
+          ((transform_left_filter_column_2_1 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_57 := transform_filtering_0_column_inside_2 and
+          (((transform_left_filter_column_2_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_2_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_58 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_59 := transform_left_filter_feature_0_choice_58;
+      else
+        transform_left_filter_feature_0_choice_59 := ((transform_left_filter_column_2_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_59 then
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_60 then
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_61 then
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_62 then
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_63 then
+        transform_left_filter_feature_0_choice_64 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_64 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_64 then
+        transform_left_filter_feature_0_choice_65 := transform_filtering_0_column_inside_2 and
+          ((transform_left_filter_column_2_0 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_65 := transform_filtering_0_column_inside_2 and
+          (((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_2_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_66 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_67 := transform_left_filter_feature_0_choice_66;
+      else
+        transform_left_filter_feature_0_choice_67 := ((transform_left_filter_column_2_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_67 then
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_68 then
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_69 then
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_70 then
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_71 then
+        transform_left_filter_feature_0_choice_72 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_72 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_72 then
+        transform_left_filter_feature_0_choice_73 := transform_filtering_0_column_inside_2 and
+          ((transform_left_filter_column_2_2 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_73 := transform_filtering_0_column_inside_2 and
+          (((transform_left_filter_column_2_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_2_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_74 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_75 := transform_left_filter_feature_0_choice_74;
+      else
+        transform_left_filter_feature_0_choice_75 := ((transform_left_filter_column_2_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_75 then
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_76 then
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_77 then
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_78 then
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_79 then
+        transform_left_filter_feature_0_choice_80 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_80 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_80 then
+        transform_left_filter_feature_0_choice_81 := transform_filtering_0_column_inside_2 and
+          ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_81 := transform_filtering_0_column_inside_2 and
+          (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_4_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_82 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_83 := transform_left_filter_feature_0_choice_82;
+      else
+        transform_left_filter_feature_0_choice_83 := ((transform_left_filter_column_4_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_83 then
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_84 then
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_85 then
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_86 then
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_87 then
+        transform_left_filter_feature_0_choice_88 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_88 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_88 then
+        transform_left_filter_feature_0_choice_89 := transform_filtering_0_column_inside_4 and
+          ((transform_left_filter_column_4_3 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_89 := transform_filtering_0_column_inside_4 and
+          (((transform_left_filter_column_4_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_4_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_90 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_91 := transform_left_filter_feature_0_choice_90;
+      else
+        transform_left_filter_feature_0_choice_91 := ((transform_left_filter_column_4_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_91 then
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_92 then
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_93 then
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_94 then
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_95 then
+        transform_left_filter_feature_0_choice_96 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_96 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_96 then
+        transform_left_filter_feature_0_choice_97 := transform_filtering_0_column_inside_4 and
+          ((transform_left_filter_column_4_0 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_97 := transform_filtering_0_column_inside_4 and
+          (((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_4_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_98 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_99 := transform_left_filter_feature_0_choice_98;
+      else
+        transform_left_filter_feature_0_choice_99 := ((transform_left_filter_column_4_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_99 then
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_100 then
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_101 then
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_102 then
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_103 then
+        transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_104 then
+        transform_left_filter_feature_0_choice_105 := transform_filtering_0_column_inside_4 and
+          ((transform_left_filter_column_4_1 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_105 := transform_filtering_0_column_inside_4 and
+          (((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_4_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_106 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_107 := transform_left_filter_feature_0_choice_106;
+      else
+        transform_left_filter_feature_0_choice_107 := ((transform_left_filter_column_4_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_107 then
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_108 then
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_109 then
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_110 then
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_111 then
+        transform_left_filter_feature_0_choice_112 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_112 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_112 then
+        transform_left_filter_feature_0_choice_113 := transform_filtering_0_column_inside_4 and
+          ((transform_left_filter_column_4_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_113 := transform_filtering_0_column_inside_4 and
+          (((transform_left_filter_column_4_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_6_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_114 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_115 := transform_left_filter_feature_0_choice_114;
+      else
+        transform_left_filter_feature_0_choice_115 := ((transform_left_filter_column_6_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_115 then
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_116 then
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_117 then
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_118 then
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_119 then
+        transform_left_filter_feature_0_choice_120 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_120 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_120 then
+        transform_left_filter_feature_0_choice_121 := transform_filtering_0_column_inside_6 and
+          ((transform_left_filter_column_6_3 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_121 := transform_filtering_0_column_inside_6 and
+          (((transform_left_filter_column_6_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_6_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_122 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_123 := transform_left_filter_feature_0_choice_122;
+      else
+        transform_left_filter_feature_0_choice_123 := ((transform_left_filter_column_6_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_123 then
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_124 then
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_125 then
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_126 then
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_127 then
+        transform_left_filter_feature_0_choice_128 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_128 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_128 then
+        transform_left_filter_feature_0_choice_129 := transform_filtering_0_column_inside_6 and
+          ((transform_left_filter_column_6_1 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_129 := transform_filtering_0_column_inside_6 and
+          (((transform_left_filter_column_6_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_6_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_130 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_131 := transform_left_filter_feature_0_choice_130;
+      else
+        transform_left_filter_feature_0_choice_131 := ((transform_left_filter_column_6_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_131 then
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_132 then
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_133 then
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_134 then
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_135 then
+        transform_left_filter_feature_0_choice_136 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_136 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_136 then
+        transform_left_filter_feature_0_choice_137 := transform_filtering_0_column_inside_6 and
+          ((transform_left_filter_column_6_0 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_137 := transform_filtering_0_column_inside_6 and
+          (((transform_left_filter_column_6_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_6_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_138 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_139 := transform_left_filter_feature_0_choice_138;
+      else
+        transform_left_filter_feature_0_choice_139 := ((transform_left_filter_column_6_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_139 then
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_140 then
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_141 then
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_142 then
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_143 then
+        transform_left_filter_feature_0_choice_144 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_144 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_144 then
+        transform_left_filter_feature_0_choice_145 := transform_filtering_0_column_inside_6 and
+          ((transform_left_filter_column_6_2 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_145 := transform_filtering_0_column_inside_6 and
+          (((transform_left_filter_column_6_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_6_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_146 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_147 := transform_left_filter_feature_0_choice_146;
+      else
+        transform_left_filter_feature_0_choice_147 := ((transform_left_filter_column_6_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_147 then
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_148 then
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_149 then
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_150 then
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_151 then
+        transform_left_filter_feature_0_choice_152 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_152 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_152 then
+        transform_left_filter_feature_0_choice_153 := transform_filtering_0_column_inside_6 and
+          ((transform_left_filter_column_6_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_153 := transform_filtering_0_column_inside_6 and
+          (((transform_left_filter_column_6_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_8_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_154 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_155 := transform_left_filter_feature_0_choice_154;
+      else
+        transform_left_filter_feature_0_choice_155 := ((transform_left_filter_column_8_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_155 then
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_8_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_8_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_156 then
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_8_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_8_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_157 then
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_8_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_8_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_158 then
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_8_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_8_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_159 then
+        transform_left_filter_feature_0_choice_160 := (not (((transform_left_filter_column_8_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_160 := (not (((transform_left_filter_column_8_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_160 then
+        transform_left_filter_feature_0_choice_161 := transform_filtering_0_column_inside_8 and
+          ((transform_left_filter_column_8_3 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_161 := transform_filtering_0_column_inside_8 and
+          (((transform_left_filter_column_8_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_8_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_162 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_163 := transform_left_filter_feature_0_choice_162;
+      else
+        transform_left_filter_feature_0_choice_163 := ((transform_left_filter_column_8_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_163 then
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_164 then
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_165 then
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_166 then
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_167 then
+        transform_left_filter_feature_0_choice_168 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_168 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_168 then
+        transform_left_filter_feature_0_choice_169 := transform_filtering_0_column_inside_8 and
+          ((transform_left_filter_column_8_1 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_169 := transform_filtering_0_column_inside_8 and
+          (((transform_left_filter_column_8_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_8_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_170 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_171 := transform_left_filter_feature_0_choice_170;
+      else
+        transform_left_filter_feature_0_choice_171 := ((transform_left_filter_column_8_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_171 then
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_172 then
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_173 then
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_174 then
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_175 then
+        transform_left_filter_feature_0_choice_176 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_176 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_176 then
+        transform_left_filter_feature_0_choice_177 := transform_filtering_0_column_inside_8 and
+          ((transform_left_filter_column_8_0 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_177 := transform_filtering_0_column_inside_8 and
+          (((transform_left_filter_column_8_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_8_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_178 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_179 := transform_left_filter_feature_0_choice_178;
+      else
+        transform_left_filter_feature_0_choice_179 := ((transform_left_filter_column_8_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_179 then
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_180 then
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_181 then
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_182 then
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_183 then
+        transform_left_filter_feature_0_choice_184 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_184 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_184 then
+        transform_left_filter_feature_0_choice_185 := transform_filtering_0_column_inside_8 and
+          ((transform_left_filter_column_8_2 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_185 := transform_filtering_0_column_inside_8 and
+          (((transform_left_filter_column_8_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_8_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_186 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_186 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_187 := transform_left_filter_feature_0_choice_186;
+      else
+        transform_left_filter_feature_0_choice_187 := ((transform_left_filter_column_8_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_187 then
+        transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_188 then
+        transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_189 then
+        transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_190 then
+        transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_191 then
+        transform_left_filter_feature_0_choice_192 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_192 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_192 then
+        transform_left_filter_feature_0_choice_193 := transform_filtering_0_column_inside_8 and
+          ((transform_left_filter_column_8_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_193 := transform_filtering_0_column_inside_8 and
+          (((transform_left_filter_column_8_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      end if;
+      transform_right_filter_feature_0_value := ((transform_right_filter_column_4_2 / 2) mod 2) = 1;
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
-        ((transform_right_filter_column_4_1 mod 2) = 1));
-      if (transform_right_filter_column_8_0 mod 2) = 1 then
+        ((transform_right_filter_column_4_2 mod 2) = 1));
+      if (transform_right_filter_column_0_1 mod 2) = 1 then
         transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
       else
         transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
       end if;
-      transform_right_filter_feature_0_is_equal := (transform_right_filter_column_4_1 mod 4) = 0;
-      if ((transform_right_filter_column_8_0 / 2) mod 2) = 1 then
+      transform_right_filter_feature_0_is_equal := (transform_right_filter_column_4_2 mod 4) = 0;
+      if ((transform_right_filter_column_0_1 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
       else
-        transform_right_filter_feature_0_choice_2 := ((transform_right_filter_column_8_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_2 := ((transform_right_filter_column_0_1 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_4_1 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_4_2 / 4) mod 2) = 1;
       if transform_right_filter_feature_0_choice_2 then
-        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
           transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or
           transform_right_filter_feature_0_value_2;
       end if;
-      transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_4_1 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_4_2 / 8) mod 2) = 1;
       if transform_right_filter_feature_0_choice_3 then
-        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
           transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and
           transform_right_filter_feature_0_value_3;
       end if;
-      transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_4_1 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_4_2 / 16) mod 2) = 1;
       if transform_right_filter_feature_0_choice_4 then
-        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
           transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and
           transform_right_filter_feature_0_value_4;
       end if;
-      transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_4_1 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_4_2 / 32) mod 2) = 1;
       if transform_right_filter_feature_0_choice_5 then
-        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
           transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and
           transform_right_filter_feature_0_value_5;
       end if;
-      transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_4_1 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_4_2 / 64) mod 2) = 1;
       if transform_right_filter_feature_0_choice_6 then
-        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
           transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and
           transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_7 then
-        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_8_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
+        transform_right_filter_feature_0_choice_8 := transform_filtering_0_column_inside_0 and
+          ((transform_right_filter_column_0_1 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_8_0 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
+        transform_right_filter_feature_0_choice_8 := transform_filtering_0_column_inside_0 and
+          (((transform_right_filter_column_0_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
       end if;
-      if (transform_right_filter_column_8_1 mod 2) = 1 then
+      if (transform_right_filter_column_0_3 mod 2) = 1 then
         transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any;
       else
         transform_right_filter_feature_0_choice_9 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_8_1 / 2) mod 2) = 1 then
+      if ((transform_right_filter_column_0_3 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9;
       else
-        transform_right_filter_feature_0_choice_10 := ((transform_right_filter_column_8_1 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_10 := ((transform_right_filter_column_0_3 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_10 then
-        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
           transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or
           transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_11 then
-        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
           transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and
           transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_12 then
-        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
           transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and
           transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_13 then
-        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
           transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and
           transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_14 then
-        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
           transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and
           transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_15 then
-        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_8_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
+        transform_right_filter_feature_0_choice_16 := transform_filtering_0_column_inside_0 and
+          ((transform_right_filter_column_0_3 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_8_1 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
+        transform_right_filter_feature_0_choice_16 := transform_filtering_0_column_inside_0 and
+          (((transform_right_filter_column_0_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
       end if;
-      if (transform_right_filter_column_8_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any;
+      if (transform_right_filter_column_0_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_17 := (transform_right_filter_column_4_2 mod 4) = 3;
       else
-        transform_right_filter_feature_0_choice_17 := not transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_8_2 / 2) mod 2) = 1 then
+      if ((transform_right_filter_column_0_0 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17;
       else
-        transform_right_filter_feature_0_choice_18 := ((transform_right_filter_column_8_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_18 then
-        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_19 then
-        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_20 then
-        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_21 then
-        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_22 then
-        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_23 then
-        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_8_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_8_2 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_7_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_25 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_7_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25;
-      else
-        transform_right_filter_feature_0_choice_26 := ((transform_right_filter_column_7_0 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_26 then
-        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_27 then
-        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_28 then
-        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_29 then
-        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_30 then
-        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_31 then
-        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_7_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_7_0 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_7_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_33 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_7_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33;
-      else
-        transform_right_filter_feature_0_choice_34 := ((transform_right_filter_column_7_1 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_34 then
-        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_35 then
-        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_36 then
-        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_37 then
-        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_38 then
-        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_39 then
-        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_7_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_7_1 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_7_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_41 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_7_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41;
-      else
-        transform_right_filter_feature_0_choice_42 := ((transform_right_filter_column_7_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_42 then
-        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_43 then
-        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_44 then
-        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_45 then
-        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_46 then
-        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_47 then
-        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_7_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_7_2 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_6_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_49 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_6_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49;
-      else
-        transform_right_filter_feature_0_choice_50 := ((transform_right_filter_column_6_0 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_50 then
-        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_51 then
-        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_52 then
-        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_53 then
-        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_54 then
-        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_55 then
-        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_6_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_6_0 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_6_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_57 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_6_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57;
-      else
-        transform_right_filter_feature_0_choice_58 := ((transform_right_filter_column_6_1 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_58 then
-        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_59 then
-        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_60 then
-        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_61 then
-        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_62 then
-        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_63 then
-        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_6_1 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_6_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_65 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_6_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65;
-      else
-        transform_right_filter_feature_0_choice_66 := ((transform_right_filter_column_6_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_66 then
-        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_67 then
-        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_68 then
-        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_69 then
-        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_70 then
-        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_71 then
-        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_6_2 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_5_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_73 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_5_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73;
-      else
-        transform_right_filter_feature_0_choice_74 := ((transform_right_filter_column_5_0 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_74 then
-        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_75 then
-        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_76 then
-        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_77 then
-        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_78 then
-        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_79 then
-        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_5_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_5_0 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_5_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_81 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_5_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81;
-      else
-        transform_right_filter_feature_0_choice_82 := ((transform_right_filter_column_5_1 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_82 then
-        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_83 then
-        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_84 then
-        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_85 then
-        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_86 then
-        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_87 then
-        transform_right_filter_feature_0_choice_88 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_88 := ((transform_right_filter_column_5_1 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_5_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_89 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_5_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89;
-      else
-        transform_right_filter_feature_0_choice_90 := ((transform_right_filter_column_5_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_90 then
-        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_91 then
-        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_92 then
-        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_93 then
-        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_94 then
-        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_95 then
-        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_5_2 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_4_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_97 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_4_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97;
-      else
-        transform_right_filter_feature_0_choice_98 := ((transform_right_filter_column_4_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_98 then
-        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_99 then
-        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_100 then
-        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_101 then
-        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_102 then
-        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_103 then
-        transform_right_filter_feature_0_choice_104 := transform_filtering_0_column_inside_4 and
-          ((transform_right_filter_column_4_2 / 128) = 1) and (not ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_104 := transform_filtering_0_column_inside_4 and
-          (((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1)));
-      end if;
-      if (transform_right_filter_column_3_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_105 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_3_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105;
-      else
-        transform_right_filter_feature_0_choice_106 := ((transform_right_filter_column_3_1 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_106 then
-        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_107 then
-        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_108 then
-        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_109 then
-        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_110 then
-        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_111 then
-        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_3_1 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_3_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_113 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_3_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113;
-      else
-        transform_right_filter_feature_0_choice_114 := ((transform_right_filter_column_3_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_114 then
-        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_115 then
-        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_116 then
-        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_117 then
-        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_118 then
-        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_119 then
-        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_3_2 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_3_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_121 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_3_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121;
-      else
-        transform_right_filter_feature_0_choice_122 := ((transform_right_filter_column_3_0 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_122 then
-        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_123 then
-        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_124 then
-        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_125 then
-        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_126 then
-        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_127 then
-        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_3_0 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_2_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_129 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_2_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129;
-      else
-        transform_right_filter_feature_0_choice_130 := ((transform_right_filter_column_2_1 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_130 then
-        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_131 then
-        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_132 then
-        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_133 then
-        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_134 then
-        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_135 then
-        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_2_1 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_2_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_137 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_2_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137;
-      else
-        transform_right_filter_feature_0_choice_138 := ((transform_right_filter_column_2_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_138 then
-        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_139 then
-        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_140 then
-        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_141 then
-        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_142 then
-        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_143 then
-        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_2_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_2_2 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_2_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_145 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145;
-      else
-        transform_right_filter_feature_0_choice_146 := ((transform_right_filter_column_2_0 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_146 then
-        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_147 then
-        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_148 then
-        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_149 then
-        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_150 then
-        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_151 then
-        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_2_0 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_1_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_153 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_1_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153;
-      else
-        transform_right_filter_feature_0_choice_154 := ((transform_right_filter_column_1_1 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_154 then
-        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_155 then
-        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_156 then
-        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_157 then
-        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_158 then
-        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_159 then
-        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_1_1 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_1_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_161 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_1_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161;
-      else
-        transform_right_filter_feature_0_choice_162 := ((transform_right_filter_column_1_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_162 then
-        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_163 then
-        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_164 then
-        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_165 then
-        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_166 then
-        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_167 then
-        transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_1_2 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_1_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_169 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_1_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169;
-      else
-        transform_right_filter_feature_0_choice_170 := ((transform_right_filter_column_1_0 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_170 then
-        transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_171 then
-        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_172 then
-        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_173 then
-        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_174 then
-        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_175 then
-        transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_1_0 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_0_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_177 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_0_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177;
-      else
-        transform_right_filter_feature_0_choice_178 := ((transform_right_filter_column_0_1 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_178 then
-        transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_179 then
-        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_180 then
-        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_181 then
-        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_182 then
-        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_183 then
-        transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_0_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_185 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_185 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_0_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_186 := transform_right_filter_feature_0_choice_185;
-      else
-        transform_right_filter_feature_0_choice_186 := ((transform_right_filter_column_0_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_186 then
-        transform_right_filter_feature_0_choice_187 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_187 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_187 then
-        transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_188 then
-        transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_189 then
-        transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_190 then
-        transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_191 then
-        transform_right_filter_feature_0_choice_192 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_192 := ((transform_right_filter_column_0_2 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_4_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_193 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1);
-      else
-        transform_right_filter_feature_0_choice_193 := (transform_right_filter_column_0_0 mod 4) = 0;
-      end if;
-      if transform_right_filter_feature_0_value then
-        transform_right_filter_feature_0_choice_194 := ((transform_right_filter_column_4_1 mod 2) = 1) or (not
-          (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) =
-          1));
-      else
-        transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
+        transform_right_filter_feature_0_choice_18 := (not ((transform_right_filter_column_0_0 mod 2) = 1)) or
+          transform_right_filter_feature_0_value or ((transform_right_filter_column_4_2 mod 2) = 1);
       end if;
       transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_194 then
-        transform_right_filter_feature_0_choice_195 := (not transform_right_filter_feature_0_value_2) and
-          transform_right_filter_feature_0_value_7;
+      if transform_right_filter_feature_0_choice_18 then
+        transform_right_filter_feature_0_choice_19 := transform_right_filter_feature_0_value_7 and (not
+          transform_right_filter_feature_0_value_2);
       else
-        transform_right_filter_feature_0_choice_195 := (not transform_right_filter_feature_0_value_2) or
-          transform_right_filter_feature_0_value_7;
+        transform_right_filter_feature_0_choice_19 := transform_right_filter_feature_0_value_7 or (not
+          transform_right_filter_feature_0_value_2);
       end if;
       transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_195 then
-        transform_right_filter_feature_0_choice_196 := (not transform_right_filter_feature_0_value_3) or
-          transform_right_filter_feature_0_value_8;
+      if transform_right_filter_feature_0_choice_19 then
+        transform_right_filter_feature_0_choice_20 := transform_right_filter_feature_0_value_8 or (not
+          transform_right_filter_feature_0_value_3);
       else
-        transform_right_filter_feature_0_choice_196 := (not transform_right_filter_feature_0_value_3) and
-          transform_right_filter_feature_0_value_8;
+        transform_right_filter_feature_0_choice_20 := transform_right_filter_feature_0_value_8 and (not
+          transform_right_filter_feature_0_value_3);
       end if;
       transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_196 then
-        transform_right_filter_feature_0_choice_197 := (not transform_right_filter_feature_0_value_4) or
-          transform_right_filter_feature_0_value_9;
+      if transform_right_filter_feature_0_choice_20 then
+        transform_right_filter_feature_0_choice_21 := transform_right_filter_feature_0_value_9 or (not
+          transform_right_filter_feature_0_value_4);
       else
-        transform_right_filter_feature_0_choice_197 := (not transform_right_filter_feature_0_value_4) and
-          transform_right_filter_feature_0_value_9;
+        transform_right_filter_feature_0_choice_21 := transform_right_filter_feature_0_value_9 and (not
+          transform_right_filter_feature_0_value_4);
       end if;
       transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_197 then
-        transform_right_filter_feature_0_choice_198 := (not transform_right_filter_feature_0_value_5) or
-          transform_right_filter_feature_0_value_10;
+      if transform_right_filter_feature_0_choice_21 then
+        transform_right_filter_feature_0_choice_22 := transform_right_filter_feature_0_value_10 or (not
+          transform_right_filter_feature_0_value_5);
       else
-        transform_right_filter_feature_0_choice_198 := (not transform_right_filter_feature_0_value_5) and
-          transform_right_filter_feature_0_value_10;
+        transform_right_filter_feature_0_choice_22 := transform_right_filter_feature_0_value_10 and (not
+          transform_right_filter_feature_0_value_5);
       end if;
       transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_198 then
-        transform_right_filter_feature_0_choice_199 := (not transform_right_filter_feature_0_value_6) or
-          transform_right_filter_feature_0_value_11;
+      if transform_right_filter_feature_0_choice_22 then
+        transform_right_filter_feature_0_choice_23 := transform_right_filter_feature_0_value_11 or (not
+          transform_right_filter_feature_0_value_6);
       else
-        transform_right_filter_feature_0_choice_199 := (not transform_right_filter_feature_0_value_6) and
-          transform_right_filter_feature_0_value_11;
+        transform_right_filter_feature_0_choice_23 := transform_right_filter_feature_0_value_11 and (not
+          transform_right_filter_feature_0_value_6);
       end if;
-      if transform_right_filter_feature_0_choice_199 then
-        transform_right_filter_feature_0_choice_200 := (not ((transform_right_filter_column_4_1 / 128) = 1)) or
-          ((transform_right_filter_column_0_0 / 128) = 1);
+      if (transform_right_filter_column_0_0 / 128) = 1 then
+        transform_right_filter_feature_0_choice_24 := transform_filtering_0_column_inside_0;
       else
-        transform_right_filter_feature_0_choice_200 := (not ((transform_right_filter_column_4_1 / 128) = 1)) and
-          ((transform_right_filter_column_0_0 / 128) = 1);
+        transform_right_filter_feature_0_choice_24 := transform_filtering_0_column_inside_0 and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_filtering_0_column_inside_0 then
-        transform_right_filter_feature_0_choice_201 := (as_number(transform_right_filter_feature_0_choice_184) * 2) +
-          (as_number(transform_right_filter_feature_0_choice_192) * 4) +
-          as_number(transform_right_filter_feature_0_choice_200);
+      if transform_right_filter_feature_0_choice_23 then
+        transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_choice_24;
       else
-        transform_right_filter_feature_0_choice_201 := 0;
+        transform_right_filter_feature_0_choice_25 := ((transform_right_filter_column_0_0 / 128) = 1) and
+          transform_filtering_0_column_inside_0 and (not ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_filtering_0_column_inside_1 then
-        transform_right_filter_feature_0_choice_202 := (as_number(transform_right_filter_feature_0_choice_160) * 16) +
-          (as_number(transform_right_filter_feature_0_choice_168) * 32) +
-          (as_number(transform_right_filter_feature_0_choice_176) * 8) + transform_right_filter_feature_0_choice_201;
+      if (transform_right_filter_column_0_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_202 := transform_right_filter_feature_0_choice_201;
+        transform_right_filter_feature_0_choice_26 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_filtering_0_column_inside_2 then
-        transform_right_filter_feature_0_choice_203 := (as_number(transform_right_filter_feature_0_choice_136) * 128) +
-          (as_number(transform_right_filter_feature_0_choice_144) * 256) +
-          (as_number(transform_right_filter_feature_0_choice_152) * 64) + transform_right_filter_feature_0_choice_202;
+      if ((transform_right_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_27 := transform_right_filter_feature_0_choice_26;
       else
-        transform_right_filter_feature_0_choice_203 := transform_right_filter_feature_0_choice_202;
-      end if;
-      if transform_filtering_0_column_inside_3 then
-        transform_right_filter_feature_0_choice_204 := (as_number(transform_right_filter_feature_0_choice_112) * 1024)
-          + (as_number(transform_right_filter_feature_0_choice_120) * 2048) +
-          (as_number(transform_right_filter_feature_0_choice_128) * 512) + transform_right_filter_feature_0_choice_203;
-      else
-        transform_right_filter_feature_0_choice_204 := transform_right_filter_feature_0_choice_203;
-      end if;
-      if (transform_right_filter_column_4_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_205 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_205 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_4_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_206 := transform_right_filter_feature_0_choice_205;
-      else
-        transform_right_filter_feature_0_choice_206 := ((transform_right_filter_column_4_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_27 := ((transform_right_filter_column_0_2 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_206 then
-        transform_right_filter_feature_0_choice_207 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+      if transform_right_filter_feature_0_choice_27 then
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
           transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_207 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or
           transform_right_filter_feature_0_value_2;
       end if;
-      if transform_right_filter_feature_0_choice_207 then
-        transform_right_filter_feature_0_choice_208 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+      if transform_right_filter_feature_0_choice_28 then
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
           transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_208 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and
           transform_right_filter_feature_0_value_3;
       end if;
-      if transform_right_filter_feature_0_choice_208 then
-        transform_right_filter_feature_0_choice_209 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+      if transform_right_filter_feature_0_choice_29 then
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
           transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_209 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and
           transform_right_filter_feature_0_value_4;
       end if;
-      if transform_right_filter_feature_0_choice_209 then
-        transform_right_filter_feature_0_choice_210 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+      if transform_right_filter_feature_0_choice_30 then
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
           transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_210 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and
           transform_right_filter_feature_0_value_5;
       end if;
-      if transform_right_filter_feature_0_choice_210 then
-        transform_right_filter_feature_0_choice_211 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+      if transform_right_filter_feature_0_choice_31 then
+        transform_right_filter_feature_0_choice_32 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
           transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_211 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_32 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and
           transform_right_filter_feature_0_value_6;
       end if;
-      if transform_right_filter_feature_0_choice_211 then
-        transform_right_filter_feature_0_choice_212 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
+      if transform_right_filter_feature_0_choice_32 then
+        transform_right_filter_feature_0_choice_33 := transform_filtering_0_column_inside_0 and
+          ((transform_right_filter_column_0_2 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_212 := ((transform_right_filter_column_4_0 / 128) = 1) or (not
-          ((transform_right_filter_column_4_1 / 128) = 1));
+        transform_right_filter_feature_0_choice_33 := transform_filtering_0_column_inside_0 and
+          (((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
       end if;
-      if transform_filtering_0_column_inside_4 then
-        transform_right_filter_feature_0_choice_213 := transform_right_filter_feature_0_choice_204 +
-          (as_number(transform_right_filter_feature_0_choice_212) * 4096);
+      if (transform_right_filter_column_0_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_213 := transform_right_filter_feature_0_choice_204;
+        transform_right_filter_feature_0_choice_34 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_filtering_0_column_inside_5 then
-        transform_right_filter_feature_0_choice_214 := (as_number(transform_right_filter_feature_0_choice_80) * 16384)
-          + (as_number(transform_right_filter_feature_0_choice_88) * 32768) +
-          (as_number(transform_right_filter_feature_0_choice_96) * 65536) +
-          (as_number(transform_right_filter_feature_0_choice_104) * 8192) + transform_right_filter_feature_0_choice_213;
+      if ((transform_right_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_35 := transform_right_filter_feature_0_choice_34;
       else
-        transform_right_filter_feature_0_choice_214 := (as_number(transform_right_filter_feature_0_choice_104) * 8192)
-          + transform_right_filter_feature_0_choice_213;
+        transform_right_filter_feature_0_choice_35 := ((transform_right_filter_column_0_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_filtering_0_column_inside_6 then
-        transform_right_filter_feature_0_choice_215 := (as_number(transform_right_filter_feature_0_choice_56) * 131072)
-          + (as_number(transform_right_filter_feature_0_choice_64) * 262144) +
-          (as_number(transform_right_filter_feature_0_choice_72) * 524288) +
-          transform_right_filter_feature_0_choice_214;
+      if transform_right_filter_feature_0_choice_35 then
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_215 := transform_right_filter_feature_0_choice_214;
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
-      if transform_filtering_0_column_inside_7 then
-        transform_right_filter_feature_0_choice_216 := (as_number(transform_right_filter_feature_0_choice_32) *
-          1048576) + (as_number(transform_right_filter_feature_0_choice_40) * 2097152) +
-          (as_number(transform_right_filter_feature_0_choice_48) * 4194304) +
-          transform_right_filter_feature_0_choice_215;
+      if transform_right_filter_feature_0_choice_36 then
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_216 := transform_right_filter_feature_0_choice_215;
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_37 then
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_38 then
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_39 then
+        transform_right_filter_feature_0_choice_40 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_40 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_40 then
+        transform_right_filter_feature_0_choice_41 := transform_filtering_0_column_inside_0 and
+          ((transform_right_filter_column_0_4 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_41 := transform_filtering_0_column_inside_0 and
+          (((transform_right_filter_column_0_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_2_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_42 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_43 := transform_right_filter_feature_0_choice_42;
+      else
+        transform_right_filter_feature_0_choice_43 := ((transform_right_filter_column_2_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_43 then
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_44 then
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_45 then
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_46 then
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_47 then
+        transform_right_filter_feature_0_choice_48 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_48 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_48 then
+        transform_right_filter_feature_0_choice_49 := transform_filtering_0_column_inside_2 and
+          ((transform_right_filter_column_2_3 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_49 := transform_filtering_0_column_inside_2 and
+          (((transform_right_filter_column_2_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_2_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_50 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_51 := transform_right_filter_feature_0_choice_50;
+      else
+        transform_right_filter_feature_0_choice_51 := ((transform_right_filter_column_2_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_51 then
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_52 then
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_53 then
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_54 then
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_55 then
+        transform_right_filter_feature_0_choice_56 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_56 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_56 then
+        transform_right_filter_feature_0_choice_57 := transform_filtering_0_column_inside_2 and
+          ((transform_right_filter_column_2_1 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_57 := transform_filtering_0_column_inside_2 and
+          (((transform_right_filter_column_2_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_2_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_58 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_59 := transform_right_filter_feature_0_choice_58;
+      else
+        transform_right_filter_feature_0_choice_59 := ((transform_right_filter_column_2_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_59 then
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_60 then
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_61 then
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_62 then
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_63 then
+        transform_right_filter_feature_0_choice_64 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_64 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_64 then
+        transform_right_filter_feature_0_choice_65 := transform_filtering_0_column_inside_2 and
+          ((transform_right_filter_column_2_0 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_65 := transform_filtering_0_column_inside_2 and
+          (((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_2_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_66 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_67 := transform_right_filter_feature_0_choice_66;
+      else
+        transform_right_filter_feature_0_choice_67 := ((transform_right_filter_column_2_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_67 then
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_68 then
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_69 then
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_70 then
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_71 then
+        transform_right_filter_feature_0_choice_72 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_72 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_72 then
+        transform_right_filter_feature_0_choice_73 := transform_filtering_0_column_inside_2 and
+          ((transform_right_filter_column_2_2 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_73 := transform_filtering_0_column_inside_2 and
+          (((transform_right_filter_column_2_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_2_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_74 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_75 := transform_right_filter_feature_0_choice_74;
+      else
+        transform_right_filter_feature_0_choice_75 := ((transform_right_filter_column_2_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_75 then
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_76 then
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_77 then
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_78 then
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_79 then
+        transform_right_filter_feature_0_choice_80 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_80 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_80 then
+        transform_right_filter_feature_0_choice_81 := transform_filtering_0_column_inside_2 and
+          ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_81 := transform_filtering_0_column_inside_2 and
+          (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_4_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_82 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_83 := transform_right_filter_feature_0_choice_82;
+      else
+        transform_right_filter_feature_0_choice_83 := ((transform_right_filter_column_4_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_83 then
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_84 then
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_85 then
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_86 then
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_87 then
+        transform_right_filter_feature_0_choice_88 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_88 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_88 then
+        transform_right_filter_feature_0_choice_89 := transform_filtering_0_column_inside_4 and
+          ((transform_right_filter_column_4_3 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_89 := transform_filtering_0_column_inside_4 and
+          (((transform_right_filter_column_4_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_4_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_90 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_91 := transform_right_filter_feature_0_choice_90;
+      else
+        transform_right_filter_feature_0_choice_91 := ((transform_right_filter_column_4_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_91 then
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_92 then
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_93 then
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_94 then
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_95 then
+        transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_96 then
+        transform_right_filter_feature_0_choice_97 := transform_filtering_0_column_inside_4 and
+          ((transform_right_filter_column_4_0 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_97 := transform_filtering_0_column_inside_4 and
+          (((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_4_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_98 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_99 := transform_right_filter_feature_0_choice_98;
+      else
+        transform_right_filter_feature_0_choice_99 := ((transform_right_filter_column_4_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_99 then
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_100 then
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_101 then
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_102 then
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_103 then
+        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_104 then
+        transform_right_filter_feature_0_choice_105 := transform_filtering_0_column_inside_4 and
+          ((transform_right_filter_column_4_1 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_105 := transform_filtering_0_column_inside_4 and
+          (((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_4_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_106 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_107 := transform_right_filter_feature_0_choice_106;
+      else
+        transform_right_filter_feature_0_choice_107 := ((transform_right_filter_column_4_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_107 then
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_108 then
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_109 then
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_110 then
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_111 then
+        transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_112 then
+        transform_right_filter_feature_0_choice_113 := transform_filtering_0_column_inside_4 and
+          ((transform_right_filter_column_4_4 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_113 := transform_filtering_0_column_inside_4 and
+          (((transform_right_filter_column_4_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_6_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_114 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_115 := transform_right_filter_feature_0_choice_114;
+      else
+        transform_right_filter_feature_0_choice_115 := ((transform_right_filter_column_6_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_115 then
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_116 then
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_117 then
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_118 then
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_119 then
+        transform_right_filter_feature_0_choice_120 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_120 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_120 then
+        transform_right_filter_feature_0_choice_121 := transform_filtering_0_column_inside_6 and
+          ((transform_right_filter_column_6_3 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_121 := transform_filtering_0_column_inside_6 and
+          (((transform_right_filter_column_6_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_6_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_122 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_123 := transform_right_filter_feature_0_choice_122;
+      else
+        transform_right_filter_feature_0_choice_123 := ((transform_right_filter_column_6_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_123 then
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_124 then
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_125 then
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_126 then
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_127 then
+        transform_right_filter_feature_0_choice_128 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_128 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_128 then
+        transform_right_filter_feature_0_choice_129 := transform_filtering_0_column_inside_6 and
+          ((transform_right_filter_column_6_1 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_129 := transform_filtering_0_column_inside_6 and
+          (((transform_right_filter_column_6_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_6_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_130 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_131 := transform_right_filter_feature_0_choice_130;
+      else
+        transform_right_filter_feature_0_choice_131 := ((transform_right_filter_column_6_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_131 then
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_132 then
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_133 then
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_134 then
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_135 then
+        transform_right_filter_feature_0_choice_136 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_136 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_136 then
+        transform_right_filter_feature_0_choice_137 := transform_filtering_0_column_inside_6 and
+          ((transform_right_filter_column_6_0 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_137 := transform_filtering_0_column_inside_6 and
+          (((transform_right_filter_column_6_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_6_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_138 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_139 := transform_right_filter_feature_0_choice_138;
+      else
+        transform_right_filter_feature_0_choice_139 := ((transform_right_filter_column_6_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_139 then
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_140 then
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_141 then
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_142 then
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_143 then
+        transform_right_filter_feature_0_choice_144 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_144 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_144 then
+        transform_right_filter_feature_0_choice_145 := transform_filtering_0_column_inside_6 and
+          ((transform_right_filter_column_6_2 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_145 := transform_filtering_0_column_inside_6 and
+          (((transform_right_filter_column_6_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_6_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_146 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_147 := transform_right_filter_feature_0_choice_146;
+      else
+        transform_right_filter_feature_0_choice_147 := ((transform_right_filter_column_6_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_147 then
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_148 then
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_149 then
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_150 then
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_151 then
+        transform_right_filter_feature_0_choice_152 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_152 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_152 then
+        transform_right_filter_feature_0_choice_153 := transform_filtering_0_column_inside_6 and
+          ((transform_right_filter_column_6_4 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_153 := transform_filtering_0_column_inside_6 and
+          (((transform_right_filter_column_6_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_8_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_154 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_155 := transform_right_filter_feature_0_choice_154;
+      else
+        transform_right_filter_feature_0_choice_155 := ((transform_right_filter_column_8_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_155 then
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_8_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_8_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_156 then
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_8_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_8_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_157 then
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_8_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_8_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_158 then
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_8_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_8_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_159 then
+        transform_right_filter_feature_0_choice_160 := (not (((transform_right_filter_column_8_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_160 := (not (((transform_right_filter_column_8_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_160 then
+        transform_right_filter_feature_0_choice_161 := transform_filtering_0_column_inside_8 and
+          ((transform_right_filter_column_8_3 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_161 := transform_filtering_0_column_inside_8 and
+          (((transform_right_filter_column_8_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_8_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_162 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_163 := transform_right_filter_feature_0_choice_162;
+      else
+        transform_right_filter_feature_0_choice_163 := ((transform_right_filter_column_8_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_163 then
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_164 then
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_165 then
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_166 then
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_167 then
+        transform_right_filter_feature_0_choice_168 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_168 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_168 then
+        transform_right_filter_feature_0_choice_169 := transform_filtering_0_column_inside_8 and
+          ((transform_right_filter_column_8_1 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_169 := transform_filtering_0_column_inside_8 and
+          (((transform_right_filter_column_8_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_8_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_170 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_171 := transform_right_filter_feature_0_choice_170;
+      else
+        transform_right_filter_feature_0_choice_171 := ((transform_right_filter_column_8_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_171 then
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_172 then
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_173 then
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_174 then
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_175 then
+        transform_right_filter_feature_0_choice_176 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_176 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_176 then
+        transform_right_filter_feature_0_choice_177 := transform_filtering_0_column_inside_8 and
+          ((transform_right_filter_column_8_0 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_177 := transform_filtering_0_column_inside_8 and
+          (((transform_right_filter_column_8_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_8_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_178 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_179 := transform_right_filter_feature_0_choice_178;
+      else
+        transform_right_filter_feature_0_choice_179 := ((transform_right_filter_column_8_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_179 then
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_180 then
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_181 then
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_182 then
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_183 then
+        transform_right_filter_feature_0_choice_184 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_184 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_184 then
+        transform_right_filter_feature_0_choice_185 := transform_filtering_0_column_inside_8 and
+          ((transform_right_filter_column_8_2 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_185 := transform_filtering_0_column_inside_8 and
+          (((transform_right_filter_column_8_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_8_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_186 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_186 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_187 := transform_right_filter_feature_0_choice_186;
+      else
+        transform_right_filter_feature_0_choice_187 := ((transform_right_filter_column_8_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_187 then
+        transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_188 then
+        transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_189 then
+        transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_190 then
+        transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_191 then
+        transform_right_filter_feature_0_choice_192 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_192 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_192 then
+        transform_right_filter_feature_0_choice_193 := transform_filtering_0_column_inside_8 and
+          ((transform_right_filter_column_8_4 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_193 := transform_filtering_0_column_inside_8 and
+          (((transform_right_filter_column_8_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
       end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
       transform_left_rows_read_newest_0 <= transform_left_0;
-      transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
+      transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
       transform_right_rows_read_newest_0 <= transform_right_0;
-      transform_right_rows_ready_words_0 <= to_integer(transform_right_rows_read_words_0);
+      transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
-      transform_read_row_inside_0 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
+      transform_read_row_inside_0 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
+        (transform_counter_group mod 4)) < 375;
+      transform_read_row_inside_1 <= (transform_counter_group >= 3) and (transform_counter_group < 378);
+      transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 375;
-      transform_read_row_inside_1 <= (transform_counter_group >= 1) and (transform_counter_group < 376);
-      transform_read_row_inside_2 <= transform_counter_group < 375;
+      transform_read_row_inside_3 <= (transform_counter_group >= 1) and (transform_counter_group < 376);
+      transform_read_row_inside_4 <= transform_counter_group < 375;
       transform_read_column_inside_0 <= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_1 <= (transform_counter_column = 0) /= transform_read_column_inside_0_is_less;
       transform_read_column_inside_2 <= (transform_counter_column < 2) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_3 <= transform_counter_column /= 3;
       transform_read_column_inside_4 <= (transform_counter_column < 4) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_5 <= (transform_counter_column < 5) /= transform_read_column_inside_0_is_less;
       transform_read_column_inside_6 <= (transform_counter_column < 6) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_7 <= (transform_counter_column < 7) /= transform_read_column_inside_0_is_less;
       transform_read_column_inside_8 <= (transform_counter_column < 8) /= transform_read_column_inside_0_is_less;
-      transform_read_start_of_frame <= (transform_counter_group = 1) and (transform_counter_column = 4);
+      transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 4);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
       transform_ready_row_inside_0 <= transform_read_row_inside_0;
       transform_ready_row_inside_1 <= transform_read_row_inside_1;
       transform_ready_row_inside_2 <= transform_read_row_inside_2;
+      transform_ready_row_inside_3 <= transform_read_row_inside_3;
+      transform_ready_row_inside_4 <= transform_read_row_inside_4;
       transform_ready_column_inside_0 <= transform_read_column_inside_0;
-      transform_ready_column_inside_1 <= transform_read_column_inside_1;
       transform_ready_column_inside_2 <= transform_read_column_inside_2;
-      transform_ready_column_inside_3 <= transform_read_column_inside_3;
       transform_ready_column_inside_4 <= transform_read_column_inside_4;
-      transform_ready_column_inside_5 <= transform_read_column_inside_5;
       transform_ready_column_inside_6 <= transform_read_column_inside_6;
-      transform_ready_column_inside_7 <= transform_read_column_inside_7;
       transform_ready_column_inside_8 <= transform_read_column_inside_8;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
-      transform_left_column_0 <= transform_left_rows_ready_words_0 mod 256;
-      transform_left_column_1 <= transform_left_rows_ready_words_0 / 256;
-      transform_left_column_2 <= transform_left_rows_ready_newest_0;
-      transform_right_column_0 <= transform_right_rows_ready_words_0 mod 256;
-      transform_right_column_1 <= transform_right_rows_ready_words_0 / 256;
-      transform_right_column_2 <= transform_right_rows_ready_newest_0;
+      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column_1 <= to_integer(transform_left_rows_ready_words_0(15 downto 8));
+      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column_3 <= to_integer(transform_left_rows_ready_words_0(31 downto 24));
+      transform_left_column_4 <= transform_left_rows_ready_newest_0;
+      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column_1 <= to_integer(transform_right_rows_ready_words_0(15 downto 8));
+      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column_3 <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
+      transform_right_column_4 <= transform_right_rows_ready_newest_0;
       transform_columns_row_inside_0 <= transform_ready_row_inside_0;
       transform_columns_row_inside_1 <= transform_ready_row_inside_1;
       transform_columns_row_inside_2 <= transform_ready_row_inside_2;
+      transform_columns_row_inside_3 <= transform_ready_row_inside_3;
+      transform_columns_row_inside_4 <= transform_ready_row_inside_4;
       transform_columns_column_inside_0 <= transform_ready_column_inside_0;
-      transform_columns_column_inside_1 <= transform_ready_column_inside_1;
       transform_columns_column_inside_2 <= transform_ready_column_inside_2;
-      transform_columns_column_inside_3 <= transform_ready_column_inside_3;
       transform_columns_column_inside_4 <= transform_ready_column_inside_4;
-      transform_columns_column_inside_5 <= transform_ready_column_inside_5;
       transform_columns_column_inside_6 <= transform_ready_column_inside_6;
-      transform_columns_column_inside_7 <= transform_ready_column_inside_7;
       transform_columns_column_inside_8 <= transform_ready_column_inside_8;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_filtering_0_row_inside_2 <= refinement_passed_8_0;
+      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 2) +
+        (as_number(transform_left_filter_feature_0_choice_16) * 8) +
+        as_number(transform_left_filter_feature_0_choice_25) + (as_number(transform_left_filter_feature_0_choice_33) *
+        4) + (as_number(transform_left_filter_feature_0_choice_41) * 16) +
+        (as_number(transform_left_filter_feature_0_choice_49) * 256) +
+        (as_number(transform_left_filter_feature_0_choice_57) * 64) +
+        (as_number(transform_left_filter_feature_0_choice_65) * 32) +
+        (as_number(transform_left_filter_feature_0_choice_73) * 128) +
+        (as_number(transform_left_filter_feature_0_choice_81) * 512) +
+        (as_number(transform_left_filter_feature_0_choice_89) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice_97) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice_105) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice_113) * 8192) +
+        (as_number(transform_left_filter_feature_0_choice_121) * 131072) +
+        (as_number(transform_left_filter_feature_0_choice_129) * 32768) +
+        (as_number(transform_left_filter_feature_0_choice_137) * 16384) +
+        (as_number(transform_left_filter_feature_0_choice_145) * 65536) +
+        (as_number(transform_left_filter_feature_0_choice_153) * 262144) +
+        (as_number(transform_left_filter_feature_0_choice_161) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choice_169) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choice_177) * 524288) +
+        (as_number(transform_left_filter_feature_0_choice_185) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choice_193) * 8388608);
+      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 2) +
+        (as_number(transform_right_filter_feature_0_choice_16) * 8) +
+        as_number(transform_right_filter_feature_0_choice_25) + (as_number(transform_right_filter_feature_0_choice_33)
+        * 4) + (as_number(transform_right_filter_feature_0_choice_41) * 16) +
+        (as_number(transform_right_filter_feature_0_choice_49) * 256) +
+        (as_number(transform_right_filter_feature_0_choice_57) * 64) +
+        (as_number(transform_right_filter_feature_0_choice_65) * 32) +
+        (as_number(transform_right_filter_feature_0_choice_73) * 128) +
+        (as_number(transform_right_filter_feature_0_choice_81) * 512) +
+        (as_number(transform_right_filter_feature_0_choice_89) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice_97) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice_105) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice_113) * 8192) +
+        (as_number(transform_right_filter_feature_0_choice_121) * 131072) +
+        (as_number(transform_right_filter_feature_0_choice_129) * 32768) +
+        (as_number(transform_right_filter_feature_0_choice_137) * 16384) +
+        (as_number(transform_right_filter_feature_0_choice_145) * 65536) +
+        (as_number(transform_right_filter_feature_0_choice_153) * 262144) +
+        (as_number(transform_right_filter_feature_0_choice_161) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choice_169) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice_177) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice_185) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choice_193) * 8388608);
+      transform_filtering_0_row_inside_4 <= refinement_passed_8_0;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_0_column_inside_3 <= transform_columns_column_inside_3;
       transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_0_column_inside_5 <= transform_columns_column_inside_5;
       transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
-      transform_filtering_0_column_inside_7 <= transform_columns_column_inside_7;
       transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
       transform_filtering_0_valid <= transform_columns_valid;
-      transform_filtering_1_row_inside_2 <= transform_filtering_0_row_inside_2;
+      transform_filtering_1_row_inside_4 <= transform_filtering_0_row_inside_4;
       transform_filtering_1_column_inside_4 <= refinement_passed_3_0;
       transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
       transform_filtering_1_valid <= transform_filtering_0_valid;
@@ -5397,21 +5051,8 @@ begin
       else
         transform_counter_group <= transform_counter_group_choice_3;
       end if;
-      if transform_filtering_0_column_inside_8 then
-        transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 8388608) +
-          (as_number(transform_left_filter_feature_0_choice_16) * 16777216) +
-          (as_number(transform_left_filter_feature_0_choice_24) * 33554432) +
-          transform_left_filter_feature_0_choice_216;
-        transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 8388608) +
-          (as_number(transform_right_filter_feature_0_choice_16) * 16777216) +
-          (as_number(transform_right_filter_feature_0_choice_24) * 33554432) +
-          transform_right_filter_feature_0_choice_216;
-      else
-        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_216;
-        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_216;
-      end if;
       if transform_counter_group_is_equal_2 then
-        transform_counter_next_frame_choice := (transform_counter_group /= 375) and transform_counter_next_frame;
+        transform_counter_next_frame_choice := (transform_counter_group /= 376) and transform_counter_next_frame;
       else
         transform_counter_next_frame_choice := transform_counter_next_frame;
       end if;
@@ -5434,61 +5075,93 @@ begin
         end if;
       end if;
       if transform_ready_valid then
-        transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
-          (transform_left_rows_ready_words_0 / 256);
-        transform_right_rows_write_words_0 <= (transform_right_rows_ready_newest_0 * 256) +
-          (transform_right_rows_ready_words_0 / 256);
+        transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
+          transform_left_rows_ready_words_0(31 downto 8);
+        transform_right_rows_write_words_0 <= to_unsigned(transform_right_rows_ready_newest_0, 8) &
+          transform_right_rows_ready_words_0(31 downto 8);
         transform_write_column <= transform_ready_column;
       end if;
       if transform_columns_valid then
         transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
         transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
         transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
+        transform_left_filter_column_1_3 <= transform_left_filter_column_0_3;
+        transform_left_filter_column_1_4 <= transform_left_filter_column_0_4;
         transform_left_filter_column_2_0 <= transform_left_filter_column_1_0;
         transform_left_filter_column_2_1 <= transform_left_filter_column_1_1;
         transform_left_filter_column_2_2 <= transform_left_filter_column_1_2;
+        transform_left_filter_column_2_3 <= transform_left_filter_column_1_3;
+        transform_left_filter_column_2_4 <= transform_left_filter_column_1_4;
         transform_left_filter_column_3_0 <= transform_left_filter_column_2_0;
         transform_left_filter_column_3_1 <= transform_left_filter_column_2_1;
         transform_left_filter_column_3_2 <= transform_left_filter_column_2_2;
+        transform_left_filter_column_3_3 <= transform_left_filter_column_2_3;
+        transform_left_filter_column_3_4 <= transform_left_filter_column_2_4;
         transform_left_filter_column_4_0 <= transform_left_filter_column_3_0;
         transform_left_filter_column_4_1 <= transform_left_filter_column_3_1;
         transform_left_filter_column_4_2 <= transform_left_filter_column_3_2;
+        transform_left_filter_column_4_3 <= transform_left_filter_column_3_3;
+        transform_left_filter_column_4_4 <= transform_left_filter_column_3_4;
         transform_left_filter_column_5_0 <= transform_left_filter_column_4_0;
         transform_left_filter_column_5_1 <= transform_left_filter_column_4_1;
         transform_left_filter_column_5_2 <= transform_left_filter_column_4_2;
+        transform_left_filter_column_5_3 <= transform_left_filter_column_4_3;
+        transform_left_filter_column_5_4 <= transform_left_filter_column_4_4;
         transform_left_filter_column_6_0 <= transform_left_filter_column_5_0;
         transform_left_filter_column_6_1 <= transform_left_filter_column_5_1;
         transform_left_filter_column_6_2 <= transform_left_filter_column_5_2;
+        transform_left_filter_column_6_3 <= transform_left_filter_column_5_3;
+        transform_left_filter_column_6_4 <= transform_left_filter_column_5_4;
         transform_left_filter_column_7_0 <= transform_left_filter_column_6_0;
         transform_left_filter_column_7_1 <= transform_left_filter_column_6_1;
         transform_left_filter_column_7_2 <= transform_left_filter_column_6_2;
+        transform_left_filter_column_7_3 <= transform_left_filter_column_6_3;
+        transform_left_filter_column_7_4 <= transform_left_filter_column_6_4;
         transform_left_filter_column_8_0 <= transform_left_filter_column_7_0;
         transform_left_filter_column_8_1 <= transform_left_filter_column_7_1;
         transform_left_filter_column_8_2 <= transform_left_filter_column_7_2;
+        transform_left_filter_column_8_3 <= transform_left_filter_column_7_3;
+        transform_left_filter_column_8_4 <= transform_left_filter_column_7_4;
         transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
         transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
         transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
+        transform_right_filter_column_1_3 <= transform_right_filter_column_0_3;
+        transform_right_filter_column_1_4 <= transform_right_filter_column_0_4;
         transform_right_filter_column_2_0 <= transform_right_filter_column_1_0;
         transform_right_filter_column_2_1 <= transform_right_filter_column_1_1;
         transform_right_filter_column_2_2 <= transform_right_filter_column_1_2;
+        transform_right_filter_column_2_3 <= transform_right_filter_column_1_3;
+        transform_right_filter_column_2_4 <= transform_right_filter_column_1_4;
         transform_right_filter_column_3_0 <= transform_right_filter_column_2_0;
         transform_right_filter_column_3_1 <= transform_right_filter_column_2_1;
         transform_right_filter_column_3_2 <= transform_right_filter_column_2_2;
+        transform_right_filter_column_3_3 <= transform_right_filter_column_2_3;
+        transform_right_filter_column_3_4 <= transform_right_filter_column_2_4;
         transform_right_filter_column_4_0 <= transform_right_filter_column_3_0;
         transform_right_filter_column_4_1 <= transform_right_filter_column_3_1;
         transform_right_filter_column_4_2 <= transform_right_filter_column_3_2;
+        transform_right_filter_column_4_3 <= transform_right_filter_column_3_3;
+        transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
         transform_right_filter_column_5_0 <= transform_right_filter_column_4_0;
         transform_right_filter_column_5_1 <= transform_right_filter_column_4_1;
         transform_right_filter_column_5_2 <= transform_right_filter_column_4_2;
+        transform_right_filter_column_5_3 <= transform_right_filter_column_4_3;
+        transform_right_filter_column_5_4 <= transform_right_filter_column_4_4;
         transform_right_filter_column_6_0 <= transform_right_filter_column_5_0;
         transform_right_filter_column_6_1 <= transform_right_filter_column_5_1;
         transform_right_filter_column_6_2 <= transform_right_filter_column_5_2;
+        transform_right_filter_column_6_3 <= transform_right_filter_column_5_3;
+        transform_right_filter_column_6_4 <= transform_right_filter_column_5_4;
         transform_right_filter_column_7_0 <= transform_right_filter_column_6_0;
         transform_right_filter_column_7_1 <= transform_right_filter_column_6_1;
         transform_right_filter_column_7_2 <= transform_right_filter_column_6_2;
+        transform_right_filter_column_7_3 <= transform_right_filter_column_6_3;
+        transform_right_filter_column_7_4 <= transform_right_filter_column_6_4;
         transform_right_filter_column_8_0 <= transform_right_filter_column_7_0;
         transform_right_filter_column_8_1 <= transform_right_filter_column_7_1;
         transform_right_filter_column_8_2 <= transform_right_filter_column_7_2;
+        transform_right_filter_column_8_3 <= transform_right_filter_column_7_3;
+        transform_right_filter_column_8_4 <= transform_right_filter_column_7_4;
         if transform_columns_row_inside_0 then
           transform_left_filter_column_0_0 <= transform_left_column_0;
           transform_right_filter_column_0_0 <= transform_right_column_0;
@@ -5509,6 +5182,20 @@ begin
         else
           transform_left_filter_column_0_2 <= 0;
           transform_right_filter_column_0_2 <= 0;
+        end if;
+        if transform_columns_row_inside_3 then
+          transform_left_filter_column_0_3 <= transform_left_column_3;
+          transform_right_filter_column_0_3 <= transform_right_column_3;
+        else
+          transform_left_filter_column_0_3 <= 0;
+          transform_right_filter_column_0_3 <= 0;
+        end if;
+        if transform_columns_row_inside_4 then
+          transform_left_filter_column_0_4 <= transform_left_column_4;
+          transform_right_filter_column_0_4 <= transform_right_column_4;
+        else
+          transform_left_filter_column_0_4 <= 0;
+          transform_right_filter_column_0_4 <= 0;
         end if;
       end if;
       -- raster
@@ -5701,9 +5388,7 @@ begin
       slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_7_value := ((slice0shift_reference_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_reference_0 / 8388608) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_3 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_8_value := ((slice0shift_reference_0 / 16777216) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_0_value := ((slice0shift_reference_1 / 4) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_reference_1 / 2) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_1_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
@@ -5724,9 +5409,7 @@ begin
       slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_7_value := ((slice0shift_reference_1 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_reference_1 / 8388608) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_3 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_8_value := ((slice0shift_reference_1 / 16777216) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
       if slice0cost_ready_tag_first_group then
         slice0cost_column_0_0_choice := 0;
       else
@@ -5852,12 +5535,9 @@ begin
         (((slice0shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_3 /=
         (((slice0shift_search_0_0 / 524288) mod 2) = 1)));
       slice0cost_pixels_first_0_0_count_7 <= as_number((slice0cost_pixels_first_0_0_count_7_value /=
-        (((slice0shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_2 /=
-        (((slice0shift_search_0_0 / 8388608) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_3 /=
+        (((slice0shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_0 / 8388608) = 1) /=
+        ((slice0shift_search_0_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_2 /=
         (((slice0shift_search_0_0 / 4194304) mod 2) = 1)));
-      slice0cost_pixels_first_0_0_count_8 <= as_number((((slice0shift_reference_0 / 33554432) = 1) /=
-        ((slice0shift_search_0_0 / 33554432) = 1))) + as_number((slice0cost_pixels_first_0_0_count_8_value /=
-        (((slice0shift_search_0_0 / 16777216) mod 2) = 1)));
       slice0cost_pixels_first_0_1_count_0 <= as_number((((slice0shift_search_0_1 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
@@ -5887,12 +5567,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_1 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_1_count_7 <= as_number(((((slice0shift_search_0_1 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_1 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_1 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_1_count_8 <= as_number((((slice0shift_search_0_1 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_1 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_1 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_2_count_0 <= as_number((((slice0shift_search_0_2 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
@@ -5922,12 +5599,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_2 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_2_count_7 <= as_number(((((slice0shift_search_0_2 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_2 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_2 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_2_count_8 <= as_number((((slice0shift_search_0_2 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_2 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_2 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_3_count_0 <= as_number((((slice0shift_search_0_3 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_3 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_3 / 2) mod 2) = 1) /=
@@ -5957,12 +5631,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_3 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_3_count_7 <= as_number(((((slice0shift_search_0_3 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_3 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_3 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_3_count_8 <= as_number((((slice0shift_search_0_3 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_3 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_3 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_4_count_0 <= as_number((((slice0shift_search_0_4 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_4 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_4 / 2) mod 2) = 1) /=
@@ -5992,12 +5663,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_4 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_4_count_7 <= as_number(((((slice0shift_search_0_4 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_4 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_4 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_4_count_8 <= as_number((((slice0shift_search_0_4 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_4 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_4 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_5_count_0 <= as_number((((slice0shift_search_0_5 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_5 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_5 / 2) mod 2) = 1) /=
@@ -6027,12 +5695,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_5 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_5_count_7 <= as_number(((((slice0shift_search_0_5 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_5 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_5 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_5_count_8 <= as_number((((slice0shift_search_0_5 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_5 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_5 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_5 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_6_count_0 <= as_number((((slice0shift_search_0_6 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_6 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_6 / 2) mod 2) = 1) /=
@@ -6062,12 +5727,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_6 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_6_count_7 <= as_number(((((slice0shift_search_0_6 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_6 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_6 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_6_count_8 <= as_number((((slice0shift_search_0_6 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_6 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_6 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_6 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_7_count_0 <= as_number((((slice0shift_search_0_7 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_7 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_7 / 2) mod 2) = 1) /=
@@ -6097,12 +5759,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_7 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_7_count_7 <= as_number(((((slice0shift_search_0_7 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_7 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_7 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_7_count_8 <= as_number((((slice0shift_search_0_7 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_7 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_7 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_7 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_8_count_0 <= as_number((((slice0shift_search_0_8 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_8 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_8 / 2) mod 2) = 1) /=
@@ -6132,12 +5791,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_8 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_8_count_7 <= as_number(((((slice0shift_search_0_8 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_8 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_8 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_8_count_8 <= as_number((((slice0shift_search_0_8 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_8 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_8 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_8 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_9_count_0 <= as_number((((slice0shift_search_0_9 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_9 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_9 / 2) mod 2) = 1) /=
@@ -6167,12 +5823,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_9 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_9_count_7 <= as_number(((((slice0shift_search_0_9 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_9 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_9 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_9_count_8 <= as_number((((slice0shift_search_0_9 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_9 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_9 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_9 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_10_count_0 <= as_number((((slice0shift_search_0_10 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_10 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_10 / 2) mod 2) = 1) /=
@@ -6202,12 +5855,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_10 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_10_count_7 <= as_number(((((slice0shift_search_0_10 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_10 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_10 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_10_count_8 <= as_number((((slice0shift_search_0_10 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_10 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_10 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_10 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_11_count_0 <= as_number((((slice0shift_search_0_11 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_11 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_11 / 2) mod 2) = 1) /=
@@ -6237,12 +5887,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_11 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_11_count_7 <= as_number(((((slice0shift_search_0_11 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_11 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_11 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_11_count_8 <= as_number((((slice0shift_search_0_11 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_11 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_11 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_11 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_12_count_0 <= as_number((((slice0shift_search_0_12 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_12 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_12 / 2) mod 2) = 1) /=
@@ -6272,12 +5919,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_12 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_12_count_7 <= as_number(((((slice0shift_search_0_12 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_12 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_12 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_12_count_8 <= as_number((((slice0shift_search_0_12 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_12 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_12 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_12 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_13_count_0 <= as_number((((slice0shift_search_0_13 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_13 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_13 / 2) mod 2) = 1) /=
@@ -6307,12 +5951,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_13 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_13_count_7 <= as_number(((((slice0shift_search_0_13 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_13 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_13 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_13_count_8 <= as_number((((slice0shift_search_0_13 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_13 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_13 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_13 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_14_count_0 <= as_number((((slice0shift_search_0_14 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_14 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_14 / 2) mod 2) = 1) /=
@@ -6342,12 +5983,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_14 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_14_count_7 <= as_number(((((slice0shift_search_0_14 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_14 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_14 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_14_count_8 <= as_number((((slice0shift_search_0_14 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_14 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_14 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_14 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_15_count_0 <= as_number((((slice0shift_search_0_15 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_15 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_15 / 2) mod 2) = 1) /=
@@ -6377,12 +6015,9 @@ begin
         slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_15 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_0_0_count_6_value_3));
       slice0cost_pixels_first_0_15_count_7 <= as_number(((((slice0shift_search_0_15 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((((slice0shift_search_0_15 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice0shift_search_0_15 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_7_value_3));
-      slice0cost_pixels_first_0_15_count_8 <= as_number((((slice0shift_search_0_15 / 33554432) = 1) /=
-        ((slice0shift_reference_0 / 33554432) = 1))) + as_number(((((slice0shift_search_0_15 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_8_value));
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_15 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_15 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_1_0_count_0 <= as_number((((slice0shift_search_1_0 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value /=
         (((slice0shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value_2 /=
@@ -6412,12 +6047,9 @@ begin
         (((slice0shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_3 /=
         (((slice0shift_search_1_0 / 524288) mod 2) = 1)));
       slice0cost_pixels_first_1_0_count_7 <= as_number((slice0cost_pixels_first_1_0_count_7_value /=
-        (((slice0shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_7_value_2 /=
-        (((slice0shift_search_1_0 / 8388608) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_7_value_3 /=
+        (((slice0shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_1 / 8388608) = 1) /=
+        ((slice0shift_search_1_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_1_0_count_7_value_2 /=
         (((slice0shift_search_1_0 / 4194304) mod 2) = 1)));
-      slice0cost_pixels_first_1_0_count_8 <= as_number((((slice0shift_reference_1 / 33554432) = 1) /=
-        ((slice0shift_search_1_0 / 33554432) = 1))) + as_number((slice0cost_pixels_first_1_0_count_8_value /=
-        (((slice0shift_search_1_0 / 16777216) mod 2) = 1)));
       slice0cost_pixels_first_1_1_count_0 <= as_number((((slice0shift_search_1_1 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
@@ -6447,12 +6079,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_1 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_1_count_7 <= as_number(((((slice0shift_search_1_1 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_1 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_1 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_1_count_8 <= as_number((((slice0shift_search_1_1 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_1 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_1 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_2_count_0 <= as_number((((slice0shift_search_1_2 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
@@ -6482,12 +6111,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_2 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_2_count_7 <= as_number(((((slice0shift_search_1_2 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_2 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_2 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_2_count_8 <= as_number((((slice0shift_search_1_2 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_2 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_2 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_3_count_0 <= as_number((((slice0shift_search_1_3 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_3 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_3 / 2) mod 2) = 1) /=
@@ -6517,12 +6143,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_3 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_3_count_7 <= as_number(((((slice0shift_search_1_3 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_3 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_3 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_3_count_8 <= as_number((((slice0shift_search_1_3 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_3 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_3 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_4_count_0 <= as_number((((slice0shift_search_1_4 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_4 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_4 / 2) mod 2) = 1) /=
@@ -6552,12 +6175,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_4 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_4_count_7 <= as_number(((((slice0shift_search_1_4 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_4 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_4 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_4_count_8 <= as_number((((slice0shift_search_1_4 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_4 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_4 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_5_count_0 <= as_number((((slice0shift_search_1_5 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_5 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_5 / 2) mod 2) = 1) /=
@@ -6587,12 +6207,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_5 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_5_count_7 <= as_number(((((slice0shift_search_1_5 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_5 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_5 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_5_count_8 <= as_number((((slice0shift_search_1_5 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_5 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_5 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_5 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_6_count_0 <= as_number((((slice0shift_search_1_6 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_6 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_6 / 2) mod 2) = 1) /=
@@ -6622,12 +6239,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_6 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_6_count_7 <= as_number(((((slice0shift_search_1_6 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_6 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_6 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_6_count_8 <= as_number((((slice0shift_search_1_6 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_6 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_6 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_6 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_7_count_0 <= as_number((((slice0shift_search_1_7 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_7 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_7 / 2) mod 2) = 1) /=
@@ -6657,12 +6271,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_7 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_7_count_7 <= as_number(((((slice0shift_search_1_7 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_7 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_7 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_7_count_8 <= as_number((((slice0shift_search_1_7 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_7 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_7 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_7 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_8_count_0 <= as_number((((slice0shift_search_1_8 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_8 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_8 / 2) mod 2) = 1) /=
@@ -6692,12 +6303,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_8 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_8_count_7 <= as_number(((((slice0shift_search_1_8 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_8 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_8 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_8_count_8 <= as_number((((slice0shift_search_1_8 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_8 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_8 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_8 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_9_count_0 <= as_number((((slice0shift_search_1_9 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_9 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_9 / 2) mod 2) = 1) /=
@@ -6727,12 +6335,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_9 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_9_count_7 <= as_number(((((slice0shift_search_1_9 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_9 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_9 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_9_count_8 <= as_number((((slice0shift_search_1_9 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_9 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_9 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_9 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_10_count_0 <= as_number((((slice0shift_search_1_10 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_10 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_10 / 2) mod 2) = 1) /=
@@ -6762,12 +6367,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_10 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_10_count_7 <= as_number(((((slice0shift_search_1_10 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_10 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_10 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_10_count_8 <= as_number((((slice0shift_search_1_10 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_10 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_10 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_10 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_11_count_0 <= as_number((((slice0shift_search_1_11 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_11 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_11 / 2) mod 2) = 1) /=
@@ -6797,12 +6399,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_11 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_11_count_7 <= as_number(((((slice0shift_search_1_11 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_11 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_11 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_11_count_8 <= as_number((((slice0shift_search_1_11 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_11 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_11 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_11 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_12_count_0 <= as_number((((slice0shift_search_1_12 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_12 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_12 / 2) mod 2) = 1) /=
@@ -6832,12 +6431,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_12 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_12_count_7 <= as_number(((((slice0shift_search_1_12 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_12 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_12 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_12_count_8 <= as_number((((slice0shift_search_1_12 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_12 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_12 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_12 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_13_count_0 <= as_number((((slice0shift_search_1_13 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_13 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_13 / 2) mod 2) = 1) /=
@@ -6867,12 +6463,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_13 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_13_count_7 <= as_number(((((slice0shift_search_1_13 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_13 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_13 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_13_count_8 <= as_number((((slice0shift_search_1_13 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_13 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_13 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_13 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_14_count_0 <= as_number((((slice0shift_search_1_14 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_14 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_14 / 2) mod 2) = 1) /=
@@ -6902,12 +6495,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_14 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_14_count_7 <= as_number(((((slice0shift_search_1_14 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_14 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_14 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_14_count_8 <= as_number((((slice0shift_search_1_14 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_14 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_14 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_14 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_15_count_0 <= as_number((((slice0shift_search_1_15 mod 2) = 1) /=
         ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_15 / 4) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_15 / 2) mod 2) = 1) /=
@@ -6937,12 +6527,9 @@ begin
         slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_15 / 524288) mod 2) = 1) /=
         slice0cost_pixels_first_1_0_count_6_value_3));
       slice0cost_pixels_first_1_15_count_7 <= as_number(((((slice0shift_search_1_15 / 2097152) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((((slice0shift_search_1_15 / 8388608) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice0shift_search_1_15 / 4194304) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_7_value_3));
-      slice0cost_pixels_first_1_15_count_8 <= as_number((((slice0shift_search_1_15 / 33554432) = 1) /=
-        ((slice0shift_reference_1 / 33554432) = 1))) + as_number(((((slice0shift_search_1_15 / 16777216) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_8_value));
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_15 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_15 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
       slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
@@ -6951,146 +6538,134 @@ begin
       slice0cost_pixels_first_tag_first_column <= slice0shift_tag_first_column;
       slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pixels_cost_0_0 <= slice0cost_pixels_first_0_0_count_6 + slice0cost_pixels_first_0_0_count_0 +
-        slice0cost_pixels_first_0_0_count_1 + slice0cost_pixels_first_0_0_count_3 + slice0cost_pixels_first_0_0_count_8
-        + slice0cost_pixels_first_0_0_count_4 + slice0cost_pixels_first_0_0_count_5 +
-        slice0cost_pixels_first_0_0_count_7 + slice0cost_pixels_first_0_0_count_2;
-      slice0cost_pixels_cost_0_1 <= slice0cost_pixels_first_0_1_count_6 + slice0cost_pixels_first_0_1_count_0 +
-        slice0cost_pixels_first_0_1_count_1 + slice0cost_pixels_first_0_1_count_3 + slice0cost_pixels_first_0_1_count_8
-        + slice0cost_pixels_first_0_1_count_4 + slice0cost_pixels_first_0_1_count_5 +
-        slice0cost_pixels_first_0_1_count_7 + slice0cost_pixels_first_0_1_count_2;
-      slice0cost_pixels_cost_0_2 <= slice0cost_pixels_first_0_2_count_6 + slice0cost_pixels_first_0_2_count_0 +
-        slice0cost_pixels_first_0_2_count_1 + slice0cost_pixels_first_0_2_count_3 + slice0cost_pixels_first_0_2_count_8
-        + slice0cost_pixels_first_0_2_count_4 + slice0cost_pixels_first_0_2_count_5 +
-        slice0cost_pixels_first_0_2_count_7 + slice0cost_pixels_first_0_2_count_2;
-      slice0cost_pixels_cost_0_3 <= slice0cost_pixels_first_0_3_count_6 + slice0cost_pixels_first_0_3_count_0 +
-        slice0cost_pixels_first_0_3_count_1 + slice0cost_pixels_first_0_3_count_3 + slice0cost_pixels_first_0_3_count_8
-        + slice0cost_pixels_first_0_3_count_4 + slice0cost_pixels_first_0_3_count_5 +
-        slice0cost_pixels_first_0_3_count_7 + slice0cost_pixels_first_0_3_count_2;
-      slice0cost_pixels_cost_0_4 <= slice0cost_pixels_first_0_4_count_6 + slice0cost_pixels_first_0_4_count_0 +
-        slice0cost_pixels_first_0_4_count_1 + slice0cost_pixels_first_0_4_count_3 + slice0cost_pixels_first_0_4_count_8
-        + slice0cost_pixels_first_0_4_count_4 + slice0cost_pixels_first_0_4_count_5 +
-        slice0cost_pixels_first_0_4_count_7 + slice0cost_pixels_first_0_4_count_2;
-      slice0cost_pixels_cost_0_5 <= slice0cost_pixels_first_0_5_count_6 + slice0cost_pixels_first_0_5_count_0 +
-        slice0cost_pixels_first_0_5_count_1 + slice0cost_pixels_first_0_5_count_3 + slice0cost_pixels_first_0_5_count_8
-        + slice0cost_pixels_first_0_5_count_4 + slice0cost_pixels_first_0_5_count_5 +
-        slice0cost_pixels_first_0_5_count_7 + slice0cost_pixels_first_0_5_count_2;
-      slice0cost_pixels_cost_0_6 <= slice0cost_pixels_first_0_6_count_6 + slice0cost_pixels_first_0_6_count_0 +
-        slice0cost_pixels_first_0_6_count_1 + slice0cost_pixels_first_0_6_count_3 + slice0cost_pixels_first_0_6_count_8
-        + slice0cost_pixels_first_0_6_count_4 + slice0cost_pixels_first_0_6_count_5 +
-        slice0cost_pixels_first_0_6_count_7 + slice0cost_pixels_first_0_6_count_2;
-      slice0cost_pixels_cost_0_7 <= slice0cost_pixels_first_0_7_count_6 + slice0cost_pixels_first_0_7_count_0 +
-        slice0cost_pixels_first_0_7_count_1 + slice0cost_pixels_first_0_7_count_3 + slice0cost_pixels_first_0_7_count_8
-        + slice0cost_pixels_first_0_7_count_4 + slice0cost_pixels_first_0_7_count_5 +
-        slice0cost_pixels_first_0_7_count_7 + slice0cost_pixels_first_0_7_count_2;
-      slice0cost_pixels_cost_0_8 <= slice0cost_pixels_first_0_8_count_6 + slice0cost_pixels_first_0_8_count_0 +
-        slice0cost_pixels_first_0_8_count_1 + slice0cost_pixels_first_0_8_count_3 + slice0cost_pixels_first_0_8_count_8
-        + slice0cost_pixels_first_0_8_count_4 + slice0cost_pixels_first_0_8_count_5 +
-        slice0cost_pixels_first_0_8_count_7 + slice0cost_pixels_first_0_8_count_2;
-      slice0cost_pixels_cost_0_9 <= slice0cost_pixels_first_0_9_count_6 + slice0cost_pixels_first_0_9_count_0 +
-        slice0cost_pixels_first_0_9_count_1 + slice0cost_pixels_first_0_9_count_3 + slice0cost_pixels_first_0_9_count_8
-        + slice0cost_pixels_first_0_9_count_4 + slice0cost_pixels_first_0_9_count_5 +
-        slice0cost_pixels_first_0_9_count_7 + slice0cost_pixels_first_0_9_count_2;
-      slice0cost_pixels_cost_0_10 <= slice0cost_pixels_first_0_10_count_6 + slice0cost_pixels_first_0_10_count_0 +
-        slice0cost_pixels_first_0_10_count_1 + slice0cost_pixels_first_0_10_count_3 +
-        slice0cost_pixels_first_0_10_count_8 + slice0cost_pixels_first_0_10_count_4 +
-        slice0cost_pixels_first_0_10_count_5 + slice0cost_pixels_first_0_10_count_7 +
-        slice0cost_pixels_first_0_10_count_2;
-      slice0cost_pixels_cost_0_11 <= slice0cost_pixels_first_0_11_count_6 + slice0cost_pixels_first_0_11_count_0 +
-        slice0cost_pixels_first_0_11_count_1 + slice0cost_pixels_first_0_11_count_3 +
-        slice0cost_pixels_first_0_11_count_8 + slice0cost_pixels_first_0_11_count_4 +
-        slice0cost_pixels_first_0_11_count_5 + slice0cost_pixels_first_0_11_count_7 +
-        slice0cost_pixels_first_0_11_count_2;
-      slice0cost_pixels_cost_0_12 <= slice0cost_pixels_first_0_12_count_6 + slice0cost_pixels_first_0_12_count_0 +
-        slice0cost_pixels_first_0_12_count_1 + slice0cost_pixels_first_0_12_count_3 +
-        slice0cost_pixels_first_0_12_count_8 + slice0cost_pixels_first_0_12_count_4 +
-        slice0cost_pixels_first_0_12_count_5 + slice0cost_pixels_first_0_12_count_7 +
-        slice0cost_pixels_first_0_12_count_2;
-      slice0cost_pixels_cost_0_13 <= slice0cost_pixels_first_0_13_count_6 + slice0cost_pixels_first_0_13_count_0 +
-        slice0cost_pixels_first_0_13_count_1 + slice0cost_pixels_first_0_13_count_3 +
-        slice0cost_pixels_first_0_13_count_8 + slice0cost_pixels_first_0_13_count_4 +
-        slice0cost_pixels_first_0_13_count_5 + slice0cost_pixels_first_0_13_count_7 +
-        slice0cost_pixels_first_0_13_count_2;
-      slice0cost_pixels_cost_0_14 <= slice0cost_pixels_first_0_14_count_6 + slice0cost_pixels_first_0_14_count_0 +
-        slice0cost_pixels_first_0_14_count_1 + slice0cost_pixels_first_0_14_count_3 +
-        slice0cost_pixels_first_0_14_count_8 + slice0cost_pixels_first_0_14_count_4 +
-        slice0cost_pixels_first_0_14_count_5 + slice0cost_pixels_first_0_14_count_7 +
-        slice0cost_pixels_first_0_14_count_2;
-      slice0cost_pixels_cost_0_15 <= slice0cost_pixels_first_0_15_count_6 + slice0cost_pixels_first_0_15_count_0 +
-        slice0cost_pixels_first_0_15_count_1 + slice0cost_pixels_first_0_15_count_3 +
-        slice0cost_pixels_first_0_15_count_8 + slice0cost_pixels_first_0_15_count_4 +
-        slice0cost_pixels_first_0_15_count_5 + slice0cost_pixels_first_0_15_count_7 +
-        slice0cost_pixels_first_0_15_count_2;
-      slice0cost_pixels_cost_1_0 <= slice0cost_pixels_first_1_0_count_6 + slice0cost_pixels_first_1_0_count_0 +
-        slice0cost_pixels_first_1_0_count_1 + slice0cost_pixels_first_1_0_count_3 + slice0cost_pixels_first_1_0_count_8
-        + slice0cost_pixels_first_1_0_count_4 + slice0cost_pixels_first_1_0_count_5 +
-        slice0cost_pixels_first_1_0_count_7 + slice0cost_pixels_first_1_0_count_2;
-      slice0cost_pixels_cost_1_1 <= slice0cost_pixels_first_1_1_count_6 + slice0cost_pixels_first_1_1_count_0 +
-        slice0cost_pixels_first_1_1_count_1 + slice0cost_pixels_first_1_1_count_3 + slice0cost_pixels_first_1_1_count_8
-        + slice0cost_pixels_first_1_1_count_4 + slice0cost_pixels_first_1_1_count_5 +
-        slice0cost_pixels_first_1_1_count_7 + slice0cost_pixels_first_1_1_count_2;
-      slice0cost_pixels_cost_1_2 <= slice0cost_pixels_first_1_2_count_6 + slice0cost_pixels_first_1_2_count_0 +
-        slice0cost_pixels_first_1_2_count_1 + slice0cost_pixels_first_1_2_count_3 + slice0cost_pixels_first_1_2_count_8
-        + slice0cost_pixels_first_1_2_count_4 + slice0cost_pixels_first_1_2_count_5 +
-        slice0cost_pixels_first_1_2_count_7 + slice0cost_pixels_first_1_2_count_2;
-      slice0cost_pixels_cost_1_3 <= slice0cost_pixels_first_1_3_count_6 + slice0cost_pixels_first_1_3_count_0 +
-        slice0cost_pixels_first_1_3_count_1 + slice0cost_pixels_first_1_3_count_3 + slice0cost_pixels_first_1_3_count_8
-        + slice0cost_pixels_first_1_3_count_4 + slice0cost_pixels_first_1_3_count_5 +
-        slice0cost_pixels_first_1_3_count_7 + slice0cost_pixels_first_1_3_count_2;
-      slice0cost_pixels_cost_1_4 <= slice0cost_pixels_first_1_4_count_6 + slice0cost_pixels_first_1_4_count_0 +
-        slice0cost_pixels_first_1_4_count_1 + slice0cost_pixels_first_1_4_count_3 + slice0cost_pixels_first_1_4_count_8
-        + slice0cost_pixels_first_1_4_count_4 + slice0cost_pixels_first_1_4_count_5 +
-        slice0cost_pixels_first_1_4_count_7 + slice0cost_pixels_first_1_4_count_2;
-      slice0cost_pixels_cost_1_5 <= slice0cost_pixels_first_1_5_count_6 + slice0cost_pixels_first_1_5_count_0 +
-        slice0cost_pixels_first_1_5_count_1 + slice0cost_pixels_first_1_5_count_3 + slice0cost_pixels_first_1_5_count_8
-        + slice0cost_pixels_first_1_5_count_4 + slice0cost_pixels_first_1_5_count_5 +
-        slice0cost_pixels_first_1_5_count_7 + slice0cost_pixels_first_1_5_count_2;
-      slice0cost_pixels_cost_1_6 <= slice0cost_pixels_first_1_6_count_6 + slice0cost_pixels_first_1_6_count_0 +
-        slice0cost_pixels_first_1_6_count_1 + slice0cost_pixels_first_1_6_count_3 + slice0cost_pixels_first_1_6_count_8
-        + slice0cost_pixels_first_1_6_count_4 + slice0cost_pixels_first_1_6_count_5 +
-        slice0cost_pixels_first_1_6_count_7 + slice0cost_pixels_first_1_6_count_2;
-      slice0cost_pixels_cost_1_7 <= slice0cost_pixels_first_1_7_count_6 + slice0cost_pixels_first_1_7_count_0 +
-        slice0cost_pixels_first_1_7_count_1 + slice0cost_pixels_first_1_7_count_3 + slice0cost_pixels_first_1_7_count_8
-        + slice0cost_pixels_first_1_7_count_4 + slice0cost_pixels_first_1_7_count_5 +
-        slice0cost_pixels_first_1_7_count_7 + slice0cost_pixels_first_1_7_count_2;
-      slice0cost_pixels_cost_1_8 <= slice0cost_pixels_first_1_8_count_6 + slice0cost_pixels_first_1_8_count_0 +
-        slice0cost_pixels_first_1_8_count_1 + slice0cost_pixels_first_1_8_count_3 + slice0cost_pixels_first_1_8_count_8
-        + slice0cost_pixels_first_1_8_count_4 + slice0cost_pixels_first_1_8_count_5 +
-        slice0cost_pixels_first_1_8_count_7 + slice0cost_pixels_first_1_8_count_2;
-      slice0cost_pixels_cost_1_9 <= slice0cost_pixels_first_1_9_count_6 + slice0cost_pixels_first_1_9_count_0 +
-        slice0cost_pixels_first_1_9_count_1 + slice0cost_pixels_first_1_9_count_3 + slice0cost_pixels_first_1_9_count_8
-        + slice0cost_pixels_first_1_9_count_4 + slice0cost_pixels_first_1_9_count_5 +
-        slice0cost_pixels_first_1_9_count_7 + slice0cost_pixels_first_1_9_count_2;
-      slice0cost_pixels_cost_1_10 <= slice0cost_pixels_first_1_10_count_6 + slice0cost_pixels_first_1_10_count_0 +
-        slice0cost_pixels_first_1_10_count_1 + slice0cost_pixels_first_1_10_count_3 +
-        slice0cost_pixels_first_1_10_count_8 + slice0cost_pixels_first_1_10_count_4 +
-        slice0cost_pixels_first_1_10_count_5 + slice0cost_pixels_first_1_10_count_7 +
-        slice0cost_pixels_first_1_10_count_2;
-      slice0cost_pixels_cost_1_11 <= slice0cost_pixels_first_1_11_count_6 + slice0cost_pixels_first_1_11_count_0 +
-        slice0cost_pixels_first_1_11_count_1 + slice0cost_pixels_first_1_11_count_3 +
-        slice0cost_pixels_first_1_11_count_8 + slice0cost_pixels_first_1_11_count_4 +
-        slice0cost_pixels_first_1_11_count_5 + slice0cost_pixels_first_1_11_count_7 +
-        slice0cost_pixels_first_1_11_count_2;
-      slice0cost_pixels_cost_1_12 <= slice0cost_pixels_first_1_12_count_6 + slice0cost_pixels_first_1_12_count_0 +
-        slice0cost_pixels_first_1_12_count_1 + slice0cost_pixels_first_1_12_count_3 +
-        slice0cost_pixels_first_1_12_count_8 + slice0cost_pixels_first_1_12_count_4 +
-        slice0cost_pixels_first_1_12_count_5 + slice0cost_pixels_first_1_12_count_7 +
-        slice0cost_pixels_first_1_12_count_2;
-      slice0cost_pixels_cost_1_13 <= slice0cost_pixels_first_1_13_count_6 + slice0cost_pixels_first_1_13_count_0 +
-        slice0cost_pixels_first_1_13_count_1 + slice0cost_pixels_first_1_13_count_3 +
-        slice0cost_pixels_first_1_13_count_8 + slice0cost_pixels_first_1_13_count_4 +
-        slice0cost_pixels_first_1_13_count_5 + slice0cost_pixels_first_1_13_count_7 +
-        slice0cost_pixels_first_1_13_count_2;
-      slice0cost_pixels_cost_1_14 <= slice0cost_pixels_first_1_14_count_6 + slice0cost_pixels_first_1_14_count_0 +
-        slice0cost_pixels_first_1_14_count_1 + slice0cost_pixels_first_1_14_count_3 +
-        slice0cost_pixels_first_1_14_count_8 + slice0cost_pixels_first_1_14_count_4 +
-        slice0cost_pixels_first_1_14_count_5 + slice0cost_pixels_first_1_14_count_7 +
-        slice0cost_pixels_first_1_14_count_2;
-      slice0cost_pixels_cost_1_15 <= slice0cost_pixels_first_1_15_count_6 + slice0cost_pixels_first_1_15_count_0 +
-        slice0cost_pixels_first_1_15_count_1 + slice0cost_pixels_first_1_15_count_3 +
-        slice0cost_pixels_first_1_15_count_8 + slice0cost_pixels_first_1_15_count_4 +
-        slice0cost_pixels_first_1_15_count_5 + slice0cost_pixels_first_1_15_count_7 +
-        slice0cost_pixels_first_1_15_count_2;
+      slice0cost_pixels_cost_0_0 <= slice0cost_pixels_first_0_0_count_0 + slice0cost_pixels_first_0_0_count_2 +
+        slice0cost_pixels_first_0_0_count_3 + slice0cost_pixels_first_0_0_count_5 + slice0cost_pixels_first_0_0_count_6
+        + slice0cost_pixels_first_0_0_count_4 + slice0cost_pixels_first_0_0_count_7 +
+        slice0cost_pixels_first_0_0_count_1;
+      slice0cost_pixels_cost_0_1 <= slice0cost_pixels_first_0_1_count_0 + slice0cost_pixels_first_0_1_count_2 +
+        slice0cost_pixels_first_0_1_count_3 + slice0cost_pixels_first_0_1_count_5 + slice0cost_pixels_first_0_1_count_6
+        + slice0cost_pixels_first_0_1_count_4 + slice0cost_pixels_first_0_1_count_7 +
+        slice0cost_pixels_first_0_1_count_1;
+      slice0cost_pixels_cost_0_2 <= slice0cost_pixels_first_0_2_count_0 + slice0cost_pixels_first_0_2_count_2 +
+        slice0cost_pixels_first_0_2_count_3 + slice0cost_pixels_first_0_2_count_5 + slice0cost_pixels_first_0_2_count_6
+        + slice0cost_pixels_first_0_2_count_4 + slice0cost_pixels_first_0_2_count_7 +
+        slice0cost_pixels_first_0_2_count_1;
+      slice0cost_pixels_cost_0_3 <= slice0cost_pixels_first_0_3_count_0 + slice0cost_pixels_first_0_3_count_2 +
+        slice0cost_pixels_first_0_3_count_3 + slice0cost_pixels_first_0_3_count_5 + slice0cost_pixels_first_0_3_count_6
+        + slice0cost_pixels_first_0_3_count_4 + slice0cost_pixels_first_0_3_count_7 +
+        slice0cost_pixels_first_0_3_count_1;
+      slice0cost_pixels_cost_0_4 <= slice0cost_pixels_first_0_4_count_0 + slice0cost_pixels_first_0_4_count_2 +
+        slice0cost_pixels_first_0_4_count_3 + slice0cost_pixels_first_0_4_count_5 + slice0cost_pixels_first_0_4_count_6
+        + slice0cost_pixels_first_0_4_count_4 + slice0cost_pixels_first_0_4_count_7 +
+        slice0cost_pixels_first_0_4_count_1;
+      slice0cost_pixels_cost_0_5 <= slice0cost_pixels_first_0_5_count_0 + slice0cost_pixels_first_0_5_count_2 +
+        slice0cost_pixels_first_0_5_count_3 + slice0cost_pixels_first_0_5_count_5 + slice0cost_pixels_first_0_5_count_6
+        + slice0cost_pixels_first_0_5_count_4 + slice0cost_pixels_first_0_5_count_7 +
+        slice0cost_pixels_first_0_5_count_1;
+      slice0cost_pixels_cost_0_6 <= slice0cost_pixels_first_0_6_count_0 + slice0cost_pixels_first_0_6_count_2 +
+        slice0cost_pixels_first_0_6_count_3 + slice0cost_pixels_first_0_6_count_5 + slice0cost_pixels_first_0_6_count_6
+        + slice0cost_pixels_first_0_6_count_4 + slice0cost_pixels_first_0_6_count_7 +
+        slice0cost_pixels_first_0_6_count_1;
+      slice0cost_pixels_cost_0_7 <= slice0cost_pixels_first_0_7_count_0 + slice0cost_pixels_first_0_7_count_2 +
+        slice0cost_pixels_first_0_7_count_3 + slice0cost_pixels_first_0_7_count_5 + slice0cost_pixels_first_0_7_count_6
+        + slice0cost_pixels_first_0_7_count_4 + slice0cost_pixels_first_0_7_count_7 +
+        slice0cost_pixels_first_0_7_count_1;
+      slice0cost_pixels_cost_0_8 <= slice0cost_pixels_first_0_8_count_0 + slice0cost_pixels_first_0_8_count_2 +
+        slice0cost_pixels_first_0_8_count_3 + slice0cost_pixels_first_0_8_count_5 + slice0cost_pixels_first_0_8_count_6
+        + slice0cost_pixels_first_0_8_count_4 + slice0cost_pixels_first_0_8_count_7 +
+        slice0cost_pixels_first_0_8_count_1;
+      slice0cost_pixels_cost_0_9 <= slice0cost_pixels_first_0_9_count_0 + slice0cost_pixels_first_0_9_count_2 +
+        slice0cost_pixels_first_0_9_count_3 + slice0cost_pixels_first_0_9_count_5 + slice0cost_pixels_first_0_9_count_6
+        + slice0cost_pixels_first_0_9_count_4 + slice0cost_pixels_first_0_9_count_7 +
+        slice0cost_pixels_first_0_9_count_1;
+      slice0cost_pixels_cost_0_10 <= slice0cost_pixels_first_0_10_count_0 + slice0cost_pixels_first_0_10_count_2 +
+        slice0cost_pixels_first_0_10_count_3 + slice0cost_pixels_first_0_10_count_5 +
+        slice0cost_pixels_first_0_10_count_6 + slice0cost_pixels_first_0_10_count_4 +
+        slice0cost_pixels_first_0_10_count_7 + slice0cost_pixels_first_0_10_count_1;
+      slice0cost_pixels_cost_0_11 <= slice0cost_pixels_first_0_11_count_0 + slice0cost_pixels_first_0_11_count_2 +
+        slice0cost_pixels_first_0_11_count_3 + slice0cost_pixels_first_0_11_count_5 +
+        slice0cost_pixels_first_0_11_count_6 + slice0cost_pixels_first_0_11_count_4 +
+        slice0cost_pixels_first_0_11_count_7 + slice0cost_pixels_first_0_11_count_1;
+      slice0cost_pixels_cost_0_12 <= slice0cost_pixels_first_0_12_count_0 + slice0cost_pixels_first_0_12_count_2 +
+        slice0cost_pixels_first_0_12_count_3 + slice0cost_pixels_first_0_12_count_5 +
+        slice0cost_pixels_first_0_12_count_6 + slice0cost_pixels_first_0_12_count_4 +
+        slice0cost_pixels_first_0_12_count_7 + slice0cost_pixels_first_0_12_count_1;
+      slice0cost_pixels_cost_0_13 <= slice0cost_pixels_first_0_13_count_0 + slice0cost_pixels_first_0_13_count_2 +
+        slice0cost_pixels_first_0_13_count_3 + slice0cost_pixels_first_0_13_count_5 +
+        slice0cost_pixels_first_0_13_count_6 + slice0cost_pixels_first_0_13_count_4 +
+        slice0cost_pixels_first_0_13_count_7 + slice0cost_pixels_first_0_13_count_1;
+      slice0cost_pixels_cost_0_14 <= slice0cost_pixels_first_0_14_count_0 + slice0cost_pixels_first_0_14_count_2 +
+        slice0cost_pixels_first_0_14_count_3 + slice0cost_pixels_first_0_14_count_5 +
+        slice0cost_pixels_first_0_14_count_6 + slice0cost_pixels_first_0_14_count_4 +
+        slice0cost_pixels_first_0_14_count_7 + slice0cost_pixels_first_0_14_count_1;
+      slice0cost_pixels_cost_0_15 <= slice0cost_pixels_first_0_15_count_0 + slice0cost_pixels_first_0_15_count_2 +
+        slice0cost_pixels_first_0_15_count_3 + slice0cost_pixels_first_0_15_count_5 +
+        slice0cost_pixels_first_0_15_count_6 + slice0cost_pixels_first_0_15_count_4 +
+        slice0cost_pixels_first_0_15_count_7 + slice0cost_pixels_first_0_15_count_1;
+      slice0cost_pixels_cost_1_0 <= slice0cost_pixels_first_1_0_count_0 + slice0cost_pixels_first_1_0_count_2 +
+        slice0cost_pixels_first_1_0_count_3 + slice0cost_pixels_first_1_0_count_5 + slice0cost_pixels_first_1_0_count_6
+        + slice0cost_pixels_first_1_0_count_4 + slice0cost_pixels_first_1_0_count_7 +
+        slice0cost_pixels_first_1_0_count_1;
+      slice0cost_pixels_cost_1_1 <= slice0cost_pixels_first_1_1_count_0 + slice0cost_pixels_first_1_1_count_2 +
+        slice0cost_pixels_first_1_1_count_3 + slice0cost_pixels_first_1_1_count_5 + slice0cost_pixels_first_1_1_count_6
+        + slice0cost_pixels_first_1_1_count_4 + slice0cost_pixels_first_1_1_count_7 +
+        slice0cost_pixels_first_1_1_count_1;
+      slice0cost_pixels_cost_1_2 <= slice0cost_pixels_first_1_2_count_0 + slice0cost_pixels_first_1_2_count_2 +
+        slice0cost_pixels_first_1_2_count_3 + slice0cost_pixels_first_1_2_count_5 + slice0cost_pixels_first_1_2_count_6
+        + slice0cost_pixels_first_1_2_count_4 + slice0cost_pixels_first_1_2_count_7 +
+        slice0cost_pixels_first_1_2_count_1;
+      slice0cost_pixels_cost_1_3 <= slice0cost_pixels_first_1_3_count_0 + slice0cost_pixels_first_1_3_count_2 +
+        slice0cost_pixels_first_1_3_count_3 + slice0cost_pixels_first_1_3_count_5 + slice0cost_pixels_first_1_3_count_6
+        + slice0cost_pixels_first_1_3_count_4 + slice0cost_pixels_first_1_3_count_7 +
+        slice0cost_pixels_first_1_3_count_1;
+      slice0cost_pixels_cost_1_4 <= slice0cost_pixels_first_1_4_count_0 + slice0cost_pixels_first_1_4_count_2 +
+        slice0cost_pixels_first_1_4_count_3 + slice0cost_pixels_first_1_4_count_5 + slice0cost_pixels_first_1_4_count_6
+        + slice0cost_pixels_first_1_4_count_4 + slice0cost_pixels_first_1_4_count_7 +
+        slice0cost_pixels_first_1_4_count_1;
+      slice0cost_pixels_cost_1_5 <= slice0cost_pixels_first_1_5_count_0 + slice0cost_pixels_first_1_5_count_2 +
+        slice0cost_pixels_first_1_5_count_3 + slice0cost_pixels_first_1_5_count_5 + slice0cost_pixels_first_1_5_count_6
+        + slice0cost_pixels_first_1_5_count_4 + slice0cost_pixels_first_1_5_count_7 +
+        slice0cost_pixels_first_1_5_count_1;
+      slice0cost_pixels_cost_1_6 <= slice0cost_pixels_first_1_6_count_0 + slice0cost_pixels_first_1_6_count_2 +
+        slice0cost_pixels_first_1_6_count_3 + slice0cost_pixels_first_1_6_count_5 + slice0cost_pixels_first_1_6_count_6
+        + slice0cost_pixels_first_1_6_count_4 + slice0cost_pixels_first_1_6_count_7 +
+        slice0cost_pixels_first_1_6_count_1;
+      slice0cost_pixels_cost_1_7 <= slice0cost_pixels_first_1_7_count_0 + slice0cost_pixels_first_1_7_count_2 +
+        slice0cost_pixels_first_1_7_count_3 + slice0cost_pixels_first_1_7_count_5 + slice0cost_pixels_first_1_7_count_6
+        + slice0cost_pixels_first_1_7_count_4 + slice0cost_pixels_first_1_7_count_7 +
+        slice0cost_pixels_first_1_7_count_1;
+      slice0cost_pixels_cost_1_8 <= slice0cost_pixels_first_1_8_count_0 + slice0cost_pixels_first_1_8_count_2 +
+        slice0cost_pixels_first_1_8_count_3 + slice0cost_pixels_first_1_8_count_5 + slice0cost_pixels_first_1_8_count_6
+        + slice0cost_pixels_first_1_8_count_4 + slice0cost_pixels_first_1_8_count_7 +
+        slice0cost_pixels_first_1_8_count_1;
+      slice0cost_pixels_cost_1_9 <= slice0cost_pixels_first_1_9_count_0 + slice0cost_pixels_first_1_9_count_2 +
+        slice0cost_pixels_first_1_9_count_3 + slice0cost_pixels_first_1_9_count_5 + slice0cost_pixels_first_1_9_count_6
+        + slice0cost_pixels_first_1_9_count_4 + slice0cost_pixels_first_1_9_count_7 +
+        slice0cost_pixels_first_1_9_count_1;
+      slice0cost_pixels_cost_1_10 <= slice0cost_pixels_first_1_10_count_0 + slice0cost_pixels_first_1_10_count_2 +
+        slice0cost_pixels_first_1_10_count_3 + slice0cost_pixels_first_1_10_count_5 +
+        slice0cost_pixels_first_1_10_count_6 + slice0cost_pixels_first_1_10_count_4 +
+        slice0cost_pixels_first_1_10_count_7 + slice0cost_pixels_first_1_10_count_1;
+      slice0cost_pixels_cost_1_11 <= slice0cost_pixels_first_1_11_count_0 + slice0cost_pixels_first_1_11_count_2 +
+        slice0cost_pixels_first_1_11_count_3 + slice0cost_pixels_first_1_11_count_5 +
+        slice0cost_pixels_first_1_11_count_6 + slice0cost_pixels_first_1_11_count_4 +
+        slice0cost_pixels_first_1_11_count_7 + slice0cost_pixels_first_1_11_count_1;
+      slice0cost_pixels_cost_1_12 <= slice0cost_pixels_first_1_12_count_0 + slice0cost_pixels_first_1_12_count_2 +
+        slice0cost_pixels_first_1_12_count_3 + slice0cost_pixels_first_1_12_count_5 +
+        slice0cost_pixels_first_1_12_count_6 + slice0cost_pixels_first_1_12_count_4 +
+        slice0cost_pixels_first_1_12_count_7 + slice0cost_pixels_first_1_12_count_1;
+      slice0cost_pixels_cost_1_13 <= slice0cost_pixels_first_1_13_count_0 + slice0cost_pixels_first_1_13_count_2 +
+        slice0cost_pixels_first_1_13_count_3 + slice0cost_pixels_first_1_13_count_5 +
+        slice0cost_pixels_first_1_13_count_6 + slice0cost_pixels_first_1_13_count_4 +
+        slice0cost_pixels_first_1_13_count_7 + slice0cost_pixels_first_1_13_count_1;
+      slice0cost_pixels_cost_1_14 <= slice0cost_pixels_first_1_14_count_0 + slice0cost_pixels_first_1_14_count_2 +
+        slice0cost_pixels_first_1_14_count_3 + slice0cost_pixels_first_1_14_count_5 +
+        slice0cost_pixels_first_1_14_count_6 + slice0cost_pixels_first_1_14_count_4 +
+        slice0cost_pixels_first_1_14_count_7 + slice0cost_pixels_first_1_14_count_1;
+      slice0cost_pixels_cost_1_15 <= slice0cost_pixels_first_1_15_count_0 + slice0cost_pixels_first_1_15_count_2 +
+        slice0cost_pixels_first_1_15_count_3 + slice0cost_pixels_first_1_15_count_5 +
+        slice0cost_pixels_first_1_15_count_6 + slice0cost_pixels_first_1_15_count_4 +
+        slice0cost_pixels_first_1_15_count_7 + slice0cost_pixels_first_1_15_count_1;
       slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
       slice0cost_pixels_tag_row_start <= slice0cost_pixels_first_tag_row_start;
       slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
@@ -7319,7 +6894,6 @@ begin
       slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
       slice0window_centre_map_column_0 <= slice0window_change_tag_map_column;
       slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
-      slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
       if slice0window_change_tag_row_start then
@@ -7403,30 +6977,29 @@ begin
         slice0window_sum_0_15_choice := slice0window_sum_0_15;
       end if;
       if slice0window_change_tag_valid then
-        slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 4096;
-        slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 4096;
-        slice0window_sum_0_2 <= (slice0window_sum_0_2_choice + slice0window_change_0_2) mod 4096;
-        slice0window_sum_0_3 <= (slice0window_sum_0_3_choice + slice0window_change_0_3) mod 4096;
-        slice0window_sum_0_4 <= (slice0window_sum_0_4_choice + slice0window_change_0_4) mod 4096;
-        slice0window_sum_0_5 <= (slice0window_sum_0_5_choice + slice0window_change_0_5) mod 4096;
-        slice0window_sum_0_6 <= (slice0window_sum_0_6_choice + slice0window_change_0_6) mod 4096;
-        slice0window_sum_0_7 <= (slice0window_sum_0_7_choice + slice0window_change_0_7) mod 4096;
-        slice0window_sum_0_8 <= (slice0window_sum_0_8_choice + slice0window_change_0_8) mod 4096;
-        slice0window_sum_0_9 <= (slice0window_sum_0_9_choice + slice0window_change_0_9) mod 4096;
-        slice0window_sum_0_10 <= (slice0window_sum_0_10_choice + slice0window_change_0_10) mod 4096;
-        slice0window_sum_0_11 <= (slice0window_sum_0_11_choice + slice0window_change_0_11) mod 4096;
-        slice0window_sum_0_12 <= (slice0window_sum_0_12_choice + slice0window_change_0_12) mod 4096;
-        slice0window_sum_0_13 <= (slice0window_sum_0_13_choice + slice0window_change_0_13) mod 4096;
-        slice0window_sum_0_14 <= (slice0window_sum_0_14_choice + slice0window_change_0_14) mod 4096;
-        slice0window_sum_0_15 <= (slice0window_sum_0_15_choice + slice0window_change_0_15) mod 4096;
+        slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 2048;
+        slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 2048;
+        slice0window_sum_0_2 <= (slice0window_sum_0_2_choice + slice0window_change_0_2) mod 2048;
+        slice0window_sum_0_3 <= (slice0window_sum_0_3_choice + slice0window_change_0_3) mod 2048;
+        slice0window_sum_0_4 <= (slice0window_sum_0_4_choice + slice0window_change_0_4) mod 2048;
+        slice0window_sum_0_5 <= (slice0window_sum_0_5_choice + slice0window_change_0_5) mod 2048;
+        slice0window_sum_0_6 <= (slice0window_sum_0_6_choice + slice0window_change_0_6) mod 2048;
+        slice0window_sum_0_7 <= (slice0window_sum_0_7_choice + slice0window_change_0_7) mod 2048;
+        slice0window_sum_0_8 <= (slice0window_sum_0_8_choice + slice0window_change_0_8) mod 2048;
+        slice0window_sum_0_9 <= (slice0window_sum_0_9_choice + slice0window_change_0_9) mod 2048;
+        slice0window_sum_0_10 <= (slice0window_sum_0_10_choice + slice0window_change_0_10) mod 2048;
+        slice0window_sum_0_11 <= (slice0window_sum_0_11_choice + slice0window_change_0_11) mod 2048;
+        slice0window_sum_0_12 <= (slice0window_sum_0_12_choice + slice0window_change_0_12) mod 2048;
+        slice0window_sum_0_13 <= (slice0window_sum_0_13_choice + slice0window_change_0_13) mod 2048;
+        slice0window_sum_0_14 <= (slice0window_sum_0_14_choice + slice0window_change_0_14) mod 2048;
+        slice0window_sum_0_15 <= (slice0window_sum_0_15_choice + slice0window_change_0_15) mod 2048;
         slice0window_centre_first_column_0 <= slice0window_change_tag_first_column;
         slice0window_centre_first_column_1 <= slice0window_centre_first_column_0;
         slice0window_centre_first_column_2 <= slice0window_centre_first_column_1;
         slice0window_centre_first_column_3 <= slice0window_centre_first_column_2;
       end if;
       if slice0winner1_tag_valid then
-        slice0window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_1;
-        slice0window_centre_start_of_frame_3 <= slice0window_centre_start_of_frame_2;
+        slice0window_centre_start_of_frame_3 <= slice2window_centre_start_of_frame_0;
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_3;
       end if;
       if slice0window_tag_valid then
@@ -7563,122 +7136,122 @@ begin
       if slice0mask_inside_1 then
         slice0winner1_best_cost_0_0_choice := 0;
       else
-        slice0winner1_best_cost_0_0_choice := 4095;
+        slice0winner1_best_cost_0_0_choice := 2047;
       end if;
-      slice0winner1_best_cost_0_0_any := to_integer(((to_unsigned(slice0window_sum_0_1, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_0_choice, 12))));
+      slice0winner1_best_cost_0_0_any := to_integer(((to_unsigned(slice0window_sum_0_1, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_0_choice, 11))));
       if slice0mask_inside_0 then
         slice0winner1_best_cost_0_0_choice_2 := 0;
       else
-        slice0winner1_best_cost_0_0_choice_2 := 4095;
+        slice0winner1_best_cost_0_0_choice_2 := 2047;
       end if;
-      slice0winner1_best_cost_0_0_any_2 := to_integer(((to_unsigned(slice0window_sum_0_0, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_0_choice_2, 12))));
+      slice0winner1_best_cost_0_0_any_2 := to_integer(((to_unsigned(slice0window_sum_0_0, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_0_choice_2, 11))));
       slice0winner1_best_cost_0_0_is_less := (slice0winner1_best_cost_0_0_any - slice0winner1_best_cost_0_0_any_2) < 0;
       if slice0mask_inside_3 then
         slice0winner1_best_cost_0_1_choice := 0;
       else
-        slice0winner1_best_cost_0_1_choice := 4095;
+        slice0winner1_best_cost_0_1_choice := 2047;
       end if;
-      slice0winner1_best_cost_0_1_any := to_integer(((to_unsigned(slice0window_sum_0_3, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_1_choice, 12))));
+      slice0winner1_best_cost_0_1_any := to_integer(((to_unsigned(slice0window_sum_0_3, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_1_choice, 11))));
       if slice0mask_inside_2 then
         slice0winner1_best_cost_0_1_choice_2 := 0;
       else
-        slice0winner1_best_cost_0_1_choice_2 := 4095;
+        slice0winner1_best_cost_0_1_choice_2 := 2047;
       end if;
-      slice0winner1_best_cost_0_1_any_2 := to_integer(((to_unsigned(slice0window_sum_0_2, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_1_choice_2, 12))));
+      slice0winner1_best_cost_0_1_any_2 := to_integer(((to_unsigned(slice0window_sum_0_2, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_1_choice_2, 11))));
       slice0winner1_best_cost_0_1_is_less := (slice0winner1_best_cost_0_1_any - slice0winner1_best_cost_0_1_any_2) < 0;
       if slice0mask_inside_5 then
         slice0winner1_best_cost_0_2_choice := 0;
       else
-        slice0winner1_best_cost_0_2_choice := 4095;
+        slice0winner1_best_cost_0_2_choice := 2047;
       end if;
-      slice0winner1_best_cost_0_2_any := to_integer(((to_unsigned(slice0window_sum_0_5, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_2_choice, 12))));
+      slice0winner1_best_cost_0_2_any := to_integer(((to_unsigned(slice0window_sum_0_5, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_2_choice, 11))));
       if slice0mask_inside_4 then
         slice0winner1_best_cost_0_2_choice_2 := 0;
       else
-        slice0winner1_best_cost_0_2_choice_2 := 4095;
+        slice0winner1_best_cost_0_2_choice_2 := 2047;
       end if;
-      slice0winner1_best_cost_0_2_any_2 := to_integer(((to_unsigned(slice0window_sum_0_4, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_2_choice_2, 12))));
+      slice0winner1_best_cost_0_2_any_2 := to_integer(((to_unsigned(slice0window_sum_0_4, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_2_choice_2, 11))));
       slice0winner1_best_cost_0_2_is_less := (slice0winner1_best_cost_0_2_any - slice0winner1_best_cost_0_2_any_2) < 0;
       if slice0mask_inside_7 then
         slice0winner1_best_cost_0_3_choice := 0;
       else
-        slice0winner1_best_cost_0_3_choice := 4095;
+        slice0winner1_best_cost_0_3_choice := 2047;
       end if;
-      slice0winner1_best_cost_0_3_any := to_integer(((to_unsigned(slice0window_sum_0_7, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_3_choice, 12))));
+      slice0winner1_best_cost_0_3_any := to_integer(((to_unsigned(slice0window_sum_0_7, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_3_choice, 11))));
       if slice0mask_inside_6 then
         slice0winner1_best_cost_0_3_choice_2 := 0;
       else
-        slice0winner1_best_cost_0_3_choice_2 := 4095;
+        slice0winner1_best_cost_0_3_choice_2 := 2047;
       end if;
-      slice0winner1_best_cost_0_3_any_2 := to_integer(((to_unsigned(slice0window_sum_0_6, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_3_choice_2, 12))));
+      slice0winner1_best_cost_0_3_any_2 := to_integer(((to_unsigned(slice0window_sum_0_6, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_3_choice_2, 11))));
       slice0winner1_best_cost_0_3_is_less := (slice0winner1_best_cost_0_3_any - slice0winner1_best_cost_0_3_any_2) < 0;
       if slice0mask_inside_9 then
         slice0winner1_best_cost_0_4_choice := 0;
       else
-        slice0winner1_best_cost_0_4_choice := 4095;
+        slice0winner1_best_cost_0_4_choice := 2047;
       end if;
-      slice0winner1_best_cost_0_4_any := to_integer(((to_unsigned(slice0window_sum_0_9, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_4_choice, 12))));
+      slice0winner1_best_cost_0_4_any := to_integer(((to_unsigned(slice0window_sum_0_9, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_4_choice, 11))));
       if slice0mask_inside_8 then
         slice0winner1_best_cost_0_4_choice_2 := 0;
       else
-        slice0winner1_best_cost_0_4_choice_2 := 4095;
+        slice0winner1_best_cost_0_4_choice_2 := 2047;
       end if;
-      slice0winner1_best_cost_0_4_any_2 := to_integer(((to_unsigned(slice0window_sum_0_8, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_4_choice_2, 12))));
+      slice0winner1_best_cost_0_4_any_2 := to_integer(((to_unsigned(slice0window_sum_0_8, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_4_choice_2, 11))));
       slice0winner1_best_cost_0_4_is_less := (slice0winner1_best_cost_0_4_any - slice0winner1_best_cost_0_4_any_2) < 0;
       if slice0mask_inside_11 then
         slice0winner1_best_cost_0_5_choice := 0;
       else
-        slice0winner1_best_cost_0_5_choice := 4095;
+        slice0winner1_best_cost_0_5_choice := 2047;
       end if;
-      slice0winner1_best_cost_0_5_any := to_integer(((to_unsigned(slice0window_sum_0_11, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_5_choice, 12))));
+      slice0winner1_best_cost_0_5_any := to_integer(((to_unsigned(slice0window_sum_0_11, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_5_choice, 11))));
       if slice0mask_inside_10 then
         slice0winner1_best_cost_0_5_choice_2 := 0;
       else
-        slice0winner1_best_cost_0_5_choice_2 := 4095;
+        slice0winner1_best_cost_0_5_choice_2 := 2047;
       end if;
-      slice0winner1_best_cost_0_5_any_2 := to_integer(((to_unsigned(slice0window_sum_0_10, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_5_choice_2, 12))));
+      slice0winner1_best_cost_0_5_any_2 := to_integer(((to_unsigned(slice0window_sum_0_10, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_5_choice_2, 11))));
       slice0winner1_best_cost_0_5_is_less := (slice0winner1_best_cost_0_5_any - slice0winner1_best_cost_0_5_any_2) < 0;
       if slice0mask_inside_13 then
         slice0winner1_best_cost_0_6_choice := 0;
       else
-        slice0winner1_best_cost_0_6_choice := 4095;
+        slice0winner1_best_cost_0_6_choice := 2047;
       end if;
-      slice0winner1_best_cost_0_6_any := to_integer(((to_unsigned(slice0window_sum_0_13, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_6_choice, 12))));
+      slice0winner1_best_cost_0_6_any := to_integer(((to_unsigned(slice0window_sum_0_13, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_6_choice, 11))));
       if slice0mask_inside_12 then
         slice0winner1_best_cost_0_6_choice_2 := 0;
       else
-        slice0winner1_best_cost_0_6_choice_2 := 4095;
+        slice0winner1_best_cost_0_6_choice_2 := 2047;
       end if;
-      slice0winner1_best_cost_0_6_any_2 := to_integer(((to_unsigned(slice0window_sum_0_12, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_6_choice_2, 12))));
+      slice0winner1_best_cost_0_6_any_2 := to_integer(((to_unsigned(slice0window_sum_0_12, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_6_choice_2, 11))));
       slice0winner1_best_cost_0_6_is_less := (slice0winner1_best_cost_0_6_any - slice0winner1_best_cost_0_6_any_2) < 0;
       if slice0mask_inside_15 then
         slice0winner1_best_cost_0_7_choice := 0;
       else
-        slice0winner1_best_cost_0_7_choice := 4095;
+        slice0winner1_best_cost_0_7_choice := 2047;
       end if;
-      slice0winner1_best_cost_0_7_any := to_integer(((to_unsigned(slice0window_sum_0_15, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_7_choice, 12))));
+      slice0winner1_best_cost_0_7_any := to_integer(((to_unsigned(slice0window_sum_0_15, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_7_choice, 11))));
       if slice0mask_inside_14 then
         slice0winner1_best_cost_0_7_choice_2 := 0;
       else
-        slice0winner1_best_cost_0_7_choice_2 := 4095;
+        slice0winner1_best_cost_0_7_choice_2 := 2047;
       end if;
-      slice0winner1_best_cost_0_7_any_2 := to_integer(((to_unsigned(slice0window_sum_0_14, 12)) or
-        (to_unsigned(slice0winner1_best_cost_0_7_choice_2, 12))));
+      slice0winner1_best_cost_0_7_any_2 := to_integer(((to_unsigned(slice0window_sum_0_14, 11)) or
+        (to_unsigned(slice0winner1_best_cost_0_7_choice_2, 11))));
       slice0winner1_best_cost_0_7_is_less := (slice0winner1_best_cost_0_7_any - slice0winner1_best_cost_0_7_any_2) < 0;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
       slice0winner1_best_first_0_1 <= slice0winner1_best_cost_0_1_any_2;
@@ -8039,9 +7612,7 @@ begin
       slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_7_value := ((slice1shift_reference_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_reference_0 / 8388608) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_3 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_8_value := ((slice1shift_reference_0 / 16777216) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_0_value := ((slice1shift_reference_1 / 4) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_reference_1 / 2) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_1_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
@@ -8062,9 +7633,7 @@ begin
       slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_7_value := ((slice1shift_reference_1 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_reference_1 / 8388608) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_3 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_8_value := ((slice1shift_reference_1 / 16777216) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
       if slice0cost_tag_first_group then
         slice1cost_column_0_0_choice := 0;
       else
@@ -8190,12 +7759,9 @@ begin
         (((slice1shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_3 /=
         (((slice1shift_search_0_0 / 524288) mod 2) = 1)));
       slice1cost_pixels_first_0_0_count_7 <= as_number((slice1cost_pixels_first_0_0_count_7_value /=
-        (((slice1shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_7_value_2 /=
-        (((slice1shift_search_0_0 / 8388608) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_7_value_3 /=
+        (((slice1shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_0 / 8388608) = 1) /=
+        ((slice1shift_search_0_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_0_0_count_7_value_2 /=
         (((slice1shift_search_0_0 / 4194304) mod 2) = 1)));
-      slice1cost_pixels_first_0_0_count_8 <= as_number((((slice1shift_reference_0 / 33554432) = 1) /=
-        ((slice1shift_search_0_0 / 33554432) = 1))) + as_number((slice1cost_pixels_first_0_0_count_8_value /=
-        (((slice1shift_search_0_0 / 16777216) mod 2) = 1)));
       slice1cost_pixels_first_0_1_count_0 <= as_number((((slice1shift_search_0_1 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
@@ -8225,12 +7791,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_1 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_1_count_7 <= as_number(((((slice1shift_search_0_1 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_1 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_1 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_1_count_8 <= as_number((((slice1shift_search_0_1 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_1 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_1 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_2_count_0 <= as_number((((slice1shift_search_0_2 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
@@ -8260,12 +7823,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_2 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_2_count_7 <= as_number(((((slice1shift_search_0_2 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_2 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_2 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_2_count_8 <= as_number((((slice1shift_search_0_2 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_2 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_2 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_3_count_0 <= as_number((((slice1shift_search_0_3 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_3 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_3 / 2) mod 2) = 1) /=
@@ -8295,12 +7855,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_3 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_3_count_7 <= as_number(((((slice1shift_search_0_3 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_3 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_3 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_3_count_8 <= as_number((((slice1shift_search_0_3 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_3 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_3 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_4_count_0 <= as_number((((slice1shift_search_0_4 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_4 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_4 / 2) mod 2) = 1) /=
@@ -8330,12 +7887,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_4 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_4_count_7 <= as_number(((((slice1shift_search_0_4 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_4 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_4 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_4_count_8 <= as_number((((slice1shift_search_0_4 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_4 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_4 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_5_count_0 <= as_number((((slice1shift_search_0_5 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_5 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_5 / 2) mod 2) = 1) /=
@@ -8365,12 +7919,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_5 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_5_count_7 <= as_number(((((slice1shift_search_0_5 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_5 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_5 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_5_count_8 <= as_number((((slice1shift_search_0_5 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_5 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_5 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_5 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_6_count_0 <= as_number((((slice1shift_search_0_6 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_6 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_6 / 2) mod 2) = 1) /=
@@ -8400,12 +7951,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_6 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_6_count_7 <= as_number(((((slice1shift_search_0_6 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_6 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_6 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_6_count_8 <= as_number((((slice1shift_search_0_6 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_6 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_6 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_6 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_7_count_0 <= as_number((((slice1shift_search_0_7 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_7 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_7 / 2) mod 2) = 1) /=
@@ -8435,12 +7983,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_7 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_7_count_7 <= as_number(((((slice1shift_search_0_7 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_7 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_7 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_7_count_8 <= as_number((((slice1shift_search_0_7 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_7 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_7 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_7 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_8_count_0 <= as_number((((slice1shift_search_0_8 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_8 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_8 / 2) mod 2) = 1) /=
@@ -8470,12 +8015,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_8 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_8_count_7 <= as_number(((((slice1shift_search_0_8 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_8 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_8 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_8_count_8 <= as_number((((slice1shift_search_0_8 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_8 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_8 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_8 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_9_count_0 <= as_number((((slice1shift_search_0_9 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_9 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_9 / 2) mod 2) = 1) /=
@@ -8505,12 +8047,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_9 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_9_count_7 <= as_number(((((slice1shift_search_0_9 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_9 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_9 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_9_count_8 <= as_number((((slice1shift_search_0_9 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_9 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_9 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_9 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_10_count_0 <= as_number((((slice1shift_search_0_10 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_10 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_10 / 2) mod 2) = 1) /=
@@ -8540,12 +8079,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_10 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_10_count_7 <= as_number(((((slice1shift_search_0_10 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_10 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_10 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_10_count_8 <= as_number((((slice1shift_search_0_10 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_10 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_10 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_10 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_11_count_0 <= as_number((((slice1shift_search_0_11 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_11 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_11 / 2) mod 2) = 1) /=
@@ -8575,12 +8111,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_11 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_11_count_7 <= as_number(((((slice1shift_search_0_11 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_11 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_11 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_11_count_8 <= as_number((((slice1shift_search_0_11 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_11 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_11 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_11 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_12_count_0 <= as_number((((slice1shift_search_0_12 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_12 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_12 / 2) mod 2) = 1) /=
@@ -8610,12 +8143,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_12 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_12_count_7 <= as_number(((((slice1shift_search_0_12 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_12 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_12 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_12_count_8 <= as_number((((slice1shift_search_0_12 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_12 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_12 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_12 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_13_count_0 <= as_number((((slice1shift_search_0_13 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_13 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_13 / 2) mod 2) = 1) /=
@@ -8645,12 +8175,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_13 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_13_count_7 <= as_number(((((slice1shift_search_0_13 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_13 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_13 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_13_count_8 <= as_number((((slice1shift_search_0_13 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_13 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_13 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_13 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_14_count_0 <= as_number((((slice1shift_search_0_14 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_14 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_14 / 2) mod 2) = 1) /=
@@ -8680,12 +8207,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_14 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_14_count_7 <= as_number(((((slice1shift_search_0_14 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_14 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_14 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_14_count_8 <= as_number((((slice1shift_search_0_14 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_14 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_14 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_14 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_15_count_0 <= as_number((((slice1shift_search_0_15 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_15 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_15 / 2) mod 2) = 1) /=
@@ -8715,12 +8239,9 @@ begin
         slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_15 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_0_0_count_6_value_3));
       slice1cost_pixels_first_0_15_count_7 <= as_number(((((slice1shift_search_0_15 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((((slice1shift_search_0_15 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice1shift_search_0_15 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_7_value_3));
-      slice1cost_pixels_first_0_15_count_8 <= as_number((((slice1shift_search_0_15 / 33554432) = 1) /=
-        ((slice1shift_reference_0 / 33554432) = 1))) + as_number(((((slice1shift_search_0_15 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_8_value));
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_15 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_15 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_1_0_count_0 <= as_number((((slice1shift_search_1_0 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value /=
         (((slice1shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value_2 /=
@@ -8750,12 +8271,9 @@ begin
         (((slice1shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_3 /=
         (((slice1shift_search_1_0 / 524288) mod 2) = 1)));
       slice1cost_pixels_first_1_0_count_7 <= as_number((slice1cost_pixels_first_1_0_count_7_value /=
-        (((slice1shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_7_value_2 /=
-        (((slice1shift_search_1_0 / 8388608) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_7_value_3 /=
+        (((slice1shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_1 / 8388608) = 1) /=
+        ((slice1shift_search_1_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_1_0_count_7_value_2 /=
         (((slice1shift_search_1_0 / 4194304) mod 2) = 1)));
-      slice1cost_pixels_first_1_0_count_8 <= as_number((((slice1shift_reference_1 / 33554432) = 1) /=
-        ((slice1shift_search_1_0 / 33554432) = 1))) + as_number((slice1cost_pixels_first_1_0_count_8_value /=
-        (((slice1shift_search_1_0 / 16777216) mod 2) = 1)));
       slice1cost_pixels_first_1_1_count_0 <= as_number((((slice1shift_search_1_1 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
@@ -8785,12 +8303,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_1 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_1_count_7 <= as_number(((((slice1shift_search_1_1 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_1 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_1 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_1_count_8 <= as_number((((slice1shift_search_1_1 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_1 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_1 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_2_count_0 <= as_number((((slice1shift_search_1_2 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
@@ -8820,12 +8335,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_2 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_2_count_7 <= as_number(((((slice1shift_search_1_2 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_2 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_2 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_2_count_8 <= as_number((((slice1shift_search_1_2 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_2 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_2 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_3_count_0 <= as_number((((slice1shift_search_1_3 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_3 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_3 / 2) mod 2) = 1) /=
@@ -8855,12 +8367,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_3 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_3_count_7 <= as_number(((((slice1shift_search_1_3 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_3 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_3 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_3_count_8 <= as_number((((slice1shift_search_1_3 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_3 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_3 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_4_count_0 <= as_number((((slice1shift_search_1_4 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_4 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_4 / 2) mod 2) = 1) /=
@@ -8890,12 +8399,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_4 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_4_count_7 <= as_number(((((slice1shift_search_1_4 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_4 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_4 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_4_count_8 <= as_number((((slice1shift_search_1_4 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_4 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_4 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_5_count_0 <= as_number((((slice1shift_search_1_5 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_5 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_5 / 2) mod 2) = 1) /=
@@ -8925,12 +8431,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_5 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_5_count_7 <= as_number(((((slice1shift_search_1_5 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_5 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_5 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_5_count_8 <= as_number((((slice1shift_search_1_5 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_5 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_5 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_5 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_6_count_0 <= as_number((((slice1shift_search_1_6 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_6 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_6 / 2) mod 2) = 1) /=
@@ -8960,12 +8463,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_6 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_6_count_7 <= as_number(((((slice1shift_search_1_6 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_6 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_6 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_6_count_8 <= as_number((((slice1shift_search_1_6 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_6 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_6 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_6 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_7_count_0 <= as_number((((slice1shift_search_1_7 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_7 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_7 / 2) mod 2) = 1) /=
@@ -8995,12 +8495,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_7 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_7_count_7 <= as_number(((((slice1shift_search_1_7 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_7 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_7 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_7_count_8 <= as_number((((slice1shift_search_1_7 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_7 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_7 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_7 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_8_count_0 <= as_number((((slice1shift_search_1_8 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_8 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_8 / 2) mod 2) = 1) /=
@@ -9030,12 +8527,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_8 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_8_count_7 <= as_number(((((slice1shift_search_1_8 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_8 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_8 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_8_count_8 <= as_number((((slice1shift_search_1_8 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_8 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_8 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_8 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_9_count_0 <= as_number((((slice1shift_search_1_9 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_9 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_9 / 2) mod 2) = 1) /=
@@ -9065,12 +8559,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_9 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_9_count_7 <= as_number(((((slice1shift_search_1_9 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_9 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_9 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_9_count_8 <= as_number((((slice1shift_search_1_9 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_9 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_9 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_9 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_10_count_0 <= as_number((((slice1shift_search_1_10 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_10 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_10 / 2) mod 2) = 1) /=
@@ -9100,12 +8591,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_10 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_10_count_7 <= as_number(((((slice1shift_search_1_10 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_10 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_10 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_10_count_8 <= as_number((((slice1shift_search_1_10 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_10 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_10 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_10 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_11_count_0 <= as_number((((slice1shift_search_1_11 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_11 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_11 / 2) mod 2) = 1) /=
@@ -9135,12 +8623,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_11 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_11_count_7 <= as_number(((((slice1shift_search_1_11 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_11 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_11 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_11_count_8 <= as_number((((slice1shift_search_1_11 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_11 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_11 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_11 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_12_count_0 <= as_number((((slice1shift_search_1_12 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_12 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_12 / 2) mod 2) = 1) /=
@@ -9170,12 +8655,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_12 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_12_count_7 <= as_number(((((slice1shift_search_1_12 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_12 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_12 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_12_count_8 <= as_number((((slice1shift_search_1_12 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_12 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_12 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_12 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_13_count_0 <= as_number((((slice1shift_search_1_13 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_13 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_13 / 2) mod 2) = 1) /=
@@ -9205,12 +8687,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_13 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_13_count_7 <= as_number(((((slice1shift_search_1_13 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_13 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_13 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_13_count_8 <= as_number((((slice1shift_search_1_13 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_13 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_13 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_13 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_14_count_0 <= as_number((((slice1shift_search_1_14 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_14 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_14 / 2) mod 2) = 1) /=
@@ -9240,12 +8719,9 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_14 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_14_count_7 <= as_number(((((slice1shift_search_1_14 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_14 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_14 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_14_count_8 <= as_number((((slice1shift_search_1_14 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_14 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_14 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_14 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_15_count_0 <= as_number((((slice1shift_search_1_15 mod 2) = 1) /=
         ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_15 / 4) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_15 / 2) mod 2) = 1) /=
@@ -9275,152 +8751,137 @@ begin
         slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_15 / 524288) mod 2) = 1) /=
         slice1cost_pixels_first_1_0_count_6_value_3));
       slice1cost_pixels_first_1_15_count_7 <= as_number(((((slice1shift_search_1_15 / 2097152) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value)) + as_number(((((slice1shift_search_1_15 / 8388608) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice1shift_search_1_15 / 4194304) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_7_value_3));
-      slice1cost_pixels_first_1_15_count_8 <= as_number((((slice1shift_search_1_15 / 33554432) = 1) /=
-        ((slice1shift_reference_1 / 33554432) = 1))) + as_number(((((slice1shift_search_1_15 / 16777216) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_8_value));
-      slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_6 + slice1cost_pixels_first_0_0_count_0 +
-        slice1cost_pixels_first_0_0_count_1 + slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_8
-        + slice1cost_pixels_first_0_0_count_4 + slice1cost_pixels_first_0_0_count_5 +
-        slice1cost_pixels_first_0_0_count_7 + slice1cost_pixels_first_0_0_count_2;
-      slice1cost_pixels_cost_0_1 <= slice1cost_pixels_first_0_1_count_6 + slice1cost_pixels_first_0_1_count_0 +
-        slice1cost_pixels_first_0_1_count_1 + slice1cost_pixels_first_0_1_count_3 + slice1cost_pixels_first_0_1_count_8
-        + slice1cost_pixels_first_0_1_count_4 + slice1cost_pixels_first_0_1_count_5 +
-        slice1cost_pixels_first_0_1_count_7 + slice1cost_pixels_first_0_1_count_2;
-      slice1cost_pixels_cost_0_2 <= slice1cost_pixels_first_0_2_count_6 + slice1cost_pixels_first_0_2_count_0 +
-        slice1cost_pixels_first_0_2_count_1 + slice1cost_pixels_first_0_2_count_3 + slice1cost_pixels_first_0_2_count_8
-        + slice1cost_pixels_first_0_2_count_4 + slice1cost_pixels_first_0_2_count_5 +
-        slice1cost_pixels_first_0_2_count_7 + slice1cost_pixels_first_0_2_count_2;
-      slice1cost_pixels_cost_0_3 <= slice1cost_pixels_first_0_3_count_6 + slice1cost_pixels_first_0_3_count_0 +
-        slice1cost_pixels_first_0_3_count_1 + slice1cost_pixels_first_0_3_count_3 + slice1cost_pixels_first_0_3_count_8
-        + slice1cost_pixels_first_0_3_count_4 + slice1cost_pixels_first_0_3_count_5 +
-        slice1cost_pixels_first_0_3_count_7 + slice1cost_pixels_first_0_3_count_2;
-      slice1cost_pixels_cost_0_4 <= slice1cost_pixels_first_0_4_count_6 + slice1cost_pixels_first_0_4_count_0 +
-        slice1cost_pixels_first_0_4_count_1 + slice1cost_pixels_first_0_4_count_3 + slice1cost_pixels_first_0_4_count_8
-        + slice1cost_pixels_first_0_4_count_4 + slice1cost_pixels_first_0_4_count_5 +
-        slice1cost_pixels_first_0_4_count_7 + slice1cost_pixels_first_0_4_count_2;
-      slice1cost_pixels_cost_0_5 <= slice1cost_pixels_first_0_5_count_6 + slice1cost_pixels_first_0_5_count_0 +
-        slice1cost_pixels_first_0_5_count_1 + slice1cost_pixels_first_0_5_count_3 + slice1cost_pixels_first_0_5_count_8
-        + slice1cost_pixels_first_0_5_count_4 + slice1cost_pixels_first_0_5_count_5 +
-        slice1cost_pixels_first_0_5_count_7 + slice1cost_pixels_first_0_5_count_2;
-      slice1cost_pixels_cost_0_6 <= slice1cost_pixels_first_0_6_count_6 + slice1cost_pixels_first_0_6_count_0 +
-        slice1cost_pixels_first_0_6_count_1 + slice1cost_pixels_first_0_6_count_3 + slice1cost_pixels_first_0_6_count_8
-        + slice1cost_pixels_first_0_6_count_4 + slice1cost_pixels_first_0_6_count_5 +
-        slice1cost_pixels_first_0_6_count_7 + slice1cost_pixels_first_0_6_count_2;
-      slice1cost_pixels_cost_0_7 <= slice1cost_pixels_first_0_7_count_6 + slice1cost_pixels_first_0_7_count_0 +
-        slice1cost_pixels_first_0_7_count_1 + slice1cost_pixels_first_0_7_count_3 + slice1cost_pixels_first_0_7_count_8
-        + slice1cost_pixels_first_0_7_count_4 + slice1cost_pixels_first_0_7_count_5 +
-        slice1cost_pixels_first_0_7_count_7 + slice1cost_pixels_first_0_7_count_2;
-      slice1cost_pixels_cost_0_8 <= slice1cost_pixels_first_0_8_count_6 + slice1cost_pixels_first_0_8_count_0 +
-        slice1cost_pixels_first_0_8_count_1 + slice1cost_pixels_first_0_8_count_3 + slice1cost_pixels_first_0_8_count_8
-        + slice1cost_pixels_first_0_8_count_4 + slice1cost_pixels_first_0_8_count_5 +
-        slice1cost_pixels_first_0_8_count_7 + slice1cost_pixels_first_0_8_count_2;
-      slice1cost_pixels_cost_0_9 <= slice1cost_pixels_first_0_9_count_6 + slice1cost_pixels_first_0_9_count_0 +
-        slice1cost_pixels_first_0_9_count_1 + slice1cost_pixels_first_0_9_count_3 + slice1cost_pixels_first_0_9_count_8
-        + slice1cost_pixels_first_0_9_count_4 + slice1cost_pixels_first_0_9_count_5 +
-        slice1cost_pixels_first_0_9_count_7 + slice1cost_pixels_first_0_9_count_2;
-      slice1cost_pixels_cost_0_10 <= slice1cost_pixels_first_0_10_count_6 + slice1cost_pixels_first_0_10_count_0 +
-        slice1cost_pixels_first_0_10_count_1 + slice1cost_pixels_first_0_10_count_3 +
-        slice1cost_pixels_first_0_10_count_8 + slice1cost_pixels_first_0_10_count_4 +
-        slice1cost_pixels_first_0_10_count_5 + slice1cost_pixels_first_0_10_count_7 +
-        slice1cost_pixels_first_0_10_count_2;
-      slice1cost_pixels_cost_0_11 <= slice1cost_pixels_first_0_11_count_6 + slice1cost_pixels_first_0_11_count_0 +
-        slice1cost_pixels_first_0_11_count_1 + slice1cost_pixels_first_0_11_count_3 +
-        slice1cost_pixels_first_0_11_count_8 + slice1cost_pixels_first_0_11_count_4 +
-        slice1cost_pixels_first_0_11_count_5 + slice1cost_pixels_first_0_11_count_7 +
-        slice1cost_pixels_first_0_11_count_2;
-      slice1cost_pixels_cost_0_12 <= slice1cost_pixels_first_0_12_count_6 + slice1cost_pixels_first_0_12_count_0 +
-        slice1cost_pixels_first_0_12_count_1 + slice1cost_pixels_first_0_12_count_3 +
-        slice1cost_pixels_first_0_12_count_8 + slice1cost_pixels_first_0_12_count_4 +
-        slice1cost_pixels_first_0_12_count_5 + slice1cost_pixels_first_0_12_count_7 +
-        slice1cost_pixels_first_0_12_count_2;
-      slice1cost_pixels_cost_0_13 <= slice1cost_pixels_first_0_13_count_6 + slice1cost_pixels_first_0_13_count_0 +
-        slice1cost_pixels_first_0_13_count_1 + slice1cost_pixels_first_0_13_count_3 +
-        slice1cost_pixels_first_0_13_count_8 + slice1cost_pixels_first_0_13_count_4 +
-        slice1cost_pixels_first_0_13_count_5 + slice1cost_pixels_first_0_13_count_7 +
-        slice1cost_pixels_first_0_13_count_2;
-      slice1cost_pixels_cost_0_14 <= slice1cost_pixels_first_0_14_count_6 + slice1cost_pixels_first_0_14_count_0 +
-        slice1cost_pixels_first_0_14_count_1 + slice1cost_pixels_first_0_14_count_3 +
-        slice1cost_pixels_first_0_14_count_8 + slice1cost_pixels_first_0_14_count_4 +
-        slice1cost_pixels_first_0_14_count_5 + slice1cost_pixels_first_0_14_count_7 +
-        slice1cost_pixels_first_0_14_count_2;
-      slice1cost_pixels_cost_0_15 <= slice1cost_pixels_first_0_15_count_6 + slice1cost_pixels_first_0_15_count_0 +
-        slice1cost_pixels_first_0_15_count_1 + slice1cost_pixels_first_0_15_count_3 +
-        slice1cost_pixels_first_0_15_count_8 + slice1cost_pixels_first_0_15_count_4 +
-        slice1cost_pixels_first_0_15_count_5 + slice1cost_pixels_first_0_15_count_7 +
-        slice1cost_pixels_first_0_15_count_2;
-      slice1cost_pixels_cost_1_0 <= slice1cost_pixels_first_1_0_count_6 + slice1cost_pixels_first_1_0_count_0 +
-        slice1cost_pixels_first_1_0_count_1 + slice1cost_pixels_first_1_0_count_3 + slice1cost_pixels_first_1_0_count_8
-        + slice1cost_pixels_first_1_0_count_4 + slice1cost_pixels_first_1_0_count_5 +
-        slice1cost_pixels_first_1_0_count_7 + slice1cost_pixels_first_1_0_count_2;
-      slice1cost_pixels_cost_1_1 <= slice1cost_pixels_first_1_1_count_6 + slice1cost_pixels_first_1_1_count_0 +
-        slice1cost_pixels_first_1_1_count_1 + slice1cost_pixels_first_1_1_count_3 + slice1cost_pixels_first_1_1_count_8
-        + slice1cost_pixels_first_1_1_count_4 + slice1cost_pixels_first_1_1_count_5 +
-        slice1cost_pixels_first_1_1_count_7 + slice1cost_pixels_first_1_1_count_2;
-      slice1cost_pixels_cost_1_2 <= slice1cost_pixels_first_1_2_count_6 + slice1cost_pixels_first_1_2_count_0 +
-        slice1cost_pixels_first_1_2_count_1 + slice1cost_pixels_first_1_2_count_3 + slice1cost_pixels_first_1_2_count_8
-        + slice1cost_pixels_first_1_2_count_4 + slice1cost_pixels_first_1_2_count_5 +
-        slice1cost_pixels_first_1_2_count_7 + slice1cost_pixels_first_1_2_count_2;
-      slice1cost_pixels_cost_1_3 <= slice1cost_pixels_first_1_3_count_6 + slice1cost_pixels_first_1_3_count_0 +
-        slice1cost_pixels_first_1_3_count_1 + slice1cost_pixels_first_1_3_count_3 + slice1cost_pixels_first_1_3_count_8
-        + slice1cost_pixels_first_1_3_count_4 + slice1cost_pixels_first_1_3_count_5 +
-        slice1cost_pixels_first_1_3_count_7 + slice1cost_pixels_first_1_3_count_2;
-      slice1cost_pixels_cost_1_4 <= slice1cost_pixels_first_1_4_count_6 + slice1cost_pixels_first_1_4_count_0 +
-        slice1cost_pixels_first_1_4_count_1 + slice1cost_pixels_first_1_4_count_3 + slice1cost_pixels_first_1_4_count_8
-        + slice1cost_pixels_first_1_4_count_4 + slice1cost_pixels_first_1_4_count_5 +
-        slice1cost_pixels_first_1_4_count_7 + slice1cost_pixels_first_1_4_count_2;
-      slice1cost_pixels_cost_1_5 <= slice1cost_pixels_first_1_5_count_6 + slice1cost_pixels_first_1_5_count_0 +
-        slice1cost_pixels_first_1_5_count_1 + slice1cost_pixels_first_1_5_count_3 + slice1cost_pixels_first_1_5_count_8
-        + slice1cost_pixels_first_1_5_count_4 + slice1cost_pixels_first_1_5_count_5 +
-        slice1cost_pixels_first_1_5_count_7 + slice1cost_pixels_first_1_5_count_2;
-      slice1cost_pixels_cost_1_6 <= slice1cost_pixels_first_1_6_count_6 + slice1cost_pixels_first_1_6_count_0 +
-        slice1cost_pixels_first_1_6_count_1 + slice1cost_pixels_first_1_6_count_3 + slice1cost_pixels_first_1_6_count_8
-        + slice1cost_pixels_first_1_6_count_4 + slice1cost_pixels_first_1_6_count_5 +
-        slice1cost_pixels_first_1_6_count_7 + slice1cost_pixels_first_1_6_count_2;
-      slice1cost_pixels_cost_1_7 <= slice1cost_pixels_first_1_7_count_6 + slice1cost_pixels_first_1_7_count_0 +
-        slice1cost_pixels_first_1_7_count_1 + slice1cost_pixels_first_1_7_count_3 + slice1cost_pixels_first_1_7_count_8
-        + slice1cost_pixels_first_1_7_count_4 + slice1cost_pixels_first_1_7_count_5 +
-        slice1cost_pixels_first_1_7_count_7 + slice1cost_pixels_first_1_7_count_2;
-      slice1cost_pixels_cost_1_8 <= slice1cost_pixels_first_1_8_count_6 + slice1cost_pixels_first_1_8_count_0 +
-        slice1cost_pixels_first_1_8_count_1 + slice1cost_pixels_first_1_8_count_3 + slice1cost_pixels_first_1_8_count_8
-        + slice1cost_pixels_first_1_8_count_4 + slice1cost_pixels_first_1_8_count_5 +
-        slice1cost_pixels_first_1_8_count_7 + slice1cost_pixels_first_1_8_count_2;
-      slice1cost_pixels_cost_1_9 <= slice1cost_pixels_first_1_9_count_6 + slice1cost_pixels_first_1_9_count_0 +
-        slice1cost_pixels_first_1_9_count_1 + slice1cost_pixels_first_1_9_count_3 + slice1cost_pixels_first_1_9_count_8
-        + slice1cost_pixels_first_1_9_count_4 + slice1cost_pixels_first_1_9_count_5 +
-        slice1cost_pixels_first_1_9_count_7 + slice1cost_pixels_first_1_9_count_2;
-      slice1cost_pixels_cost_1_10 <= slice1cost_pixels_first_1_10_count_6 + slice1cost_pixels_first_1_10_count_0 +
-        slice1cost_pixels_first_1_10_count_1 + slice1cost_pixels_first_1_10_count_3 +
-        slice1cost_pixels_first_1_10_count_8 + slice1cost_pixels_first_1_10_count_4 +
-        slice1cost_pixels_first_1_10_count_5 + slice1cost_pixels_first_1_10_count_7 +
-        slice1cost_pixels_first_1_10_count_2;
-      slice1cost_pixels_cost_1_11 <= slice1cost_pixels_first_1_11_count_6 + slice1cost_pixels_first_1_11_count_0 +
-        slice1cost_pixels_first_1_11_count_1 + slice1cost_pixels_first_1_11_count_3 +
-        slice1cost_pixels_first_1_11_count_8 + slice1cost_pixels_first_1_11_count_4 +
-        slice1cost_pixels_first_1_11_count_5 + slice1cost_pixels_first_1_11_count_7 +
-        slice1cost_pixels_first_1_11_count_2;
-      slice1cost_pixels_cost_1_12 <= slice1cost_pixels_first_1_12_count_6 + slice1cost_pixels_first_1_12_count_0 +
-        slice1cost_pixels_first_1_12_count_1 + slice1cost_pixels_first_1_12_count_3 +
-        slice1cost_pixels_first_1_12_count_8 + slice1cost_pixels_first_1_12_count_4 +
-        slice1cost_pixels_first_1_12_count_5 + slice1cost_pixels_first_1_12_count_7 +
-        slice1cost_pixels_first_1_12_count_2;
-      slice1cost_pixels_cost_1_13 <= slice1cost_pixels_first_1_13_count_6 + slice1cost_pixels_first_1_13_count_0 +
-        slice1cost_pixels_first_1_13_count_1 + slice1cost_pixels_first_1_13_count_3 +
-        slice1cost_pixels_first_1_13_count_8 + slice1cost_pixels_first_1_13_count_4 +
-        slice1cost_pixels_first_1_13_count_5 + slice1cost_pixels_first_1_13_count_7 +
-        slice1cost_pixels_first_1_13_count_2;
-      slice1cost_pixels_cost_1_14 <= slice1cost_pixels_first_1_14_count_6 + slice1cost_pixels_first_1_14_count_0 +
-        slice1cost_pixels_first_1_14_count_1 + slice1cost_pixels_first_1_14_count_3 +
-        slice1cost_pixels_first_1_14_count_8 + slice1cost_pixels_first_1_14_count_4 +
-        slice1cost_pixels_first_1_14_count_5 + slice1cost_pixels_first_1_14_count_7 +
-        slice1cost_pixels_first_1_14_count_2;
-      slice1cost_pixels_cost_1_15 <= slice1cost_pixels_first_1_15_count_6 + slice1cost_pixels_first_1_15_count_0 +
-        slice1cost_pixels_first_1_15_count_1 + slice1cost_pixels_first_1_15_count_3 +
-        slice1cost_pixels_first_1_15_count_8 + slice1cost_pixels_first_1_15_count_4 +
-        slice1cost_pixels_first_1_15_count_5 + slice1cost_pixels_first_1_15_count_7 +
-        slice1cost_pixels_first_1_15_count_2;
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_15 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_15 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
+      slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_0 + slice1cost_pixels_first_0_0_count_2 +
+        slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_5 + slice1cost_pixels_first_0_0_count_6
+        + slice1cost_pixels_first_0_0_count_4 + slice1cost_pixels_first_0_0_count_7 +
+        slice1cost_pixels_first_0_0_count_1;
+      slice1cost_pixels_cost_0_1 <= slice1cost_pixels_first_0_1_count_0 + slice1cost_pixels_first_0_1_count_2 +
+        slice1cost_pixels_first_0_1_count_3 + slice1cost_pixels_first_0_1_count_5 + slice1cost_pixels_first_0_1_count_6
+        + slice1cost_pixels_first_0_1_count_4 + slice1cost_pixels_first_0_1_count_7 +
+        slice1cost_pixels_first_0_1_count_1;
+      slice1cost_pixels_cost_0_2 <= slice1cost_pixels_first_0_2_count_0 + slice1cost_pixels_first_0_2_count_2 +
+        slice1cost_pixels_first_0_2_count_3 + slice1cost_pixels_first_0_2_count_5 + slice1cost_pixels_first_0_2_count_6
+        + slice1cost_pixels_first_0_2_count_4 + slice1cost_pixels_first_0_2_count_7 +
+        slice1cost_pixels_first_0_2_count_1;
+      slice1cost_pixels_cost_0_3 <= slice1cost_pixels_first_0_3_count_0 + slice1cost_pixels_first_0_3_count_2 +
+        slice1cost_pixels_first_0_3_count_3 + slice1cost_pixels_first_0_3_count_5 + slice1cost_pixels_first_0_3_count_6
+        + slice1cost_pixels_first_0_3_count_4 + slice1cost_pixels_first_0_3_count_7 +
+        slice1cost_pixels_first_0_3_count_1;
+      slice1cost_pixels_cost_0_4 <= slice1cost_pixels_first_0_4_count_0 + slice1cost_pixels_first_0_4_count_2 +
+        slice1cost_pixels_first_0_4_count_3 + slice1cost_pixels_first_0_4_count_5 + slice1cost_pixels_first_0_4_count_6
+        + slice1cost_pixels_first_0_4_count_4 + slice1cost_pixels_first_0_4_count_7 +
+        slice1cost_pixels_first_0_4_count_1;
+      slice1cost_pixels_cost_0_5 <= slice1cost_pixels_first_0_5_count_0 + slice1cost_pixels_first_0_5_count_2 +
+        slice1cost_pixels_first_0_5_count_3 + slice1cost_pixels_first_0_5_count_5 + slice1cost_pixels_first_0_5_count_6
+        + slice1cost_pixels_first_0_5_count_4 + slice1cost_pixels_first_0_5_count_7 +
+        slice1cost_pixels_first_0_5_count_1;
+      slice1cost_pixels_cost_0_6 <= slice1cost_pixels_first_0_6_count_0 + slice1cost_pixels_first_0_6_count_2 +
+        slice1cost_pixels_first_0_6_count_3 + slice1cost_pixels_first_0_6_count_5 + slice1cost_pixels_first_0_6_count_6
+        + slice1cost_pixels_first_0_6_count_4 + slice1cost_pixels_first_0_6_count_7 +
+        slice1cost_pixels_first_0_6_count_1;
+      slice1cost_pixels_cost_0_7 <= slice1cost_pixels_first_0_7_count_0 + slice1cost_pixels_first_0_7_count_2 +
+        slice1cost_pixels_first_0_7_count_3 + slice1cost_pixels_first_0_7_count_5 + slice1cost_pixels_first_0_7_count_6
+        + slice1cost_pixels_first_0_7_count_4 + slice1cost_pixels_first_0_7_count_7 +
+        slice1cost_pixels_first_0_7_count_1;
+      slice1cost_pixels_cost_0_8 <= slice1cost_pixels_first_0_8_count_0 + slice1cost_pixels_first_0_8_count_2 +
+        slice1cost_pixels_first_0_8_count_3 + slice1cost_pixels_first_0_8_count_5 + slice1cost_pixels_first_0_8_count_6
+        + slice1cost_pixels_first_0_8_count_4 + slice1cost_pixels_first_0_8_count_7 +
+        slice1cost_pixels_first_0_8_count_1;
+      slice1cost_pixels_cost_0_9 <= slice1cost_pixels_first_0_9_count_0 + slice1cost_pixels_first_0_9_count_2 +
+        slice1cost_pixels_first_0_9_count_3 + slice1cost_pixels_first_0_9_count_5 + slice1cost_pixels_first_0_9_count_6
+        + slice1cost_pixels_first_0_9_count_4 + slice1cost_pixels_first_0_9_count_7 +
+        slice1cost_pixels_first_0_9_count_1;
+      slice1cost_pixels_cost_0_10 <= slice1cost_pixels_first_0_10_count_0 + slice1cost_pixels_first_0_10_count_2 +
+        slice1cost_pixels_first_0_10_count_3 + slice1cost_pixels_first_0_10_count_5 +
+        slice1cost_pixels_first_0_10_count_6 + slice1cost_pixels_first_0_10_count_4 +
+        slice1cost_pixels_first_0_10_count_7 + slice1cost_pixels_first_0_10_count_1;
+      slice1cost_pixels_cost_0_11 <= slice1cost_pixels_first_0_11_count_0 + slice1cost_pixels_first_0_11_count_2 +
+        slice1cost_pixels_first_0_11_count_3 + slice1cost_pixels_first_0_11_count_5 +
+        slice1cost_pixels_first_0_11_count_6 + slice1cost_pixels_first_0_11_count_4 +
+        slice1cost_pixels_first_0_11_count_7 + slice1cost_pixels_first_0_11_count_1;
+      slice1cost_pixels_cost_0_12 <= slice1cost_pixels_first_0_12_count_0 + slice1cost_pixels_first_0_12_count_2 +
+        slice1cost_pixels_first_0_12_count_3 + slice1cost_pixels_first_0_12_count_5 +
+        slice1cost_pixels_first_0_12_count_6 + slice1cost_pixels_first_0_12_count_4 +
+        slice1cost_pixels_first_0_12_count_7 + slice1cost_pixels_first_0_12_count_1;
+      slice1cost_pixels_cost_0_13 <= slice1cost_pixels_first_0_13_count_0 + slice1cost_pixels_first_0_13_count_2 +
+        slice1cost_pixels_first_0_13_count_3 + slice1cost_pixels_first_0_13_count_5 +
+        slice1cost_pixels_first_0_13_count_6 + slice1cost_pixels_first_0_13_count_4 +
+        slice1cost_pixels_first_0_13_count_7 + slice1cost_pixels_first_0_13_count_1;
+      slice1cost_pixels_cost_0_14 <= slice1cost_pixels_first_0_14_count_0 + slice1cost_pixels_first_0_14_count_2 +
+        slice1cost_pixels_first_0_14_count_3 + slice1cost_pixels_first_0_14_count_5 +
+        slice1cost_pixels_first_0_14_count_6 + slice1cost_pixels_first_0_14_count_4 +
+        slice1cost_pixels_first_0_14_count_7 + slice1cost_pixels_first_0_14_count_1;
+      slice1cost_pixels_cost_0_15 <= slice1cost_pixels_first_0_15_count_0 + slice1cost_pixels_first_0_15_count_2 +
+        slice1cost_pixels_first_0_15_count_3 + slice1cost_pixels_first_0_15_count_5 +
+        slice1cost_pixels_first_0_15_count_6 + slice1cost_pixels_first_0_15_count_4 +
+        slice1cost_pixels_first_0_15_count_7 + slice1cost_pixels_first_0_15_count_1;
+      slice1cost_pixels_cost_1_0 <= slice1cost_pixels_first_1_0_count_0 + slice1cost_pixels_first_1_0_count_2 +
+        slice1cost_pixels_first_1_0_count_3 + slice1cost_pixels_first_1_0_count_5 + slice1cost_pixels_first_1_0_count_6
+        + slice1cost_pixels_first_1_0_count_4 + slice1cost_pixels_first_1_0_count_7 +
+        slice1cost_pixels_first_1_0_count_1;
+      slice1cost_pixels_cost_1_1 <= slice1cost_pixels_first_1_1_count_0 + slice1cost_pixels_first_1_1_count_2 +
+        slice1cost_pixels_first_1_1_count_3 + slice1cost_pixels_first_1_1_count_5 + slice1cost_pixels_first_1_1_count_6
+        + slice1cost_pixels_first_1_1_count_4 + slice1cost_pixels_first_1_1_count_7 +
+        slice1cost_pixels_first_1_1_count_1;
+      slice1cost_pixels_cost_1_2 <= slice1cost_pixels_first_1_2_count_0 + slice1cost_pixels_first_1_2_count_2 +
+        slice1cost_pixels_first_1_2_count_3 + slice1cost_pixels_first_1_2_count_5 + slice1cost_pixels_first_1_2_count_6
+        + slice1cost_pixels_first_1_2_count_4 + slice1cost_pixels_first_1_2_count_7 +
+        slice1cost_pixels_first_1_2_count_1;
+      slice1cost_pixels_cost_1_3 <= slice1cost_pixels_first_1_3_count_0 + slice1cost_pixels_first_1_3_count_2 +
+        slice1cost_pixels_first_1_3_count_3 + slice1cost_pixels_first_1_3_count_5 + slice1cost_pixels_first_1_3_count_6
+        + slice1cost_pixels_first_1_3_count_4 + slice1cost_pixels_first_1_3_count_7 +
+        slice1cost_pixels_first_1_3_count_1;
+      slice1cost_pixels_cost_1_4 <= slice1cost_pixels_first_1_4_count_0 + slice1cost_pixels_first_1_4_count_2 +
+        slice1cost_pixels_first_1_4_count_3 + slice1cost_pixels_first_1_4_count_5 + slice1cost_pixels_first_1_4_count_6
+        + slice1cost_pixels_first_1_4_count_4 + slice1cost_pixels_first_1_4_count_7 +
+        slice1cost_pixels_first_1_4_count_1;
+      slice1cost_pixels_cost_1_5 <= slice1cost_pixels_first_1_5_count_0 + slice1cost_pixels_first_1_5_count_2 +
+        slice1cost_pixels_first_1_5_count_3 + slice1cost_pixels_first_1_5_count_5 + slice1cost_pixels_first_1_5_count_6
+        + slice1cost_pixels_first_1_5_count_4 + slice1cost_pixels_first_1_5_count_7 +
+        slice1cost_pixels_first_1_5_count_1;
+      slice1cost_pixels_cost_1_6 <= slice1cost_pixels_first_1_6_count_0 + slice1cost_pixels_first_1_6_count_2 +
+        slice1cost_pixels_first_1_6_count_3 + slice1cost_pixels_first_1_6_count_5 + slice1cost_pixels_first_1_6_count_6
+        + slice1cost_pixels_first_1_6_count_4 + slice1cost_pixels_first_1_6_count_7 +
+        slice1cost_pixels_first_1_6_count_1;
+      slice1cost_pixels_cost_1_7 <= slice1cost_pixels_first_1_7_count_0 + slice1cost_pixels_first_1_7_count_2 +
+        slice1cost_pixels_first_1_7_count_3 + slice1cost_pixels_first_1_7_count_5 + slice1cost_pixels_first_1_7_count_6
+        + slice1cost_pixels_first_1_7_count_4 + slice1cost_pixels_first_1_7_count_7 +
+        slice1cost_pixels_first_1_7_count_1;
+      slice1cost_pixels_cost_1_8 <= slice1cost_pixels_first_1_8_count_0 + slice1cost_pixels_first_1_8_count_2 +
+        slice1cost_pixels_first_1_8_count_3 + slice1cost_pixels_first_1_8_count_5 + slice1cost_pixels_first_1_8_count_6
+        + slice1cost_pixels_first_1_8_count_4 + slice1cost_pixels_first_1_8_count_7 +
+        slice1cost_pixels_first_1_8_count_1;
+      slice1cost_pixels_cost_1_9 <= slice1cost_pixels_first_1_9_count_0 + slice1cost_pixels_first_1_9_count_2 +
+        slice1cost_pixels_first_1_9_count_3 + slice1cost_pixels_first_1_9_count_5 + slice1cost_pixels_first_1_9_count_6
+        + slice1cost_pixels_first_1_9_count_4 + slice1cost_pixels_first_1_9_count_7 +
+        slice1cost_pixels_first_1_9_count_1;
+      slice1cost_pixels_cost_1_10 <= slice1cost_pixels_first_1_10_count_0 + slice1cost_pixels_first_1_10_count_2 +
+        slice1cost_pixels_first_1_10_count_3 + slice1cost_pixels_first_1_10_count_5 +
+        slice1cost_pixels_first_1_10_count_6 + slice1cost_pixels_first_1_10_count_4 +
+        slice1cost_pixels_first_1_10_count_7 + slice1cost_pixels_first_1_10_count_1;
+      slice1cost_pixels_cost_1_11 <= slice1cost_pixels_first_1_11_count_0 + slice1cost_pixels_first_1_11_count_2 +
+        slice1cost_pixels_first_1_11_count_3 + slice1cost_pixels_first_1_11_count_5 +
+        slice1cost_pixels_first_1_11_count_6 + slice1cost_pixels_first_1_11_count_4 +
+        slice1cost_pixels_first_1_11_count_7 + slice1cost_pixels_first_1_11_count_1;
+      slice1cost_pixels_cost_1_12 <= slice1cost_pixels_first_1_12_count_0 + slice1cost_pixels_first_1_12_count_2 +
+        slice1cost_pixels_first_1_12_count_3 + slice1cost_pixels_first_1_12_count_5 +
+        slice1cost_pixels_first_1_12_count_6 + slice1cost_pixels_first_1_12_count_4 +
+        slice1cost_pixels_first_1_12_count_7 + slice1cost_pixels_first_1_12_count_1;
+      slice1cost_pixels_cost_1_13 <= slice1cost_pixels_first_1_13_count_0 + slice1cost_pixels_first_1_13_count_2 +
+        slice1cost_pixels_first_1_13_count_3 + slice1cost_pixels_first_1_13_count_5 +
+        slice1cost_pixels_first_1_13_count_6 + slice1cost_pixels_first_1_13_count_4 +
+        slice1cost_pixels_first_1_13_count_7 + slice1cost_pixels_first_1_13_count_1;
+      slice1cost_pixels_cost_1_14 <= slice1cost_pixels_first_1_14_count_0 + slice1cost_pixels_first_1_14_count_2 +
+        slice1cost_pixels_first_1_14_count_3 + slice1cost_pixels_first_1_14_count_5 +
+        slice1cost_pixels_first_1_14_count_6 + slice1cost_pixels_first_1_14_count_4 +
+        slice1cost_pixels_first_1_14_count_7 + slice1cost_pixels_first_1_14_count_1;
+      slice1cost_pixels_cost_1_15 <= slice1cost_pixels_first_1_15_count_0 + slice1cost_pixels_first_1_15_count_2 +
+        slice1cost_pixels_first_1_15_count_3 + slice1cost_pixels_first_1_15_count_5 +
+        slice1cost_pixels_first_1_15_count_6 + slice1cost_pixels_first_1_15_count_4 +
+        slice1cost_pixels_first_1_15_count_7 + slice1cost_pixels_first_1_15_count_1;
       slice1cost_read_column <= slice0cost_read_column;
       slice1cost_change_column <= slice1cost_read_column;
       slice1cost_change_0_0 <= slice1cost_pixels_cost_1_0 - slice1cost_pixels_cost_0_0;
@@ -9602,6 +9063,8 @@ begin
       slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
       slice1window_change_tag_first_column <= slice0window_change_tag_first_column;
       slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
+      slice1window_centre_first_column_0 <= slice1window_change_tag_first_column;
+      slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       if slice1window_change_tag_row_start then
         slice1window_sum_0_0_choice := 0;
@@ -9684,24 +9147,23 @@ begin
         slice1window_sum_0_15_choice := slice1window_sum_0_15;
       end if;
       if slice0window_tag_valid then
-        slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 4096;
-        slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 4096;
-        slice1window_sum_0_2 <= (slice1window_sum_0_2_choice + slice1window_change_0_2) mod 4096;
-        slice1window_sum_0_3 <= (slice1window_sum_0_3_choice + slice1window_change_0_3) mod 4096;
-        slice1window_sum_0_4 <= (slice1window_sum_0_4_choice + slice1window_change_0_4) mod 4096;
-        slice1window_sum_0_5 <= (slice1window_sum_0_5_choice + slice1window_change_0_5) mod 4096;
-        slice1window_sum_0_6 <= (slice1window_sum_0_6_choice + slice1window_change_0_6) mod 4096;
-        slice1window_sum_0_7 <= (slice1window_sum_0_7_choice + slice1window_change_0_7) mod 4096;
-        slice1window_sum_0_8 <= (slice1window_sum_0_8_choice + slice1window_change_0_8) mod 4096;
-        slice1window_sum_0_9 <= (slice1window_sum_0_9_choice + slice1window_change_0_9) mod 4096;
-        slice1window_sum_0_10 <= (slice1window_sum_0_10_choice + slice1window_change_0_10) mod 4096;
-        slice1window_sum_0_11 <= (slice1window_sum_0_11_choice + slice1window_change_0_11) mod 4096;
-        slice1window_sum_0_12 <= (slice1window_sum_0_12_choice + slice1window_change_0_12) mod 4096;
-        slice1window_sum_0_13 <= (slice1window_sum_0_13_choice + slice1window_change_0_13) mod 4096;
-        slice1window_sum_0_14 <= (slice1window_sum_0_14_choice + slice1window_change_0_14) mod 4096;
-        slice1window_sum_0_15 <= (slice1window_sum_0_15_choice + slice1window_change_0_15) mod 4096;
-        slice1window_centre_first_column_0 <= slice1window_change_tag_first_column;
-        slice1window_centre_first_column_1 <= slice1window_centre_first_column_0;
+        slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 2048;
+        slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 2048;
+        slice1window_sum_0_2 <= (slice1window_sum_0_2_choice + slice1window_change_0_2) mod 2048;
+        slice1window_sum_0_3 <= (slice1window_sum_0_3_choice + slice1window_change_0_3) mod 2048;
+        slice1window_sum_0_4 <= (slice1window_sum_0_4_choice + slice1window_change_0_4) mod 2048;
+        slice1window_sum_0_5 <= (slice1window_sum_0_5_choice + slice1window_change_0_5) mod 2048;
+        slice1window_sum_0_6 <= (slice1window_sum_0_6_choice + slice1window_change_0_6) mod 2048;
+        slice1window_sum_0_7 <= (slice1window_sum_0_7_choice + slice1window_change_0_7) mod 2048;
+        slice1window_sum_0_8 <= (slice1window_sum_0_8_choice + slice1window_change_0_8) mod 2048;
+        slice1window_sum_0_9 <= (slice1window_sum_0_9_choice + slice1window_change_0_9) mod 2048;
+        slice1window_sum_0_10 <= (slice1window_sum_0_10_choice + slice1window_change_0_10) mod 2048;
+        slice1window_sum_0_11 <= (slice1window_sum_0_11_choice + slice1window_change_0_11) mod 2048;
+        slice1window_sum_0_12 <= (slice1window_sum_0_12_choice + slice1window_change_0_12) mod 2048;
+        slice1window_sum_0_13 <= (slice1window_sum_0_13_choice + slice1window_change_0_13) mod 2048;
+        slice1window_sum_0_14 <= (slice1window_sum_0_14_choice + slice1window_change_0_14) mod 2048;
+        slice1window_sum_0_15 <= (slice1window_sum_0_15_choice + slice1window_change_0_15) mod 2048;
+        slice1window_centre_first_column_1 <= slice2window_change_tag_first_column;
         slice1window_centre_first_column_2 <= slice1window_centre_first_column_1;
       end if;
       -- slice1mask
@@ -9829,122 +9291,122 @@ begin
       if slice1mask_inside_1 then
         slice1winner1_best_cost_0_0_choice := 0;
       else
-        slice1winner1_best_cost_0_0_choice := 4095;
+        slice1winner1_best_cost_0_0_choice := 2047;
       end if;
-      slice1winner1_best_cost_0_0_any := to_integer(((to_unsigned(slice1window_sum_0_1, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_0_choice, 12))));
+      slice1winner1_best_cost_0_0_any := to_integer(((to_unsigned(slice1window_sum_0_1, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_0_choice, 11))));
       if slice1mask_inside_0 then
         slice1winner1_best_cost_0_0_choice_2 := 0;
       else
-        slice1winner1_best_cost_0_0_choice_2 := 4095;
+        slice1winner1_best_cost_0_0_choice_2 := 2047;
       end if;
-      slice1winner1_best_cost_0_0_any_2 := to_integer(((to_unsigned(slice1window_sum_0_0, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_0_choice_2, 12))));
+      slice1winner1_best_cost_0_0_any_2 := to_integer(((to_unsigned(slice1window_sum_0_0, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_0_choice_2, 11))));
       slice1winner1_best_cost_0_0_is_less := (slice1winner1_best_cost_0_0_any - slice1winner1_best_cost_0_0_any_2) < 0;
       if slice1mask_inside_3 then
         slice1winner1_best_cost_0_1_choice := 0;
       else
-        slice1winner1_best_cost_0_1_choice := 4095;
+        slice1winner1_best_cost_0_1_choice := 2047;
       end if;
-      slice1winner1_best_cost_0_1_any := to_integer(((to_unsigned(slice1window_sum_0_3, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_1_choice, 12))));
+      slice1winner1_best_cost_0_1_any := to_integer(((to_unsigned(slice1window_sum_0_3, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_1_choice, 11))));
       if slice1mask_inside_2 then
         slice1winner1_best_cost_0_1_choice_2 := 0;
       else
-        slice1winner1_best_cost_0_1_choice_2 := 4095;
+        slice1winner1_best_cost_0_1_choice_2 := 2047;
       end if;
-      slice1winner1_best_cost_0_1_any_2 := to_integer(((to_unsigned(slice1window_sum_0_2, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_1_choice_2, 12))));
+      slice1winner1_best_cost_0_1_any_2 := to_integer(((to_unsigned(slice1window_sum_0_2, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_1_choice_2, 11))));
       slice1winner1_best_cost_0_1_is_less := (slice1winner1_best_cost_0_1_any - slice1winner1_best_cost_0_1_any_2) < 0;
       if slice1mask_inside_5 then
         slice1winner1_best_cost_0_2_choice := 0;
       else
-        slice1winner1_best_cost_0_2_choice := 4095;
+        slice1winner1_best_cost_0_2_choice := 2047;
       end if;
-      slice1winner1_best_cost_0_2_any := to_integer(((to_unsigned(slice1window_sum_0_5, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_2_choice, 12))));
+      slice1winner1_best_cost_0_2_any := to_integer(((to_unsigned(slice1window_sum_0_5, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_2_choice, 11))));
       if slice1mask_inside_4 then
         slice1winner1_best_cost_0_2_choice_2 := 0;
       else
-        slice1winner1_best_cost_0_2_choice_2 := 4095;
+        slice1winner1_best_cost_0_2_choice_2 := 2047;
       end if;
-      slice1winner1_best_cost_0_2_any_2 := to_integer(((to_unsigned(slice1window_sum_0_4, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_2_choice_2, 12))));
+      slice1winner1_best_cost_0_2_any_2 := to_integer(((to_unsigned(slice1window_sum_0_4, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_2_choice_2, 11))));
       slice1winner1_best_cost_0_2_is_less := (slice1winner1_best_cost_0_2_any - slice1winner1_best_cost_0_2_any_2) < 0;
       if slice1mask_inside_7 then
         slice1winner1_best_cost_0_3_choice := 0;
       else
-        slice1winner1_best_cost_0_3_choice := 4095;
+        slice1winner1_best_cost_0_3_choice := 2047;
       end if;
-      slice1winner1_best_cost_0_3_any := to_integer(((to_unsigned(slice1window_sum_0_7, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_3_choice, 12))));
+      slice1winner1_best_cost_0_3_any := to_integer(((to_unsigned(slice1window_sum_0_7, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_3_choice, 11))));
       if slice1mask_inside_6 then
         slice1winner1_best_cost_0_3_choice_2 := 0;
       else
-        slice1winner1_best_cost_0_3_choice_2 := 4095;
+        slice1winner1_best_cost_0_3_choice_2 := 2047;
       end if;
-      slice1winner1_best_cost_0_3_any_2 := to_integer(((to_unsigned(slice1window_sum_0_6, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_3_choice_2, 12))));
+      slice1winner1_best_cost_0_3_any_2 := to_integer(((to_unsigned(slice1window_sum_0_6, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_3_choice_2, 11))));
       slice1winner1_best_cost_0_3_is_less := (slice1winner1_best_cost_0_3_any - slice1winner1_best_cost_0_3_any_2) < 0;
       if slice1mask_inside_9 then
         slice1winner1_best_cost_0_4_choice := 0;
       else
-        slice1winner1_best_cost_0_4_choice := 4095;
+        slice1winner1_best_cost_0_4_choice := 2047;
       end if;
-      slice1winner1_best_cost_0_4_any := to_integer(((to_unsigned(slice1window_sum_0_9, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_4_choice, 12))));
+      slice1winner1_best_cost_0_4_any := to_integer(((to_unsigned(slice1window_sum_0_9, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_4_choice, 11))));
       if slice1mask_inside_8 then
         slice1winner1_best_cost_0_4_choice_2 := 0;
       else
-        slice1winner1_best_cost_0_4_choice_2 := 4095;
+        slice1winner1_best_cost_0_4_choice_2 := 2047;
       end if;
-      slice1winner1_best_cost_0_4_any_2 := to_integer(((to_unsigned(slice1window_sum_0_8, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_4_choice_2, 12))));
+      slice1winner1_best_cost_0_4_any_2 := to_integer(((to_unsigned(slice1window_sum_0_8, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_4_choice_2, 11))));
       slice1winner1_best_cost_0_4_is_less := (slice1winner1_best_cost_0_4_any - slice1winner1_best_cost_0_4_any_2) < 0;
       if slice1mask_inside_11 then
         slice1winner1_best_cost_0_5_choice := 0;
       else
-        slice1winner1_best_cost_0_5_choice := 4095;
+        slice1winner1_best_cost_0_5_choice := 2047;
       end if;
-      slice1winner1_best_cost_0_5_any := to_integer(((to_unsigned(slice1window_sum_0_11, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_5_choice, 12))));
+      slice1winner1_best_cost_0_5_any := to_integer(((to_unsigned(slice1window_sum_0_11, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_5_choice, 11))));
       if slice1mask_inside_10 then
         slice1winner1_best_cost_0_5_choice_2 := 0;
       else
-        slice1winner1_best_cost_0_5_choice_2 := 4095;
+        slice1winner1_best_cost_0_5_choice_2 := 2047;
       end if;
-      slice1winner1_best_cost_0_5_any_2 := to_integer(((to_unsigned(slice1window_sum_0_10, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_5_choice_2, 12))));
+      slice1winner1_best_cost_0_5_any_2 := to_integer(((to_unsigned(slice1window_sum_0_10, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_5_choice_2, 11))));
       slice1winner1_best_cost_0_5_is_less := (slice1winner1_best_cost_0_5_any - slice1winner1_best_cost_0_5_any_2) < 0;
       if slice1mask_inside_13 then
         slice1winner1_best_cost_0_6_choice := 0;
       else
-        slice1winner1_best_cost_0_6_choice := 4095;
+        slice1winner1_best_cost_0_6_choice := 2047;
       end if;
-      slice1winner1_best_cost_0_6_any := to_integer(((to_unsigned(slice1window_sum_0_13, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_6_choice, 12))));
+      slice1winner1_best_cost_0_6_any := to_integer(((to_unsigned(slice1window_sum_0_13, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_6_choice, 11))));
       if slice1mask_inside_12 then
         slice1winner1_best_cost_0_6_choice_2 := 0;
       else
-        slice1winner1_best_cost_0_6_choice_2 := 4095;
+        slice1winner1_best_cost_0_6_choice_2 := 2047;
       end if;
-      slice1winner1_best_cost_0_6_any_2 := to_integer(((to_unsigned(slice1window_sum_0_12, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_6_choice_2, 12))));
+      slice1winner1_best_cost_0_6_any_2 := to_integer(((to_unsigned(slice1window_sum_0_12, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_6_choice_2, 11))));
       slice1winner1_best_cost_0_6_is_less := (slice1winner1_best_cost_0_6_any - slice1winner1_best_cost_0_6_any_2) < 0;
       if slice1mask_inside_15 then
         slice1winner1_best_cost_0_7_choice := 0;
       else
-        slice1winner1_best_cost_0_7_choice := 4095;
+        slice1winner1_best_cost_0_7_choice := 2047;
       end if;
-      slice1winner1_best_cost_0_7_any := to_integer(((to_unsigned(slice1window_sum_0_15, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_7_choice, 12))));
+      slice1winner1_best_cost_0_7_any := to_integer(((to_unsigned(slice1window_sum_0_15, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_7_choice, 11))));
       if slice1mask_inside_14 then
         slice1winner1_best_cost_0_7_choice_2 := 0;
       else
-        slice1winner1_best_cost_0_7_choice_2 := 4095;
+        slice1winner1_best_cost_0_7_choice_2 := 2047;
       end if;
-      slice1winner1_best_cost_0_7_any_2 := to_integer(((to_unsigned(slice1window_sum_0_14, 12)) or
-        (to_unsigned(slice1winner1_best_cost_0_7_choice_2, 12))));
+      slice1winner1_best_cost_0_7_any_2 := to_integer(((to_unsigned(slice1window_sum_0_14, 11)) or
+        (to_unsigned(slice1winner1_best_cost_0_7_choice_2, 11))));
       slice1winner1_best_cost_0_7_is_less := (slice1winner1_best_cost_0_7_any - slice1winner1_best_cost_0_7_any_2) < 0;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
       slice1winner1_best_first_0_0 <= slice1winner1_best_cost_0_0_any_2;
@@ -10306,9 +9768,7 @@ begin
       slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_7_value := ((slice2shift_reference_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_reference_0 / 8388608) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_3 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_8_value := ((slice2shift_reference_0 / 16777216) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_0_value := ((slice2shift_reference_1 / 4) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_reference_1 / 2) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_1_value := ((slice2shift_reference_1 / 8) mod 2) = 1;
@@ -10329,9 +9789,7 @@ begin
       slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_7_value := ((slice2shift_reference_1 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_reference_1 / 8388608) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_3 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_8_value := ((slice2shift_reference_1 / 16777216) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
       if slice0window_entering_tag_first_group then
         slice2cost_column_0_0_choice := 0;
       else
@@ -10457,12 +9915,9 @@ begin
         (((slice2shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_3 /=
         (((slice2shift_search_0_0 / 524288) mod 2) = 1)));
       slice2cost_pixels_first_0_0_count_7 <= as_number((slice2cost_pixels_first_0_0_count_7_value /=
-        (((slice2shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_7_value_2 /=
-        (((slice2shift_search_0_0 / 8388608) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_7_value_3 /=
+        (((slice2shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_0 / 8388608) = 1) /=
+        ((slice2shift_search_0_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_0_0_count_7_value_2 /=
         (((slice2shift_search_0_0 / 4194304) mod 2) = 1)));
-      slice2cost_pixels_first_0_0_count_8 <= as_number((((slice2shift_reference_0 / 33554432) = 1) /=
-        ((slice2shift_search_0_0 / 33554432) = 1))) + as_number((slice2cost_pixels_first_0_0_count_8_value /=
-        (((slice2shift_search_0_0 / 16777216) mod 2) = 1)));
       slice2cost_pixels_first_0_1_count_0 <= as_number((((slice2shift_search_0_1 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_1 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_1 / 2) mod 2) = 1) /=
@@ -10492,12 +9947,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_1 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_1_count_7 <= as_number(((((slice2shift_search_0_1 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_1 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_1 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_1_count_8 <= as_number((((slice2shift_search_0_1 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_1 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_1 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_2_count_0 <= as_number((((slice2shift_search_0_2 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_2 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_2 / 2) mod 2) = 1) /=
@@ -10527,12 +9979,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_2 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_2_count_7 <= as_number(((((slice2shift_search_0_2 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_2 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_2 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_2_count_8 <= as_number((((slice2shift_search_0_2 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_2 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_2 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_3_count_0 <= as_number((((slice2shift_search_0_3 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_3 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_3 / 2) mod 2) = 1) /=
@@ -10562,12 +10011,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_3 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_3_count_7 <= as_number(((((slice2shift_search_0_3 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_3 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_3 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_3_count_8 <= as_number((((slice2shift_search_0_3 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_3 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_3 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_4_count_0 <= as_number((((slice2shift_search_0_4 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_4 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_4 / 2) mod 2) = 1) /=
@@ -10597,12 +10043,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_4 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_4_count_7 <= as_number(((((slice2shift_search_0_4 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_4 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_4 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_4_count_8 <= as_number((((slice2shift_search_0_4 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_4 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_4 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_5_count_0 <= as_number((((slice2shift_search_0_5 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_5 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_5 / 2) mod 2) = 1) /=
@@ -10632,12 +10075,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_5 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_5_count_7 <= as_number(((((slice2shift_search_0_5 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_5 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_5 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_5_count_8 <= as_number((((slice2shift_search_0_5 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_5 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_5 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_5 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_6_count_0 <= as_number((((slice2shift_search_0_6 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_6 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_6 / 2) mod 2) = 1) /=
@@ -10667,12 +10107,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_6 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_6_count_7 <= as_number(((((slice2shift_search_0_6 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_6 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_6 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_6_count_8 <= as_number((((slice2shift_search_0_6 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_6 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_6 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_6 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_7_count_0 <= as_number((((slice2shift_search_0_7 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_7 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_7 / 2) mod 2) = 1) /=
@@ -10702,12 +10139,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_7 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_7_count_7 <= as_number(((((slice2shift_search_0_7 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_7 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_7 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_7_count_8 <= as_number((((slice2shift_search_0_7 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_7 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_7 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_7 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_8_count_0 <= as_number((((slice2shift_search_0_8 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_8 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_8 / 2) mod 2) = 1) /=
@@ -10737,12 +10171,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_8 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_8_count_7 <= as_number(((((slice2shift_search_0_8 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_8 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_8 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_8_count_8 <= as_number((((slice2shift_search_0_8 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_8 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_8 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_8 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_9_count_0 <= as_number((((slice2shift_search_0_9 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_9 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_9 / 2) mod 2) = 1) /=
@@ -10772,12 +10203,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_9 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_9_count_7 <= as_number(((((slice2shift_search_0_9 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_9 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_9 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_9_count_8 <= as_number((((slice2shift_search_0_9 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_9 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_9 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_9 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_10_count_0 <= as_number((((slice2shift_search_0_10 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_10 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_10 / 2) mod 2) = 1) /=
@@ -10807,12 +10235,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_10 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_10_count_7 <= as_number(((((slice2shift_search_0_10 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_10 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_10 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_10_count_8 <= as_number((((slice2shift_search_0_10 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_10 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_10 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_10 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_11_count_0 <= as_number((((slice2shift_search_0_11 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_11 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_11 / 2) mod 2) = 1) /=
@@ -10842,12 +10267,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_11 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_11_count_7 <= as_number(((((slice2shift_search_0_11 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_11 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_11 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_11_count_8 <= as_number((((slice2shift_search_0_11 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_11 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_11 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_11 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_12_count_0 <= as_number((((slice2shift_search_0_12 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_12 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_12 / 2) mod 2) = 1) /=
@@ -10877,12 +10299,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_12 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_12_count_7 <= as_number(((((slice2shift_search_0_12 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_12 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_12 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_12_count_8 <= as_number((((slice2shift_search_0_12 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_12 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_12 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_12 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_13_count_0 <= as_number((((slice2shift_search_0_13 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_13 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_13 / 2) mod 2) = 1) /=
@@ -10912,12 +10331,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_13 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_13_count_7 <= as_number(((((slice2shift_search_0_13 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_13 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_13 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_13_count_8 <= as_number((((slice2shift_search_0_13 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_13 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_13 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_13 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_14_count_0 <= as_number((((slice2shift_search_0_14 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_14 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_14 / 2) mod 2) = 1) /=
@@ -10947,12 +10363,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_14 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_14_count_7 <= as_number(((((slice2shift_search_0_14 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_14 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_14 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_14_count_8 <= as_number((((slice2shift_search_0_14 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_14 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_14 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_14 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_0_15_count_0 <= as_number((((slice2shift_search_0_15 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_15 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_15 / 2) mod 2) = 1) /=
@@ -10982,12 +10395,9 @@ begin
         slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_15 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_0_0_count_6_value_3));
       slice2cost_pixels_first_0_15_count_7 <= as_number(((((slice2shift_search_0_15 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((((slice2shift_search_0_15 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((((slice2shift_search_0_15 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_7_value_3));
-      slice2cost_pixels_first_0_15_count_8 <= as_number((((slice2shift_search_0_15 / 33554432) = 1) /=
-        ((slice2shift_reference_0 / 33554432) = 1))) + as_number(((((slice2shift_search_0_15 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_8_value));
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_15 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_15 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_1_0_count_0 <= as_number((((slice2shift_search_1_0 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value /=
         (((slice2shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value_2 /=
@@ -11017,12 +10427,9 @@ begin
         (((slice2shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_3 /=
         (((slice2shift_search_1_0 / 524288) mod 2) = 1)));
       slice2cost_pixels_first_1_0_count_7 <= as_number((slice2cost_pixels_first_1_0_count_7_value /=
-        (((slice2shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_7_value_2 /=
-        (((slice2shift_search_1_0 / 8388608) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_7_value_3 /=
+        (((slice2shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_1 / 8388608) = 1) /=
+        ((slice2shift_search_1_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_1_0_count_7_value_2 /=
         (((slice2shift_search_1_0 / 4194304) mod 2) = 1)));
-      slice2cost_pixels_first_1_0_count_8 <= as_number((((slice2shift_reference_1 / 33554432) = 1) /=
-        ((slice2shift_search_1_0 / 33554432) = 1))) + as_number((slice2cost_pixels_first_1_0_count_8_value /=
-        (((slice2shift_search_1_0 / 16777216) mod 2) = 1)));
       slice2cost_pixels_first_1_1_count_0 <= as_number((((slice2shift_search_1_1 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_1 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_1 / 2) mod 2) = 1) /=
@@ -11052,12 +10459,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_1 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_1_count_7 <= as_number(((((slice2shift_search_1_1 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_1 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_1 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_1_count_8 <= as_number((((slice2shift_search_1_1 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_1 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_1 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_2_count_0 <= as_number((((slice2shift_search_1_2 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_2 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_2 / 2) mod 2) = 1) /=
@@ -11087,12 +10491,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_2 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_2_count_7 <= as_number(((((slice2shift_search_1_2 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_2 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_2 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_2_count_8 <= as_number((((slice2shift_search_1_2 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_2 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_2 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_3_count_0 <= as_number((((slice2shift_search_1_3 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_3 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_3 / 2) mod 2) = 1) /=
@@ -11122,12 +10523,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_3 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_3_count_7 <= as_number(((((slice2shift_search_1_3 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_3 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_3 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_3_count_8 <= as_number((((slice2shift_search_1_3 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_3 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_3 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_4_count_0 <= as_number((((slice2shift_search_1_4 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_4 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_4 / 2) mod 2) = 1) /=
@@ -11157,12 +10555,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_4 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_4_count_7 <= as_number(((((slice2shift_search_1_4 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_4 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_4 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_4_count_8 <= as_number((((slice2shift_search_1_4 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_4 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_4 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_5_count_0 <= as_number((((slice2shift_search_1_5 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_5 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_5 / 2) mod 2) = 1) /=
@@ -11192,12 +10587,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_5 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_5_count_7 <= as_number(((((slice2shift_search_1_5 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_5 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_5 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_5_count_8 <= as_number((((slice2shift_search_1_5 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_5 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_5 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_5 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_6_count_0 <= as_number((((slice2shift_search_1_6 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_6 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_6 / 2) mod 2) = 1) /=
@@ -11227,12 +10619,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_6 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_6_count_7 <= as_number(((((slice2shift_search_1_6 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_6 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_6 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_6_count_8 <= as_number((((slice2shift_search_1_6 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_6 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_6 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_6 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_7_count_0 <= as_number((((slice2shift_search_1_7 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_7 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_7 / 2) mod 2) = 1) /=
@@ -11262,12 +10651,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_7 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_7_count_7 <= as_number(((((slice2shift_search_1_7 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_7 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_7 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_7_count_8 <= as_number((((slice2shift_search_1_7 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_7 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_7 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_7 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_8_count_0 <= as_number((((slice2shift_search_1_8 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_8 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_8 / 2) mod 2) = 1) /=
@@ -11297,12 +10683,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_8 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_8_count_7 <= as_number(((((slice2shift_search_1_8 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_8 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_8 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_8_count_8 <= as_number((((slice2shift_search_1_8 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_8 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_8 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_8 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_9_count_0 <= as_number((((slice2shift_search_1_9 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_9 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_9 / 2) mod 2) = 1) /=
@@ -11332,12 +10715,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_9 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_9_count_7 <= as_number(((((slice2shift_search_1_9 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_9 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_9 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_9_count_8 <= as_number((((slice2shift_search_1_9 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_9 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_9 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_9 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_10_count_0 <= as_number((((slice2shift_search_1_10 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_10 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_10 / 2) mod 2) = 1) /=
@@ -11367,12 +10747,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_10 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_10_count_7 <= as_number(((((slice2shift_search_1_10 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_10 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_10 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_10_count_8 <= as_number((((slice2shift_search_1_10 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_10 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_10 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_10 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_11_count_0 <= as_number((((slice2shift_search_1_11 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_11 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_11 / 2) mod 2) = 1) /=
@@ -11402,12 +10779,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_11 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_11_count_7 <= as_number(((((slice2shift_search_1_11 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_11 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_11 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_11_count_8 <= as_number((((slice2shift_search_1_11 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_11 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_11 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_11 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_12_count_0 <= as_number((((slice2shift_search_1_12 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_12 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_12 / 2) mod 2) = 1) /=
@@ -11437,12 +10811,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_12 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_12_count_7 <= as_number(((((slice2shift_search_1_12 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_12 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_12 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_12_count_8 <= as_number((((slice2shift_search_1_12 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_12 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_12 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_12 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_13_count_0 <= as_number((((slice2shift_search_1_13 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_13 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_13 / 2) mod 2) = 1) /=
@@ -11472,12 +10843,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_13 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_13_count_7 <= as_number(((((slice2shift_search_1_13 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_13 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_13 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_13_count_8 <= as_number((((slice2shift_search_1_13 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_13 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_13 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_13 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_14_count_0 <= as_number((((slice2shift_search_1_14 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_14 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_14 / 2) mod 2) = 1) /=
@@ -11507,12 +10875,9 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_14 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_14_count_7 <= as_number(((((slice2shift_search_1_14 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_14 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_14 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_14_count_8 <= as_number((((slice2shift_search_1_14 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_14 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_14 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_14 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_1_15_count_0 <= as_number((((slice2shift_search_1_15 mod 2) = 1) /=
         ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_15 / 4) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_15 / 2) mod 2) = 1) /=
@@ -11542,152 +10907,137 @@ begin
         slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_15 / 524288) mod 2) = 1) /=
         slice2cost_pixels_first_1_0_count_6_value_3));
       slice2cost_pixels_first_1_15_count_7 <= as_number(((((slice2shift_search_1_15 / 2097152) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value)) + as_number(((((slice2shift_search_1_15 / 8388608) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_2)) + as_number(((((slice2shift_search_1_15 / 4194304) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_7_value_3));
-      slice2cost_pixels_first_1_15_count_8 <= as_number((((slice2shift_search_1_15 / 33554432) = 1) /=
-        ((slice2shift_reference_1 / 33554432) = 1))) + as_number(((((slice2shift_search_1_15 / 16777216) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_8_value));
-      slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_6 + slice2cost_pixels_first_0_0_count_0 +
-        slice2cost_pixels_first_0_0_count_1 + slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_8
-        + slice2cost_pixels_first_0_0_count_4 + slice2cost_pixels_first_0_0_count_5 +
-        slice2cost_pixels_first_0_0_count_7 + slice2cost_pixels_first_0_0_count_2;
-      slice2cost_pixels_cost_0_1 <= slice2cost_pixels_first_0_1_count_6 + slice2cost_pixels_first_0_1_count_0 +
-        slice2cost_pixels_first_0_1_count_1 + slice2cost_pixels_first_0_1_count_3 + slice2cost_pixels_first_0_1_count_8
-        + slice2cost_pixels_first_0_1_count_4 + slice2cost_pixels_first_0_1_count_5 +
-        slice2cost_pixels_first_0_1_count_7 + slice2cost_pixels_first_0_1_count_2;
-      slice2cost_pixels_cost_0_2 <= slice2cost_pixels_first_0_2_count_6 + slice2cost_pixels_first_0_2_count_0 +
-        slice2cost_pixels_first_0_2_count_1 + slice2cost_pixels_first_0_2_count_3 + slice2cost_pixels_first_0_2_count_8
-        + slice2cost_pixels_first_0_2_count_4 + slice2cost_pixels_first_0_2_count_5 +
-        slice2cost_pixels_first_0_2_count_7 + slice2cost_pixels_first_0_2_count_2;
-      slice2cost_pixels_cost_0_3 <= slice2cost_pixels_first_0_3_count_6 + slice2cost_pixels_first_0_3_count_0 +
-        slice2cost_pixels_first_0_3_count_1 + slice2cost_pixels_first_0_3_count_3 + slice2cost_pixels_first_0_3_count_8
-        + slice2cost_pixels_first_0_3_count_4 + slice2cost_pixels_first_0_3_count_5 +
-        slice2cost_pixels_first_0_3_count_7 + slice2cost_pixels_first_0_3_count_2;
-      slice2cost_pixels_cost_0_4 <= slice2cost_pixels_first_0_4_count_6 + slice2cost_pixels_first_0_4_count_0 +
-        slice2cost_pixels_first_0_4_count_1 + slice2cost_pixels_first_0_4_count_3 + slice2cost_pixels_first_0_4_count_8
-        + slice2cost_pixels_first_0_4_count_4 + slice2cost_pixels_first_0_4_count_5 +
-        slice2cost_pixels_first_0_4_count_7 + slice2cost_pixels_first_0_4_count_2;
-      slice2cost_pixels_cost_0_5 <= slice2cost_pixels_first_0_5_count_6 + slice2cost_pixels_first_0_5_count_0 +
-        slice2cost_pixels_first_0_5_count_1 + slice2cost_pixels_first_0_5_count_3 + slice2cost_pixels_first_0_5_count_8
-        + slice2cost_pixels_first_0_5_count_4 + slice2cost_pixels_first_0_5_count_5 +
-        slice2cost_pixels_first_0_5_count_7 + slice2cost_pixels_first_0_5_count_2;
-      slice2cost_pixels_cost_0_6 <= slice2cost_pixels_first_0_6_count_6 + slice2cost_pixels_first_0_6_count_0 +
-        slice2cost_pixels_first_0_6_count_1 + slice2cost_pixels_first_0_6_count_3 + slice2cost_pixels_first_0_6_count_8
-        + slice2cost_pixels_first_0_6_count_4 + slice2cost_pixels_first_0_6_count_5 +
-        slice2cost_pixels_first_0_6_count_7 + slice2cost_pixels_first_0_6_count_2;
-      slice2cost_pixels_cost_0_7 <= slice2cost_pixels_first_0_7_count_6 + slice2cost_pixels_first_0_7_count_0 +
-        slice2cost_pixels_first_0_7_count_1 + slice2cost_pixels_first_0_7_count_3 + slice2cost_pixels_first_0_7_count_8
-        + slice2cost_pixels_first_0_7_count_4 + slice2cost_pixels_first_0_7_count_5 +
-        slice2cost_pixels_first_0_7_count_7 + slice2cost_pixels_first_0_7_count_2;
-      slice2cost_pixels_cost_0_8 <= slice2cost_pixels_first_0_8_count_6 + slice2cost_pixels_first_0_8_count_0 +
-        slice2cost_pixels_first_0_8_count_1 + slice2cost_pixels_first_0_8_count_3 + slice2cost_pixels_first_0_8_count_8
-        + slice2cost_pixels_first_0_8_count_4 + slice2cost_pixels_first_0_8_count_5 +
-        slice2cost_pixels_first_0_8_count_7 + slice2cost_pixels_first_0_8_count_2;
-      slice2cost_pixels_cost_0_9 <= slice2cost_pixels_first_0_9_count_6 + slice2cost_pixels_first_0_9_count_0 +
-        slice2cost_pixels_first_0_9_count_1 + slice2cost_pixels_first_0_9_count_3 + slice2cost_pixels_first_0_9_count_8
-        + slice2cost_pixels_first_0_9_count_4 + slice2cost_pixels_first_0_9_count_5 +
-        slice2cost_pixels_first_0_9_count_7 + slice2cost_pixels_first_0_9_count_2;
-      slice2cost_pixels_cost_0_10 <= slice2cost_pixels_first_0_10_count_6 + slice2cost_pixels_first_0_10_count_0 +
-        slice2cost_pixels_first_0_10_count_1 + slice2cost_pixels_first_0_10_count_3 +
-        slice2cost_pixels_first_0_10_count_8 + slice2cost_pixels_first_0_10_count_4 +
-        slice2cost_pixels_first_0_10_count_5 + slice2cost_pixels_first_0_10_count_7 +
-        slice2cost_pixels_first_0_10_count_2;
-      slice2cost_pixels_cost_0_11 <= slice2cost_pixels_first_0_11_count_6 + slice2cost_pixels_first_0_11_count_0 +
-        slice2cost_pixels_first_0_11_count_1 + slice2cost_pixels_first_0_11_count_3 +
-        slice2cost_pixels_first_0_11_count_8 + slice2cost_pixels_first_0_11_count_4 +
-        slice2cost_pixels_first_0_11_count_5 + slice2cost_pixels_first_0_11_count_7 +
-        slice2cost_pixels_first_0_11_count_2;
-      slice2cost_pixels_cost_0_12 <= slice2cost_pixels_first_0_12_count_6 + slice2cost_pixels_first_0_12_count_0 +
-        slice2cost_pixels_first_0_12_count_1 + slice2cost_pixels_first_0_12_count_3 +
-        slice2cost_pixels_first_0_12_count_8 + slice2cost_pixels_first_0_12_count_4 +
-        slice2cost_pixels_first_0_12_count_5 + slice2cost_pixels_first_0_12_count_7 +
-        slice2cost_pixels_first_0_12_count_2;
-      slice2cost_pixels_cost_0_13 <= slice2cost_pixels_first_0_13_count_6 + slice2cost_pixels_first_0_13_count_0 +
-        slice2cost_pixels_first_0_13_count_1 + slice2cost_pixels_first_0_13_count_3 +
-        slice2cost_pixels_first_0_13_count_8 + slice2cost_pixels_first_0_13_count_4 +
-        slice2cost_pixels_first_0_13_count_5 + slice2cost_pixels_first_0_13_count_7 +
-        slice2cost_pixels_first_0_13_count_2;
-      slice2cost_pixels_cost_0_14 <= slice2cost_pixels_first_0_14_count_6 + slice2cost_pixels_first_0_14_count_0 +
-        slice2cost_pixels_first_0_14_count_1 + slice2cost_pixels_first_0_14_count_3 +
-        slice2cost_pixels_first_0_14_count_8 + slice2cost_pixels_first_0_14_count_4 +
-        slice2cost_pixels_first_0_14_count_5 + slice2cost_pixels_first_0_14_count_7 +
-        slice2cost_pixels_first_0_14_count_2;
-      slice2cost_pixels_cost_0_15 <= slice2cost_pixels_first_0_15_count_6 + slice2cost_pixels_first_0_15_count_0 +
-        slice2cost_pixels_first_0_15_count_1 + slice2cost_pixels_first_0_15_count_3 +
-        slice2cost_pixels_first_0_15_count_8 + slice2cost_pixels_first_0_15_count_4 +
-        slice2cost_pixels_first_0_15_count_5 + slice2cost_pixels_first_0_15_count_7 +
-        slice2cost_pixels_first_0_15_count_2;
-      slice2cost_pixels_cost_1_0 <= slice2cost_pixels_first_1_0_count_6 + slice2cost_pixels_first_1_0_count_0 +
-        slice2cost_pixels_first_1_0_count_1 + slice2cost_pixels_first_1_0_count_3 + slice2cost_pixels_first_1_0_count_8
-        + slice2cost_pixels_first_1_0_count_4 + slice2cost_pixels_first_1_0_count_5 +
-        slice2cost_pixels_first_1_0_count_7 + slice2cost_pixels_first_1_0_count_2;
-      slice2cost_pixels_cost_1_1 <= slice2cost_pixels_first_1_1_count_6 + slice2cost_pixels_first_1_1_count_0 +
-        slice2cost_pixels_first_1_1_count_1 + slice2cost_pixels_first_1_1_count_3 + slice2cost_pixels_first_1_1_count_8
-        + slice2cost_pixels_first_1_1_count_4 + slice2cost_pixels_first_1_1_count_5 +
-        slice2cost_pixels_first_1_1_count_7 + slice2cost_pixels_first_1_1_count_2;
-      slice2cost_pixels_cost_1_2 <= slice2cost_pixels_first_1_2_count_6 + slice2cost_pixels_first_1_2_count_0 +
-        slice2cost_pixels_first_1_2_count_1 + slice2cost_pixels_first_1_2_count_3 + slice2cost_pixels_first_1_2_count_8
-        + slice2cost_pixels_first_1_2_count_4 + slice2cost_pixels_first_1_2_count_5 +
-        slice2cost_pixels_first_1_2_count_7 + slice2cost_pixels_first_1_2_count_2;
-      slice2cost_pixels_cost_1_3 <= slice2cost_pixels_first_1_3_count_6 + slice2cost_pixels_first_1_3_count_0 +
-        slice2cost_pixels_first_1_3_count_1 + slice2cost_pixels_first_1_3_count_3 + slice2cost_pixels_first_1_3_count_8
-        + slice2cost_pixels_first_1_3_count_4 + slice2cost_pixels_first_1_3_count_5 +
-        slice2cost_pixels_first_1_3_count_7 + slice2cost_pixels_first_1_3_count_2;
-      slice2cost_pixels_cost_1_4 <= slice2cost_pixels_first_1_4_count_6 + slice2cost_pixels_first_1_4_count_0 +
-        slice2cost_pixels_first_1_4_count_1 + slice2cost_pixels_first_1_4_count_3 + slice2cost_pixels_first_1_4_count_8
-        + slice2cost_pixels_first_1_4_count_4 + slice2cost_pixels_first_1_4_count_5 +
-        slice2cost_pixels_first_1_4_count_7 + slice2cost_pixels_first_1_4_count_2;
-      slice2cost_pixels_cost_1_5 <= slice2cost_pixels_first_1_5_count_6 + slice2cost_pixels_first_1_5_count_0 +
-        slice2cost_pixels_first_1_5_count_1 + slice2cost_pixels_first_1_5_count_3 + slice2cost_pixels_first_1_5_count_8
-        + slice2cost_pixels_first_1_5_count_4 + slice2cost_pixels_first_1_5_count_5 +
-        slice2cost_pixels_first_1_5_count_7 + slice2cost_pixels_first_1_5_count_2;
-      slice2cost_pixels_cost_1_6 <= slice2cost_pixels_first_1_6_count_6 + slice2cost_pixels_first_1_6_count_0 +
-        slice2cost_pixels_first_1_6_count_1 + slice2cost_pixels_first_1_6_count_3 + slice2cost_pixels_first_1_6_count_8
-        + slice2cost_pixels_first_1_6_count_4 + slice2cost_pixels_first_1_6_count_5 +
-        slice2cost_pixels_first_1_6_count_7 + slice2cost_pixels_first_1_6_count_2;
-      slice2cost_pixels_cost_1_7 <= slice2cost_pixels_first_1_7_count_6 + slice2cost_pixels_first_1_7_count_0 +
-        slice2cost_pixels_first_1_7_count_1 + slice2cost_pixels_first_1_7_count_3 + slice2cost_pixels_first_1_7_count_8
-        + slice2cost_pixels_first_1_7_count_4 + slice2cost_pixels_first_1_7_count_5 +
-        slice2cost_pixels_first_1_7_count_7 + slice2cost_pixels_first_1_7_count_2;
-      slice2cost_pixels_cost_1_8 <= slice2cost_pixels_first_1_8_count_6 + slice2cost_pixels_first_1_8_count_0 +
-        slice2cost_pixels_first_1_8_count_1 + slice2cost_pixels_first_1_8_count_3 + slice2cost_pixels_first_1_8_count_8
-        + slice2cost_pixels_first_1_8_count_4 + slice2cost_pixels_first_1_8_count_5 +
-        slice2cost_pixels_first_1_8_count_7 + slice2cost_pixels_first_1_8_count_2;
-      slice2cost_pixels_cost_1_9 <= slice2cost_pixels_first_1_9_count_6 + slice2cost_pixels_first_1_9_count_0 +
-        slice2cost_pixels_first_1_9_count_1 + slice2cost_pixels_first_1_9_count_3 + slice2cost_pixels_first_1_9_count_8
-        + slice2cost_pixels_first_1_9_count_4 + slice2cost_pixels_first_1_9_count_5 +
-        slice2cost_pixels_first_1_9_count_7 + slice2cost_pixels_first_1_9_count_2;
-      slice2cost_pixels_cost_1_10 <= slice2cost_pixels_first_1_10_count_6 + slice2cost_pixels_first_1_10_count_0 +
-        slice2cost_pixels_first_1_10_count_1 + slice2cost_pixels_first_1_10_count_3 +
-        slice2cost_pixels_first_1_10_count_8 + slice2cost_pixels_first_1_10_count_4 +
-        slice2cost_pixels_first_1_10_count_5 + slice2cost_pixels_first_1_10_count_7 +
-        slice2cost_pixels_first_1_10_count_2;
-      slice2cost_pixels_cost_1_11 <= slice2cost_pixels_first_1_11_count_6 + slice2cost_pixels_first_1_11_count_0 +
-        slice2cost_pixels_first_1_11_count_1 + slice2cost_pixels_first_1_11_count_3 +
-        slice2cost_pixels_first_1_11_count_8 + slice2cost_pixels_first_1_11_count_4 +
-        slice2cost_pixels_first_1_11_count_5 + slice2cost_pixels_first_1_11_count_7 +
-        slice2cost_pixels_first_1_11_count_2;
-      slice2cost_pixels_cost_1_12 <= slice2cost_pixels_first_1_12_count_6 + slice2cost_pixels_first_1_12_count_0 +
-        slice2cost_pixels_first_1_12_count_1 + slice2cost_pixels_first_1_12_count_3 +
-        slice2cost_pixels_first_1_12_count_8 + slice2cost_pixels_first_1_12_count_4 +
-        slice2cost_pixels_first_1_12_count_5 + slice2cost_pixels_first_1_12_count_7 +
-        slice2cost_pixels_first_1_12_count_2;
-      slice2cost_pixels_cost_1_13 <= slice2cost_pixels_first_1_13_count_6 + slice2cost_pixels_first_1_13_count_0 +
-        slice2cost_pixels_first_1_13_count_1 + slice2cost_pixels_first_1_13_count_3 +
-        slice2cost_pixels_first_1_13_count_8 + slice2cost_pixels_first_1_13_count_4 +
-        slice2cost_pixels_first_1_13_count_5 + slice2cost_pixels_first_1_13_count_7 +
-        slice2cost_pixels_first_1_13_count_2;
-      slice2cost_pixels_cost_1_14 <= slice2cost_pixels_first_1_14_count_6 + slice2cost_pixels_first_1_14_count_0 +
-        slice2cost_pixels_first_1_14_count_1 + slice2cost_pixels_first_1_14_count_3 +
-        slice2cost_pixels_first_1_14_count_8 + slice2cost_pixels_first_1_14_count_4 +
-        slice2cost_pixels_first_1_14_count_5 + slice2cost_pixels_first_1_14_count_7 +
-        slice2cost_pixels_first_1_14_count_2;
-      slice2cost_pixels_cost_1_15 <= slice2cost_pixels_first_1_15_count_6 + slice2cost_pixels_first_1_15_count_0 +
-        slice2cost_pixels_first_1_15_count_1 + slice2cost_pixels_first_1_15_count_3 +
-        slice2cost_pixels_first_1_15_count_8 + slice2cost_pixels_first_1_15_count_4 +
-        slice2cost_pixels_first_1_15_count_5 + slice2cost_pixels_first_1_15_count_7 +
-        slice2cost_pixels_first_1_15_count_2;
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_15 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_15 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
+      slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_0 + slice2cost_pixels_first_0_0_count_2 +
+        slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_5 + slice2cost_pixels_first_0_0_count_6
+        + slice2cost_pixels_first_0_0_count_4 + slice2cost_pixels_first_0_0_count_7 +
+        slice2cost_pixels_first_0_0_count_1;
+      slice2cost_pixels_cost_0_1 <= slice2cost_pixels_first_0_1_count_0 + slice2cost_pixels_first_0_1_count_2 +
+        slice2cost_pixels_first_0_1_count_3 + slice2cost_pixels_first_0_1_count_5 + slice2cost_pixels_first_0_1_count_6
+        + slice2cost_pixels_first_0_1_count_4 + slice2cost_pixels_first_0_1_count_7 +
+        slice2cost_pixels_first_0_1_count_1;
+      slice2cost_pixels_cost_0_2 <= slice2cost_pixels_first_0_2_count_0 + slice2cost_pixels_first_0_2_count_2 +
+        slice2cost_pixels_first_0_2_count_3 + slice2cost_pixels_first_0_2_count_5 + slice2cost_pixels_first_0_2_count_6
+        + slice2cost_pixels_first_0_2_count_4 + slice2cost_pixels_first_0_2_count_7 +
+        slice2cost_pixels_first_0_2_count_1;
+      slice2cost_pixels_cost_0_3 <= slice2cost_pixels_first_0_3_count_0 + slice2cost_pixels_first_0_3_count_2 +
+        slice2cost_pixels_first_0_3_count_3 + slice2cost_pixels_first_0_3_count_5 + slice2cost_pixels_first_0_3_count_6
+        + slice2cost_pixels_first_0_3_count_4 + slice2cost_pixels_first_0_3_count_7 +
+        slice2cost_pixels_first_0_3_count_1;
+      slice2cost_pixels_cost_0_4 <= slice2cost_pixels_first_0_4_count_0 + slice2cost_pixels_first_0_4_count_2 +
+        slice2cost_pixels_first_0_4_count_3 + slice2cost_pixels_first_0_4_count_5 + slice2cost_pixels_first_0_4_count_6
+        + slice2cost_pixels_first_0_4_count_4 + slice2cost_pixels_first_0_4_count_7 +
+        slice2cost_pixels_first_0_4_count_1;
+      slice2cost_pixels_cost_0_5 <= slice2cost_pixels_first_0_5_count_0 + slice2cost_pixels_first_0_5_count_2 +
+        slice2cost_pixels_first_0_5_count_3 + slice2cost_pixels_first_0_5_count_5 + slice2cost_pixels_first_0_5_count_6
+        + slice2cost_pixels_first_0_5_count_4 + slice2cost_pixels_first_0_5_count_7 +
+        slice2cost_pixels_first_0_5_count_1;
+      slice2cost_pixels_cost_0_6 <= slice2cost_pixels_first_0_6_count_0 + slice2cost_pixels_first_0_6_count_2 +
+        slice2cost_pixels_first_0_6_count_3 + slice2cost_pixels_first_0_6_count_5 + slice2cost_pixels_first_0_6_count_6
+        + slice2cost_pixels_first_0_6_count_4 + slice2cost_pixels_first_0_6_count_7 +
+        slice2cost_pixels_first_0_6_count_1;
+      slice2cost_pixels_cost_0_7 <= slice2cost_pixels_first_0_7_count_0 + slice2cost_pixels_first_0_7_count_2 +
+        slice2cost_pixels_first_0_7_count_3 + slice2cost_pixels_first_0_7_count_5 + slice2cost_pixels_first_0_7_count_6
+        + slice2cost_pixels_first_0_7_count_4 + slice2cost_pixels_first_0_7_count_7 +
+        slice2cost_pixels_first_0_7_count_1;
+      slice2cost_pixels_cost_0_8 <= slice2cost_pixels_first_0_8_count_0 + slice2cost_pixels_first_0_8_count_2 +
+        slice2cost_pixels_first_0_8_count_3 + slice2cost_pixels_first_0_8_count_5 + slice2cost_pixels_first_0_8_count_6
+        + slice2cost_pixels_first_0_8_count_4 + slice2cost_pixels_first_0_8_count_7 +
+        slice2cost_pixels_first_0_8_count_1;
+      slice2cost_pixels_cost_0_9 <= slice2cost_pixels_first_0_9_count_0 + slice2cost_pixels_first_0_9_count_2 +
+        slice2cost_pixels_first_0_9_count_3 + slice2cost_pixels_first_0_9_count_5 + slice2cost_pixels_first_0_9_count_6
+        + slice2cost_pixels_first_0_9_count_4 + slice2cost_pixels_first_0_9_count_7 +
+        slice2cost_pixels_first_0_9_count_1;
+      slice2cost_pixels_cost_0_10 <= slice2cost_pixels_first_0_10_count_0 + slice2cost_pixels_first_0_10_count_2 +
+        slice2cost_pixels_first_0_10_count_3 + slice2cost_pixels_first_0_10_count_5 +
+        slice2cost_pixels_first_0_10_count_6 + slice2cost_pixels_first_0_10_count_4 +
+        slice2cost_pixels_first_0_10_count_7 + slice2cost_pixels_first_0_10_count_1;
+      slice2cost_pixels_cost_0_11 <= slice2cost_pixels_first_0_11_count_0 + slice2cost_pixels_first_0_11_count_2 +
+        slice2cost_pixels_first_0_11_count_3 + slice2cost_pixels_first_0_11_count_5 +
+        slice2cost_pixels_first_0_11_count_6 + slice2cost_pixels_first_0_11_count_4 +
+        slice2cost_pixels_first_0_11_count_7 + slice2cost_pixels_first_0_11_count_1;
+      slice2cost_pixels_cost_0_12 <= slice2cost_pixels_first_0_12_count_0 + slice2cost_pixels_first_0_12_count_2 +
+        slice2cost_pixels_first_0_12_count_3 + slice2cost_pixels_first_0_12_count_5 +
+        slice2cost_pixels_first_0_12_count_6 + slice2cost_pixels_first_0_12_count_4 +
+        slice2cost_pixels_first_0_12_count_7 + slice2cost_pixels_first_0_12_count_1;
+      slice2cost_pixels_cost_0_13 <= slice2cost_pixels_first_0_13_count_0 + slice2cost_pixels_first_0_13_count_2 +
+        slice2cost_pixels_first_0_13_count_3 + slice2cost_pixels_first_0_13_count_5 +
+        slice2cost_pixels_first_0_13_count_6 + slice2cost_pixels_first_0_13_count_4 +
+        slice2cost_pixels_first_0_13_count_7 + slice2cost_pixels_first_0_13_count_1;
+      slice2cost_pixels_cost_0_14 <= slice2cost_pixels_first_0_14_count_0 + slice2cost_pixels_first_0_14_count_2 +
+        slice2cost_pixels_first_0_14_count_3 + slice2cost_pixels_first_0_14_count_5 +
+        slice2cost_pixels_first_0_14_count_6 + slice2cost_pixels_first_0_14_count_4 +
+        slice2cost_pixels_first_0_14_count_7 + slice2cost_pixels_first_0_14_count_1;
+      slice2cost_pixels_cost_0_15 <= slice2cost_pixels_first_0_15_count_0 + slice2cost_pixels_first_0_15_count_2 +
+        slice2cost_pixels_first_0_15_count_3 + slice2cost_pixels_first_0_15_count_5 +
+        slice2cost_pixels_first_0_15_count_6 + slice2cost_pixels_first_0_15_count_4 +
+        slice2cost_pixels_first_0_15_count_7 + slice2cost_pixels_first_0_15_count_1;
+      slice2cost_pixels_cost_1_0 <= slice2cost_pixels_first_1_0_count_0 + slice2cost_pixels_first_1_0_count_2 +
+        slice2cost_pixels_first_1_0_count_3 + slice2cost_pixels_first_1_0_count_5 + slice2cost_pixels_first_1_0_count_6
+        + slice2cost_pixels_first_1_0_count_4 + slice2cost_pixels_first_1_0_count_7 +
+        slice2cost_pixels_first_1_0_count_1;
+      slice2cost_pixels_cost_1_1 <= slice2cost_pixels_first_1_1_count_0 + slice2cost_pixels_first_1_1_count_2 +
+        slice2cost_pixels_first_1_1_count_3 + slice2cost_pixels_first_1_1_count_5 + slice2cost_pixels_first_1_1_count_6
+        + slice2cost_pixels_first_1_1_count_4 + slice2cost_pixels_first_1_1_count_7 +
+        slice2cost_pixels_first_1_1_count_1;
+      slice2cost_pixels_cost_1_2 <= slice2cost_pixels_first_1_2_count_0 + slice2cost_pixels_first_1_2_count_2 +
+        slice2cost_pixels_first_1_2_count_3 + slice2cost_pixels_first_1_2_count_5 + slice2cost_pixels_first_1_2_count_6
+        + slice2cost_pixels_first_1_2_count_4 + slice2cost_pixels_first_1_2_count_7 +
+        slice2cost_pixels_first_1_2_count_1;
+      slice2cost_pixels_cost_1_3 <= slice2cost_pixels_first_1_3_count_0 + slice2cost_pixels_first_1_3_count_2 +
+        slice2cost_pixels_first_1_3_count_3 + slice2cost_pixels_first_1_3_count_5 + slice2cost_pixels_first_1_3_count_6
+        + slice2cost_pixels_first_1_3_count_4 + slice2cost_pixels_first_1_3_count_7 +
+        slice2cost_pixels_first_1_3_count_1;
+      slice2cost_pixels_cost_1_4 <= slice2cost_pixels_first_1_4_count_0 + slice2cost_pixels_first_1_4_count_2 +
+        slice2cost_pixels_first_1_4_count_3 + slice2cost_pixels_first_1_4_count_5 + slice2cost_pixels_first_1_4_count_6
+        + slice2cost_pixels_first_1_4_count_4 + slice2cost_pixels_first_1_4_count_7 +
+        slice2cost_pixels_first_1_4_count_1;
+      slice2cost_pixels_cost_1_5 <= slice2cost_pixels_first_1_5_count_0 + slice2cost_pixels_first_1_5_count_2 +
+        slice2cost_pixels_first_1_5_count_3 + slice2cost_pixels_first_1_5_count_5 + slice2cost_pixels_first_1_5_count_6
+        + slice2cost_pixels_first_1_5_count_4 + slice2cost_pixels_first_1_5_count_7 +
+        slice2cost_pixels_first_1_5_count_1;
+      slice2cost_pixels_cost_1_6 <= slice2cost_pixels_first_1_6_count_0 + slice2cost_pixels_first_1_6_count_2 +
+        slice2cost_pixels_first_1_6_count_3 + slice2cost_pixels_first_1_6_count_5 + slice2cost_pixels_first_1_6_count_6
+        + slice2cost_pixels_first_1_6_count_4 + slice2cost_pixels_first_1_6_count_7 +
+        slice2cost_pixels_first_1_6_count_1;
+      slice2cost_pixels_cost_1_7 <= slice2cost_pixels_first_1_7_count_0 + slice2cost_pixels_first_1_7_count_2 +
+        slice2cost_pixels_first_1_7_count_3 + slice2cost_pixels_first_1_7_count_5 + slice2cost_pixels_first_1_7_count_6
+        + slice2cost_pixels_first_1_7_count_4 + slice2cost_pixels_first_1_7_count_7 +
+        slice2cost_pixels_first_1_7_count_1;
+      slice2cost_pixels_cost_1_8 <= slice2cost_pixels_first_1_8_count_0 + slice2cost_pixels_first_1_8_count_2 +
+        slice2cost_pixels_first_1_8_count_3 + slice2cost_pixels_first_1_8_count_5 + slice2cost_pixels_first_1_8_count_6
+        + slice2cost_pixels_first_1_8_count_4 + slice2cost_pixels_first_1_8_count_7 +
+        slice2cost_pixels_first_1_8_count_1;
+      slice2cost_pixels_cost_1_9 <= slice2cost_pixels_first_1_9_count_0 + slice2cost_pixels_first_1_9_count_2 +
+        slice2cost_pixels_first_1_9_count_3 + slice2cost_pixels_first_1_9_count_5 + slice2cost_pixels_first_1_9_count_6
+        + slice2cost_pixels_first_1_9_count_4 + slice2cost_pixels_first_1_9_count_7 +
+        slice2cost_pixels_first_1_9_count_1;
+      slice2cost_pixels_cost_1_10 <= slice2cost_pixels_first_1_10_count_0 + slice2cost_pixels_first_1_10_count_2 +
+        slice2cost_pixels_first_1_10_count_3 + slice2cost_pixels_first_1_10_count_5 +
+        slice2cost_pixels_first_1_10_count_6 + slice2cost_pixels_first_1_10_count_4 +
+        slice2cost_pixels_first_1_10_count_7 + slice2cost_pixels_first_1_10_count_1;
+      slice2cost_pixels_cost_1_11 <= slice2cost_pixels_first_1_11_count_0 + slice2cost_pixels_first_1_11_count_2 +
+        slice2cost_pixels_first_1_11_count_3 + slice2cost_pixels_first_1_11_count_5 +
+        slice2cost_pixels_first_1_11_count_6 + slice2cost_pixels_first_1_11_count_4 +
+        slice2cost_pixels_first_1_11_count_7 + slice2cost_pixels_first_1_11_count_1;
+      slice2cost_pixels_cost_1_12 <= slice2cost_pixels_first_1_12_count_0 + slice2cost_pixels_first_1_12_count_2 +
+        slice2cost_pixels_first_1_12_count_3 + slice2cost_pixels_first_1_12_count_5 +
+        slice2cost_pixels_first_1_12_count_6 + slice2cost_pixels_first_1_12_count_4 +
+        slice2cost_pixels_first_1_12_count_7 + slice2cost_pixels_first_1_12_count_1;
+      slice2cost_pixels_cost_1_13 <= slice2cost_pixels_first_1_13_count_0 + slice2cost_pixels_first_1_13_count_2 +
+        slice2cost_pixels_first_1_13_count_3 + slice2cost_pixels_first_1_13_count_5 +
+        slice2cost_pixels_first_1_13_count_6 + slice2cost_pixels_first_1_13_count_4 +
+        slice2cost_pixels_first_1_13_count_7 + slice2cost_pixels_first_1_13_count_1;
+      slice2cost_pixels_cost_1_14 <= slice2cost_pixels_first_1_14_count_0 + slice2cost_pixels_first_1_14_count_2 +
+        slice2cost_pixels_first_1_14_count_3 + slice2cost_pixels_first_1_14_count_5 +
+        slice2cost_pixels_first_1_14_count_6 + slice2cost_pixels_first_1_14_count_4 +
+        slice2cost_pixels_first_1_14_count_7 + slice2cost_pixels_first_1_14_count_1;
+      slice2cost_pixels_cost_1_15 <= slice2cost_pixels_first_1_15_count_0 + slice2cost_pixels_first_1_15_count_2 +
+        slice2cost_pixels_first_1_15_count_3 + slice2cost_pixels_first_1_15_count_5 +
+        slice2cost_pixels_first_1_15_count_6 + slice2cost_pixels_first_1_15_count_4 +
+        slice2cost_pixels_first_1_15_count_7 + slice2cost_pixels_first_1_15_count_1;
       slice2cost_change_column <= slice2cost_read_column;
       slice2cost_change_0_0 <= slice2cost_pixels_cost_1_0 - slice2cost_pixels_cost_0_0;
       slice2cost_change_0_1 <= slice2cost_pixels_cost_1_1 - slice2cost_pixels_cost_0_1;
@@ -11870,7 +11220,9 @@ begin
       slice2window_change_0_14 <= slice2window_entering_0_14 - slice2window_change_0_14_choice;
       slice2window_change_0_15 <= slice2window_entering_0_15 - slice2window_change_0_15_choice;
       slice2window_change_tag_row_start <= slice1window_change_tag_row_start;
-      slice2window_change_tag_first_column <= slice1window_change_tag_first_column;
+      if slice0window_tag_valid then
+        slice2window_change_tag_first_column <= slice1window_change_tag_first_column;
+      end if;
       if slice2window_change_tag_row_start then
         slice2window_sum_0_0_choice := 0;
       else
@@ -11952,28 +11304,29 @@ begin
         slice2window_sum_0_15_choice := slice2window_sum_0_15;
       end if;
       if slice0winner1_tag_valid then
-        slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 4096;
-        slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 4096;
-        slice2window_sum_0_2 <= (slice2window_sum_0_2_choice + slice2window_change_0_2) mod 4096;
-        slice2window_sum_0_3 <= (slice2window_sum_0_3_choice + slice2window_change_0_3) mod 4096;
-        slice2window_sum_0_4 <= (slice2window_sum_0_4_choice + slice2window_change_0_4) mod 4096;
-        slice2window_sum_0_5 <= (slice2window_sum_0_5_choice + slice2window_change_0_5) mod 4096;
-        slice2window_sum_0_6 <= (slice2window_sum_0_6_choice + slice2window_change_0_6) mod 4096;
-        slice2window_sum_0_7 <= (slice2window_sum_0_7_choice + slice2window_change_0_7) mod 4096;
-        slice2window_sum_0_8 <= (slice2window_sum_0_8_choice + slice2window_change_0_8) mod 4096;
-        slice2window_sum_0_9 <= (slice2window_sum_0_9_choice + slice2window_change_0_9) mod 4096;
-        slice2window_sum_0_10 <= (slice2window_sum_0_10_choice + slice2window_change_0_10) mod 4096;
-        slice2window_sum_0_11 <= (slice2window_sum_0_11_choice + slice2window_change_0_11) mod 4096;
-        slice2window_sum_0_12 <= (slice2window_sum_0_12_choice + slice2window_change_0_12) mod 4096;
-        slice2window_sum_0_13 <= (slice2window_sum_0_13_choice + slice2window_change_0_13) mod 4096;
-        slice2window_sum_0_14 <= (slice2window_sum_0_14_choice + slice2window_change_0_14) mod 4096;
-        slice2window_sum_0_15 <= (slice2window_sum_0_15_choice + slice2window_change_0_15) mod 4096;
+        slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 2048;
+        slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 2048;
+        slice2window_sum_0_2 <= (slice2window_sum_0_2_choice + slice2window_change_0_2) mod 2048;
+        slice2window_sum_0_3 <= (slice2window_sum_0_3_choice + slice2window_change_0_3) mod 2048;
+        slice2window_sum_0_4 <= (slice2window_sum_0_4_choice + slice2window_change_0_4) mod 2048;
+        slice2window_sum_0_5 <= (slice2window_sum_0_5_choice + slice2window_change_0_5) mod 2048;
+        slice2window_sum_0_6 <= (slice2window_sum_0_6_choice + slice2window_change_0_6) mod 2048;
+        slice2window_sum_0_7 <= (slice2window_sum_0_7_choice + slice2window_change_0_7) mod 2048;
+        slice2window_sum_0_8 <= (slice2window_sum_0_8_choice + slice2window_change_0_8) mod 2048;
+        slice2window_sum_0_9 <= (slice2window_sum_0_9_choice + slice2window_change_0_9) mod 2048;
+        slice2window_sum_0_10 <= (slice2window_sum_0_10_choice + slice2window_change_0_10) mod 2048;
+        slice2window_sum_0_11 <= (slice2window_sum_0_11_choice + slice2window_change_0_11) mod 2048;
+        slice2window_sum_0_12 <= (slice2window_sum_0_12_choice + slice2window_change_0_12) mod 2048;
+        slice2window_sum_0_13 <= (slice2window_sum_0_13_choice + slice2window_change_0_13) mod 2048;
+        slice2window_sum_0_14 <= (slice2window_sum_0_14_choice + slice2window_change_0_14) mod 2048;
+        slice2window_sum_0_15 <= (slice2window_sum_0_15_choice + slice2window_change_0_15) mod 2048;
         slice2window_centre_map_column_0 <= slice1window_centre_map_column_0;
         slice2window_centre_map_column_1 <= slice2window_centre_map_column_0;
         slice2window_centre_map_column_2 <= slice2window_centre_map_column_1;
-        slice2window_centre_first_column_0 <= slice2window_change_tag_first_column;
+        slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
         slice2window_centre_first_column_1 <= slice2window_centre_first_column_0;
         slice2window_centre_first_column_2 <= slice2window_centre_first_column_1;
+        slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
         slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
         slice2window_centre_end_of_line_1 <= slice2window_centre_end_of_line_0;
         slice2window_centre_end_of_line_2 <= slice2window_centre_end_of_line_1;
@@ -12102,122 +11455,122 @@ begin
       if slice2mask_inside_1 then
         slice2winner1_best_cost_0_0_choice := 0;
       else
-        slice2winner1_best_cost_0_0_choice := 4095;
+        slice2winner1_best_cost_0_0_choice := 2047;
       end if;
-      slice2winner1_best_cost_0_0_any := to_integer(((to_unsigned(slice2window_sum_0_1, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_0_choice, 12))));
+      slice2winner1_best_cost_0_0_any := to_integer(((to_unsigned(slice2window_sum_0_1, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_0_choice, 11))));
       if slice2mask_inside_0 then
         slice2winner1_best_cost_0_0_choice_2 := 0;
       else
-        slice2winner1_best_cost_0_0_choice_2 := 4095;
+        slice2winner1_best_cost_0_0_choice_2 := 2047;
       end if;
-      slice2winner1_best_cost_0_0_any_2 := to_integer(((to_unsigned(slice2window_sum_0_0, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_0_choice_2, 12))));
+      slice2winner1_best_cost_0_0_any_2 := to_integer(((to_unsigned(slice2window_sum_0_0, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_0_choice_2, 11))));
       slice2winner1_best_cost_0_0_is_less := (slice2winner1_best_cost_0_0_any - slice2winner1_best_cost_0_0_any_2) < 0;
       if slice2mask_inside_3 then
         slice2winner1_best_cost_0_1_choice := 0;
       else
-        slice2winner1_best_cost_0_1_choice := 4095;
+        slice2winner1_best_cost_0_1_choice := 2047;
       end if;
-      slice2winner1_best_cost_0_1_any := to_integer(((to_unsigned(slice2window_sum_0_3, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_1_choice, 12))));
+      slice2winner1_best_cost_0_1_any := to_integer(((to_unsigned(slice2window_sum_0_3, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_1_choice, 11))));
       if slice2mask_inside_2 then
         slice2winner1_best_cost_0_1_choice_2 := 0;
       else
-        slice2winner1_best_cost_0_1_choice_2 := 4095;
+        slice2winner1_best_cost_0_1_choice_2 := 2047;
       end if;
-      slice2winner1_best_cost_0_1_any_2 := to_integer(((to_unsigned(slice2window_sum_0_2, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_1_choice_2, 12))));
+      slice2winner1_best_cost_0_1_any_2 := to_integer(((to_unsigned(slice2window_sum_0_2, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_1_choice_2, 11))));
       slice2winner1_best_cost_0_1_is_less := (slice2winner1_best_cost_0_1_any - slice2winner1_best_cost_0_1_any_2) < 0;
       if slice2mask_inside_5 then
         slice2winner1_best_cost_0_2_choice := 0;
       else
-        slice2winner1_best_cost_0_2_choice := 4095;
+        slice2winner1_best_cost_0_2_choice := 2047;
       end if;
-      slice2winner1_best_cost_0_2_any := to_integer(((to_unsigned(slice2window_sum_0_5, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_2_choice, 12))));
+      slice2winner1_best_cost_0_2_any := to_integer(((to_unsigned(slice2window_sum_0_5, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_2_choice, 11))));
       if slice2mask_inside_4 then
         slice2winner1_best_cost_0_2_choice_2 := 0;
       else
-        slice2winner1_best_cost_0_2_choice_2 := 4095;
+        slice2winner1_best_cost_0_2_choice_2 := 2047;
       end if;
-      slice2winner1_best_cost_0_2_any_2 := to_integer(((to_unsigned(slice2window_sum_0_4, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_2_choice_2, 12))));
+      slice2winner1_best_cost_0_2_any_2 := to_integer(((to_unsigned(slice2window_sum_0_4, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_2_choice_2, 11))));
       slice2winner1_best_cost_0_2_is_less := (slice2winner1_best_cost_0_2_any - slice2winner1_best_cost_0_2_any_2) < 0;
       if slice2mask_inside_7 then
         slice2winner1_best_cost_0_3_choice := 0;
       else
-        slice2winner1_best_cost_0_3_choice := 4095;
+        slice2winner1_best_cost_0_3_choice := 2047;
       end if;
-      slice2winner1_best_cost_0_3_any := to_integer(((to_unsigned(slice2window_sum_0_7, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_3_choice, 12))));
+      slice2winner1_best_cost_0_3_any := to_integer(((to_unsigned(slice2window_sum_0_7, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_3_choice, 11))));
       if slice2mask_inside_6 then
         slice2winner1_best_cost_0_3_choice_2 := 0;
       else
-        slice2winner1_best_cost_0_3_choice_2 := 4095;
+        slice2winner1_best_cost_0_3_choice_2 := 2047;
       end if;
-      slice2winner1_best_cost_0_3_any_2 := to_integer(((to_unsigned(slice2window_sum_0_6, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_3_choice_2, 12))));
+      slice2winner1_best_cost_0_3_any_2 := to_integer(((to_unsigned(slice2window_sum_0_6, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_3_choice_2, 11))));
       slice2winner1_best_cost_0_3_is_less := (slice2winner1_best_cost_0_3_any - slice2winner1_best_cost_0_3_any_2) < 0;
       if slice2mask_inside_9 then
         slice2winner1_best_cost_0_4_choice := 0;
       else
-        slice2winner1_best_cost_0_4_choice := 4095;
+        slice2winner1_best_cost_0_4_choice := 2047;
       end if;
-      slice2winner1_best_cost_0_4_any := to_integer(((to_unsigned(slice2window_sum_0_9, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_4_choice, 12))));
+      slice2winner1_best_cost_0_4_any := to_integer(((to_unsigned(slice2window_sum_0_9, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_4_choice, 11))));
       if slice2mask_inside_8 then
         slice2winner1_best_cost_0_4_choice_2 := 0;
       else
-        slice2winner1_best_cost_0_4_choice_2 := 4095;
+        slice2winner1_best_cost_0_4_choice_2 := 2047;
       end if;
-      slice2winner1_best_cost_0_4_any_2 := to_integer(((to_unsigned(slice2window_sum_0_8, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_4_choice_2, 12))));
+      slice2winner1_best_cost_0_4_any_2 := to_integer(((to_unsigned(slice2window_sum_0_8, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_4_choice_2, 11))));
       slice2winner1_best_cost_0_4_is_less := (slice2winner1_best_cost_0_4_any - slice2winner1_best_cost_0_4_any_2) < 0;
       if slice2mask_inside_11 then
         slice2winner1_best_cost_0_5_choice := 0;
       else
-        slice2winner1_best_cost_0_5_choice := 4095;
+        slice2winner1_best_cost_0_5_choice := 2047;
       end if;
-      slice2winner1_best_cost_0_5_any := to_integer(((to_unsigned(slice2window_sum_0_11, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_5_choice, 12))));
+      slice2winner1_best_cost_0_5_any := to_integer(((to_unsigned(slice2window_sum_0_11, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_5_choice, 11))));
       if slice2mask_inside_10 then
         slice2winner1_best_cost_0_5_choice_2 := 0;
       else
-        slice2winner1_best_cost_0_5_choice_2 := 4095;
+        slice2winner1_best_cost_0_5_choice_2 := 2047;
       end if;
-      slice2winner1_best_cost_0_5_any_2 := to_integer(((to_unsigned(slice2window_sum_0_10, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_5_choice_2, 12))));
+      slice2winner1_best_cost_0_5_any_2 := to_integer(((to_unsigned(slice2window_sum_0_10, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_5_choice_2, 11))));
       slice2winner1_best_cost_0_5_is_less := (slice2winner1_best_cost_0_5_any - slice2winner1_best_cost_0_5_any_2) < 0;
       if slice2mask_inside_13 then
         slice2winner1_best_cost_0_6_choice := 0;
       else
-        slice2winner1_best_cost_0_6_choice := 4095;
+        slice2winner1_best_cost_0_6_choice := 2047;
       end if;
-      slice2winner1_best_cost_0_6_any := to_integer(((to_unsigned(slice2window_sum_0_13, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_6_choice, 12))));
+      slice2winner1_best_cost_0_6_any := to_integer(((to_unsigned(slice2window_sum_0_13, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_6_choice, 11))));
       if slice2mask_inside_12 then
         slice2winner1_best_cost_0_6_choice_2 := 0;
       else
-        slice2winner1_best_cost_0_6_choice_2 := 4095;
+        slice2winner1_best_cost_0_6_choice_2 := 2047;
       end if;
-      slice2winner1_best_cost_0_6_any_2 := to_integer(((to_unsigned(slice2window_sum_0_12, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_6_choice_2, 12))));
+      slice2winner1_best_cost_0_6_any_2 := to_integer(((to_unsigned(slice2window_sum_0_12, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_6_choice_2, 11))));
       slice2winner1_best_cost_0_6_is_less := (slice2winner1_best_cost_0_6_any - slice2winner1_best_cost_0_6_any_2) < 0;
       if slice2mask_inside_15 then
         slice2winner1_best_cost_0_7_choice := 0;
       else
-        slice2winner1_best_cost_0_7_choice := 4095;
+        slice2winner1_best_cost_0_7_choice := 2047;
       end if;
-      slice2winner1_best_cost_0_7_any := to_integer(((to_unsigned(slice2window_sum_0_15, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_7_choice, 12))));
+      slice2winner1_best_cost_0_7_any := to_integer(((to_unsigned(slice2window_sum_0_15, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_7_choice, 11))));
       if slice2mask_inside_14 then
         slice2winner1_best_cost_0_7_choice_2 := 0;
       else
-        slice2winner1_best_cost_0_7_choice_2 := 4095;
+        slice2winner1_best_cost_0_7_choice_2 := 2047;
       end if;
-      slice2winner1_best_cost_0_7_any_2 := to_integer(((to_unsigned(slice2window_sum_0_14, 12)) or
-        (to_unsigned(slice2winner1_best_cost_0_7_choice_2, 12))));
+      slice2winner1_best_cost_0_7_any_2 := to_integer(((to_unsigned(slice2window_sum_0_14, 11)) or
+        (to_unsigned(slice2winner1_best_cost_0_7_choice_2, 11))));
       slice2winner1_best_cost_0_7_is_less := (slice2winner1_best_cost_0_7_any - slice2winner1_best_cost_0_7_any_2) < 0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       slice2winner1_best_first_0_0 <= slice2winner1_best_cost_0_0_any_2;
@@ -12540,7 +11893,7 @@ begin
           refinement_tag_11_row_start_is_equal_2 and refinement_tag_11_row_start_is_equal;
       end if;
       refinement_tag_11_row_start_all_2 := refinement_tag_11_valid and refinement_tag_11_map_column;
-      refinement_below_0_differs := slice2_best_below_0_0 /= 4095;
+      refinement_below_0_differs := slice2_best_below_0_0 /= 2047;
       refinement_below_0_value := ((slice2_best_index_0_0 / 16) mod 2) = 1;
       refinement_below_0_value_2 := ((slice2_best_index_0_0 / 8) mod 2) = 1;
       if (not ((slice2_best_index_0_0 / 32) = 1)) and ((slice2_best_index_0_0 mod 8) = 0) then
@@ -12549,20 +11902,20 @@ begin
       else
         refinement_below_0_choice := refinement_below_0_differs;
       end if;
-      refinement_above_0_differs := slice2_best_above_0_0 /= 4095;
+      refinement_above_0_differs := slice2_best_above_0_0 /= 2047;
       if ((slice2_best_index_0_0 / 32) = 1) and ((slice2_best_index_0_0 mod 8) = 7) then
         refinement_above_0_choice := refinement_above_0_differs and (refinement_below_0_value or (not
           refinement_below_0_value_2));
       else
         refinement_above_0_choice := refinement_above_0_differs;
       end if;
-      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 8192) - refinement_divisor_0_0;
-      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 8192) - refinement_divisor_1_0;
-      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 8192) - refinement_divisor_2_0;
-      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 8192) - refinement_divisor_3_0;
-      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 8192) - refinement_divisor_4_0;
-      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 8192) - refinement_divisor_5_0;
-      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 8192) - refinement_divisor_6_0;
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 4096) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 4096) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 4096) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 4096) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 4096) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 4096) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 4096) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
       if refinement_divisor_0_0_is_less then
         refinement_divisor_0_0_choice := refinement_v_0;
@@ -12601,7 +11954,7 @@ begin
       refinement_passed_6_0 <= refinement_passed_5_0;
       refinement_passed_7_0 <= refinement_passed_6_0;
       refinement_passed_8_0 <= refinement_passed_7_0;
-      refinement_passed_11_0 <= transform_filtering_1_row_inside_2;
+      refinement_passed_11_0 <= transform_filtering_1_row_inside_4;
       refinement_tag_0_valid <= slice2_best_tag_valid;
       refinement_tag_0_map_column <= slice2_best_tag_map_column;
       refinement_tag_0_start_of_frame <= slice2_best_tag_start_of_frame;
@@ -12651,12 +12004,12 @@ begin
       refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
       refinement_cost_0 <= slice2_best_cost_0_0;
-      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 4096;
-      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 4096;
+      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 2048;
+      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 2048;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 12)) or
-        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 12))));
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 11)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 11))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
       refinement_divisor_2_0 <= refinement_divisor_1_0;
       refinement_divisor_3_0 <= refinement_divisor_2_0;
@@ -12664,7 +12017,7 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_8_0 <= ((((8192 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 4096) +
+      refinement_quotient_8_0 <= ((((4096 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 2048) +
         ((other_12 / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
@@ -12692,40 +12045,40 @@ begin
       else
         refinement_above_0 <= slice2_best_above_0_0;
       end if;
-      if (refinement_remainder_1_0_difference / 8192) = 1 then
-        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 4096;
+      if (refinement_remainder_1_0_difference / 4096) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 2048;
       else
         refinement_remainder_1_0 <= refinement_remainder_0_0;
       end if;
-      if (refinement_remainder_2_0_difference / 8192) = 1 then
-        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096;
+      if (refinement_remainder_2_0_difference / 4096) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 2048;
       else
-        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 2048) * 2;
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 1024) * 2;
       end if;
-      if (refinement_remainder_3_0_difference / 8192) = 1 then
-        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096;
+      if (refinement_remainder_3_0_difference / 4096) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 2048;
       else
-        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 2048) * 2;
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 1024) * 2;
       end if;
-      if (refinement_remainder_4_0_difference / 8192) = 1 then
-        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096;
+      if (refinement_remainder_4_0_difference / 4096) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 2048;
       else
-        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 2048) * 2;
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 1024) * 2;
       end if;
-      if (refinement_remainder_5_0_difference / 8192) = 1 then
-        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096;
+      if (refinement_remainder_5_0_difference / 4096) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 2048;
       else
-        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 2048) * 2;
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 1024) * 2;
       end if;
-      if (refinement_remainder_6_0_difference / 8192) = 1 then
-        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096;
+      if (refinement_remainder_6_0_difference / 4096) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 2048;
       else
-        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 2048) * 2;
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 1024) * 2;
       end if;
-      if (refinement_remainder_7_0_difference / 8192) = 1 then
-        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096;
+      if (refinement_remainder_7_0_difference / 4096) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 2048;
       else
-        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 2048) * 2;
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 1024) * 2;
       end if;
       -- map
       if refinement_tag_11_row_start_all_2 then
@@ -13041,17 +12394,17 @@ begin
         to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      other_12 <= ((refinement_remainder_7_0_difference / 8192) * 2) + ((other_13 / 4) * 4);
-      other_13 <= ((refinement_remainder_6_0_difference / 8192) * 4) + ((other_14 / 8) * 8);
-      other_14 <= ((refinement_remainder_5_0_difference / 8192) * 8) + ((other_15 / 16) * 16);
-      other_15 <= ((refinement_remainder_4_0_difference / 8192) * 16) + ((other_16 / 32) * 32);
-      other_16 <= ((refinement_remainder_3_0_difference / 8192) * 32) + ((other_17 / 64) * 64);
-      other_17 <= ((refinement_remainder_2_0_difference / 8192) * 64) + ((other_18 / 128) * 128);
-      other_18 <= (refinement_remainder_1_0_difference / 8192) * 128;
+      other_12 <= ((refinement_remainder_7_0_difference / 4096) * 2) + ((other_13 / 4) * 4);
+      other_13 <= ((refinement_remainder_6_0_difference / 4096) * 4) + ((other_14 / 8) * 8);
+      other_14 <= ((refinement_remainder_5_0_difference / 4096) * 8) + ((other_15 / 16) * 16);
+      other_15 <= ((refinement_remainder_4_0_difference / 4096) * 16) + ((other_16 / 32) * 32);
+      other_16 <= ((refinement_remainder_3_0_difference / 4096) * 32) + ((other_17 / 64) * 64);
+      other_17 <= ((refinement_remainder_2_0_difference / 4096) * 64) + ((other_18 / 128) * 128);
+      other_18 <= (refinement_remainder_1_0_difference / 4096) * 128;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
-        transform_counter_group <= 376;
+        transform_counter_group <= 377;
         transform_counter_next_frame <= false;
         transform_read_column <= 0;
         transform_read_start_of_frame <= false;
@@ -13132,8 +12485,6 @@ begin
         slice0window_change_tag_end_of_line <= false;
         slice0window_centre_map_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_1 <= false;
-        slice0window_centre_start_of_frame_2 <= false;
         slice0window_centre_start_of_frame_3 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
@@ -13165,6 +12516,7 @@ begin
         slice1window_ring_read_address <= 1;
         slice1window_ring_write_address <= 0;
         slice1window_centre_map_column_0 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_map_column <= false;
@@ -13179,6 +12531,7 @@ begin
         slice2window_centre_map_column_0 <= false;
         slice2window_centre_map_column_1 <= false;
         slice2window_centre_map_column_2 <= false;
+        slice2window_centre_start_of_frame_0 <= false;
         slice2window_centre_end_of_line_0 <= false;
         slice2window_centre_end_of_line_1 <= false;
         slice2window_centre_end_of_line_2 <= false;

@@ -63,9 +63,9 @@ begin
       disparity_bits => 16,
       output_width_px => 442,
       latency_clocks => 49,
-      flush_groups => 2705,
+      flush_groups => 3155,
       gap_groups => 1800,
-      core_id => x"d43fcc67",
+      core_id => x"c81ddf40",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -120,7 +120,7 @@ begin
       disparity_bits => 16,
       output_width_px => 442,
       latency_clocks => 49,
-      flush_groups => 2705,
+      flush_groups => 3155,
       gap_groups => 1800)
     port map (
       clock => aclk,

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "block_matching/config.hpp"
+#include "support/least_size.hpp"
 #include "testing/test_configs.hpp"
 
 namespace stereo::test {

@@ -74,8 +74,8 @@ TEST(PairWarning, RangesThatAreTooShort) {
 TEST(LastDisparityWarning, IsOfManyPixelsThere) {
    const ImagePair pair = scene();
    const auto warning = [&](int disparities, bool subpixel) {
-      const block_matching::Matching parameters{
-          .disparities = disparities, .window_px = 9, .reference = Reference::left, .subpixel = subpixel};
+      const block_matching::Matching parameters{DisparityCount{disparities}, MatchingWindow{9},
+                                                ReferenceImage{Reference::left}, SubpixelSteps{subpixel}};
       return last_disparity_warning(match_fast(pair.left, pair.right, parameters), map_geometry(parameters, kWidth));
    };
    for (const bool subpixel : {false, true}) {
