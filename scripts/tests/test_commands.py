@@ -231,13 +231,14 @@ def test_shell_scripts_refuse_unknown_options():
     ],
 )
 def test_slow_tests_run_only_where_their_label_is_named(tmp_path, options, with_slow):
-    """ctest is a stand-in that shows its options."""
+    """ctest and cmake are stand-ins; the first one shows its options."""
     (tmp_path / "scripts").mkdir()
+    (tmp_path / "build" / "release").mkdir(parents=True)
     shutil.copy(ROOT / "scripts" / "test.sh", tmp_path / "scripts")
-    for path, text in (("scripts/setup.sh", "exit 0"), ("ctest", 'printf "%s\\n" "$@"')):
+    for path, text in (("scripts/setup.sh", "exit 0"), ("cmake", "exit 0"), ("ctest", 'printf "%s\\n" "$@"')):
         (tmp_path / path).write_text(f"#!/bin/sh\n{text}\n")
         (tmp_path / path).chmod(0o755)
-    environment = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
+    environment = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "STEREO_PRESET": "release"}
     words = [tmp_path / "scripts" / "test.sh", *options]
     process = subprocess.run(words, capture_output=True, text=True, env=environment, check=True)
     given = process.stdout.splitlines()

@@ -33,7 +33,7 @@ TEST(Options, EveryNameOfTheJsonCanBeSet) {
                                          PixelFormat{10},
                                          ReferenceImage{Reference::left},
                                          Comparison{Cost::ssd},
-                                         CensusWindow{.census_width_px = 7, .census_height_px = 3},
+                                         CensusWindow{.census_width_px = 7, .census_height_px = 3, .census_pattern = CensusPattern::sparse},
                                          Prefiltering{.prefilter = Prefilter::xsobel, .prefilter_cap = 9},
                                          TieRule{Ties::largest},
                                          LeftRightThreshold{2},
@@ -43,7 +43,7 @@ TEST(Options, EveryNameOfTheJsonCanBeSet) {
                                          MedianFilter{true},
                                          FullWidth{.full_width = true, .first_disparity = 2, .last_disparity = 9}};
    const nlohmann::json wanted = options_json(algorithm(others)->options()), plain = options_json(kPlain->options());
-   ASSERT_EQ(wanted.size(), 19u);
+   ASSERT_EQ(wanted.size(), 20u);
    std::vector<std::string> settings;
    for (const auto& [name, value] : wanted.items()) {
       EXPECT_NE(value, plain[name]) << name << " must differ for this test to see it";

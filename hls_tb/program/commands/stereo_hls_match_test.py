@@ -68,6 +68,7 @@ def test_match_writes_its_facts(tmp_path, match, pair):
         "cost": "sad",
         "census_width_px": 5,
         "census_height_px": 5,
+        "census_pattern": "all",
         "prefilter": "none",
         "prefilter_cap": 31,
         "ties": "smallest",

@@ -267,14 +267,17 @@ def freshness(name: str, row: Configuration, reads_vhdl: bool = True) -> Freshne
     if manifest["configuration"] != name or set(manifest["files"]) != {core}:
         reasons.append(f"its manifest does not name {core} as its VHDL")
     reasons += edit_reasons(directory, reads_vhdl)
-    row_changed = manifest["parameters"] != parameters_of(row) or manifest["use"] != row["use"]
+    then, now = manifest["parameters"], parameters_of(row)
+    row_text = f"its row in {row['family']}/configurations.hpp"
+    if any(now.get(name) != value for name, value in then.items()) or manifest["use"] != row["use"]:
+        reasons.append(f"{row_text} changed")
+    gains = sorted(now.keys() - then.keys())  # options that came since then
     changes = _changes(manifest["sources"] | manifest["cells"], source_digests(row) | cell_digests())
     is_hardware = all(Path(path).suffix in (".cpp", ".hpp") for path in changes)
-    differs = changes or row_changed
-    if differs and is_hardware and sources.is_same_code(manifest["code"], compiler_options(name, row)):
+    if (changes or gains) and is_hardware and sources.is_same_code(manifest["code"], compiler_options(name, row)):
         return Freshness(reasons, by_code=True)
-    if row_changed:
-        reasons.append(f"its row in {row['family']}/configurations.hpp changed")
+    if gains:
+        reasons.append(f"{row_text} has {', '.join(gains)}")
     return Freshness(reasons + [f"{path} {change}" for path, change in changes.items()])
 
 
