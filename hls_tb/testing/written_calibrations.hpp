@@ -199,13 +199,13 @@ inline app::Calibration load_written(const Written& written) {
    return app::load_calibration({left.path(), written.right.empty() ? "" : right.path(), "", written.fisheye});
 }
 
-inline cv::Mat camera(Random& random) {
+inline cv::Mat drawn_camera(Random& random) {
    const double focal = random.between(180, 260);
    return (cv::Mat_<double>(3, 3) << focal, 0, random.between(150, 170), 0, focal * random.between(0.98, 1.02),
            random.between(110, 130), 0, 0, 1);
 }
 
-inline cv::Mat coefficients(Random& random, bool fisheye) {
+inline cv::Mat drawn_coefficients(Random& random, bool fisheye) {
    if (fisheye)
       return (cv::Mat_<double>(1, 4) << random.between(-0.05, 0.05), random.between(-0.02, 0.02),
               random.between(-0.01, 0.01), random.between(-0.005, 0.005));
@@ -216,10 +216,10 @@ inline cv::Mat coefficients(Random& random, bool fisheye) {
 inline Pair random_pair(Random& random, bool fisheye) {
    const auto angle = [&random] { return random.between(-0.04, 0.04); };
    Pair pair;
-   pair.m1 = camera(random);
-   pair.m2 = camera(random);
-   pair.d1 = coefficients(random, fisheye);
-   pair.d2 = coefficients(random, fisheye);
+   pair.m1 = drawn_camera(random);
+   pair.m2 = drawn_camera(random);
+   pair.d1 = drawn_coefficients(random, fisheye);
+   pair.d2 = drawn_coefficients(random, fisheye);
    const double x = angle(), y = angle(), z = angle();
    pair.r = turn(x, y, z);
    pair.t = (cv::Mat_<double>(3, 1) << random.between(-0.2, -0.05), random.between(-0.004, 0.004),

@@ -39,7 +39,9 @@ def scene(tmp_path_factory):
 def test_semi_global_matching_holds_indoors_and_outdoors(name):
     (pair,) = (pair for pair in quality_pairs.own_pairs() if pair.name == name)
     if pair.missing:
-        pytest.skip(f"SKIP: the pair {name} is missing ({pair.missing[0]}); set STEREO_DATA to the folder that holds it")
+        pytest.skip(
+            f"SKIP: the pair {name} is missing ({pair.missing[0]}); set STEREO_DATA to the folder that holds it"
+        )
     assert 100 * quality_pairs.dense_d1(quality_pairs.measure(pair)[quality_pairs.ROWS[0].title]) <= LARGEST_D1[name]
 
 

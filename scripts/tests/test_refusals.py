@@ -55,7 +55,7 @@ def test_check_refuses_and_writes_nothing(monkeypatch, tmp_path, command):
 def test_check_of_the_vhdl_ends_with_its_answer(monkeypatch, capsys, reasons, code):
     synthesize = importlib.import_module("synthesize")
     fresh = {"b": Freshness(reasons)}
-    monkeypatch.setattr(synthesize, "freshness", lambda name, row: fresh.get(name, Freshness([])))
+    monkeypatch.setattr(synthesize.manifest, "freshness", lambda name, row: fresh.get(name, Freshness([])))
     monkeypatch.setattr(synthesize, "check_program", lambda table: None)
     if code == 0:
         assert synthesize.check(["a", "b"], {"a": {}, "b": {}}) == 0

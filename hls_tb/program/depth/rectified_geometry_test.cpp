@@ -48,20 +48,20 @@ DisparityImage random_disparities(Random& random) {
    return image;
 }
 
-double entry(Random& random, double low, double high) { return random.between(low, high); }
+double drawn_entry(Random& random, double low, double high) { return random.between(low, high); }
 
 /// As people have them: any scale, axes that point the other way, principal points in different columns.
 cv::Mat random_q(Random& random) {
-   const double focal = entry(random, 20, 2000);
-   const double baseline = entry(random, 0.01, 500);
-   const double column = entry(random, 10, 50);
-   const double row = entry(random, 5, 40);
-   const double offset = entry(random, -20, 20);
+   const double focal = drawn_entry(random, 20, 2000);
+   const double baseline = drawn_entry(random, 0.01, 500);
+   const double column = drawn_entry(random, 10, 50);
+   const double row = drawn_entry(random, 5, 40);
+   const double offset = drawn_entry(random, -20, 20);
    cv::Mat q = q_of(focal, baseline, column, row, offset);
    if (random.below(2) == 0) q.row(1) *= -1;                     // y up
    if (random.below(2) == 0) q.row(2) *= -1;                     // z backward
-   if (random.below(4) == 0) q.row(1) *= entry(random, 0.5, 2);  // pixels that are not square
-   const double scale = std::pow(10, entry(random, -4, 4));
+   if (random.below(4) == 0) q.row(1) *= drawn_entry(random, 0.5, 2);  // pixels that are not square
+   const double scale = std::pow(10, drawn_entry(random, -4, 4));
    const int sign = random.below(2) == 0 ? 1 : -1;
    return q * scale * sign;
 }
@@ -151,7 +151,7 @@ TEST(GeometryOfQ, DamagedOnesAreRefusedOrRight) {
       cv::Mat q = random_q(random);
       const int row = random.below(4), column = random.below(4);
       const double largest = cv::norm(q.row(row), cv::NORM_INF);
-      const double share = entry(random, 0.1, 3);
+      const double share = drawn_entry(random, 0.1, 3);
       const int sign = random.below(2) == 0 ? 1 : -1;
       q.at<double>(row, column) += largest * share * sign;
       if (random.below(4) == 0) q = q.t();

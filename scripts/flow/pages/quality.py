@@ -9,8 +9,8 @@ from pathlib import Path
 
 from ..base.markdown import number, table
 from ..base.tools import ROOT, Word
-from ..quality.pairs import data_folder
 from ..quality.evaluation import MASKS, MEASURES, Method, evaluate, scene
+from ..quality.pairs import data_folder
 
 PAGE = ROOT / "docs" / "quality.md"
 SCENES_PAGE = ROOT / "build" / "quality_scenes.md"

@@ -33,7 +33,11 @@ ROWS = (
     Row("P2 the same everywhere", "sgm_450", (*_FULL, "p2_least=-1")),
     Row("the rows' penalties from above", "sgm_450", (*_FULL, "above_p1=-1", "above_p2=-1")),
     Row("cap 15 instead of 5", "sgm_450", (*_FULL, "cost_cap=15")),
-    Row("census 9x5, checkerboard: 22 bits instead of 14", "sgm_450", (*_FULL, "census_pattern=checkerboard", "cost_shift=4")),
+    Row(
+        "census 9x5, checkerboard: 22 bits instead of 14",
+        "sgm_450",
+        (*_FULL, "census_pattern=checkerboard", "cost_shift=4"),
+    ),
     Row("census 9x5, all 44 bits", "sgm_450", (*_FULL, "census_pattern=all", "cost_shift=5")),
     Row("census 5x5, 24 bits, P1 5, P2 22: the first parameters", "sgm_450", (*_FULL, *_FIRST)),
     Row("semi-global, single pixels, `sgm_640`, not of full width", "sgm_640"),
@@ -51,7 +55,9 @@ Measured = dict[str, Method]  # by title, OpenCV's first
 def measure(pair: Pair) -> Measured:
     images = [*pair.images, "--border", 0]
     matchers = [word for name in OPENCV for word in ("--opencv", name)]
-    found = {method["name"]: method for method in evaluate(*images, *matchers, "--opencv-disparities", pair.disparities)}
+    found = {
+        method["name"]: method for method in evaluate(*images, *matchers, "--opencv-disparities", pair.disparities)
+    }
     for row in ROWS:
         settings = (*row.settings, f"disparities={pair.disparities}")
         words = [word for setting in settings for word in ("--set", setting)]

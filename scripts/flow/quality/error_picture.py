@@ -12,7 +12,15 @@ from ..base.tools import Word, find_stereo_hls, run
 from .pairs import Pair
 
 # Errors in pixels and their colours; grey: no truth, black: no disparity.
-_STEPS = ((0, "#313695"), (0.5, "#4575b4"), (1, "#abd9e9"), (2, "#fee090"), (3, "#fdae61"), (5, "#f46d43"), (10, "#a50026"))
+_STEPS = (
+    (0, "#313695"),
+    (0.5, "#4575b4"),
+    (1, "#abd9e9"),
+    (2, "#fee090"),
+    (3, "#fdae61"),
+    (5, "#f46d43"),
+    (10, "#a50026"),
+)
 _NO_TRUTH, _NO_DISPARITY = (0.75, 0.75, 0.75), (0.0, 0.0, 0.0)
 
 

@@ -65,5 +65,5 @@ def _pair(path: Path, folder: Path, entry: object) -> Pair:
         raise FlowError(f"{path}: disparities of {entry['name']} must be 2 ... 256")
     if Path(entry["name"]).name != entry["name"]:
         raise FlowError(f"{path}: the name {entry['name']} must be that of a file")
-    files = [folder / entry[name] for name in ("left", "right", "truth_left")]
-    return Pair(entry["name"], entry["title"], *files, float(scale), disparities)
+    left, right, truth = (folder / entry[name] for name in ("left", "right", "truth_left"))
+    return Pair(entry["name"], entry["title"], left, right, truth, float(scale), disparities)
