@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "program/errors.hpp"
+#include "program/io/shown_word.hpp"
 
 namespace stereo::app {
 namespace {
@@ -96,7 +97,7 @@ Lens lens_of_word(const std::string& word) {
       if (word == radial) return Lens::radial;
    for (const char* const fisheye : {"equidistant", "fisheye"})
       if (word == fisheye) return Lens::fisheye;
-   throw InputError("its distortion_model is " + word +
+   throw InputError("its distortion_model is " + shown_word(word) +
                     ", but only plumb_bob, rational_polynomial and radtan, k1 k2 p1 p2 ..., and equidistant and "
                     "fisheye, k1 k2 k3 k4, are known");
 }

@@ -6,6 +6,7 @@
 #include "definition/gray_image.hpp"
 #include "program/depth/rectified_geometry.hpp"
 #include "program/errors.hpp"
+#include "program/io/shown_word.hpp"
 
 namespace stereo::app {
 namespace {
@@ -25,7 +26,7 @@ std::vector<double> numbers_at(const Tree& tree, const char* name, std::size_t c
 
 Camera camera_of(const Tree& tree) {
    if (const std::string model = word_at(tree, "camera_model"); model != "pinhole")
-      throw InputError("its camera_model is " + (model.empty() ? "missing" : model) +
+      throw InputError("its camera_model is " + (model.empty() ? "missing" : shown_word(model)) +
                        ", but only pinhole, with the distortion_model radtan or equidistant, is known");
    const std::vector<double> intrinsics = numbers_at(tree, "intrinsics", 4), size = numbers_at(tree, "resolution", 2);
    Camera camera;

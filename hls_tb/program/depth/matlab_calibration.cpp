@@ -7,6 +7,7 @@
 #include "definition/gray_image.hpp"
 #include "program/depth/rectified_geometry.hpp"
 #include "program/errors.hpp"
+#include "program/io/shown_word.hpp"
 
 namespace stereo::app {
 namespace {
@@ -106,7 +107,7 @@ void add_unit(Calibration& pair, const Tree& tree) {
    const std::string word = word_at(tree, "WorldUnits");
    if (const auto unit = kUnits.find(word); unit != kUnits.end()) pair.unit_mm = unit->second;
    else if (word.empty()) pair.unknown_unit = "it has no WorldUnits";
-   else pair.unknown_unit = "its WorldUnits, " + word.substr(0, 20) + ", are no unit that is known";
+   else pair.unknown_unit = "its WorldUnits, " + shown_word(word.substr(0, 20)) + ", are no unit that is known";
 }
 
 Calibration parsed(const Tree& tree) {

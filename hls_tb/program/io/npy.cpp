@@ -10,6 +10,7 @@
 #include <string>
 
 #include "program/io/pfm.hpp"
+#include "program/io/shown_word.hpp"
 
 namespace stereo::app {
 namespace {
@@ -82,7 +83,7 @@ DisparityImage parse_npy(std::string_view bytes) {
    if (type.empty() || order.empty() || !header.starts_with('{')) refuse("its NumPy header names no array");
    const bool is_float = type.size() == 3 && (type[0] == '<' || type[0] == '>') && type[1] == 'f' &&
                          (type[2] == '2' || type[2] == '4' || type[2] == '8');
-   if (!is_float) refuse("it is an array of " + type + "; give one of floats, disparities in pixels");
+   if (!is_float) refuse("it is an array of " + shown_word(type) + "; give one of floats, disparities in pixels");
    if (!std::regex_match(shape, sides, std::regex(" *([0-9]+) *, *([0-9]+) *(, *1 *)?,? *")))
       refuse("it is an array of shape (" + shape + "); give one of two axes, rows and columns");
    const int height = side(sides[1]), width = side(sides[2]);

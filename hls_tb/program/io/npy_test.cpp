@@ -86,6 +86,7 @@ TEST(Npy, RefusesWhatIsNoMap) {
        {"\x93NUMPY\1\0\3\0{}\n"s, "names no array"},
        {npy("<u2", "False", "1, 1", "xx"), "an array of <u2"},
        {npy("|O", "False", "1, 1", four), "an array of |O"},
+       {npy("a\n\xff", "False", "1, 1", four), "an array of a??;"},
        {npy("<f9", "False", "1, 1", four), "an array of <f9"},
        {npy("<f4", "False", "1,", four), "shape (1,)"},
        {npy("<f4", "False", "1, 1, 2", four + four), "two axes"},
