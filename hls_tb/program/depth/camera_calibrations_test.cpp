@@ -110,12 +110,6 @@ TEST(MatlabCalibration, IsThePairThatWasCalibrated) {
       }
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-   const std::size_t at = text.find(from);
-   if (at == std::string::npos) throw std::logic_error("the text has no " + from);
-   return text.replace(at, from.size(), to);
-}
-
 TEST(MatlabCalibration, UnitsAreThoseOfItsWord) {
    Random random(test::test_seed());
    const Pair pair = random_pair(random, false);
