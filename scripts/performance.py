@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes docs/performance.md, its plot and the camera's table of docs/integration.md from the committed manifests and
-implementation results, and prints the evaluations a second per LUT of each routed configuration. Runs no tool."""
+"""Writes docs/performance.md, its plot, the camera's table of docs/integration.md and the table of README.md from the
+committed manifests, implementation results and docs/quality.md, and prints the evaluations a second per LUT of each
+routed configuration. Runs no tool."""
 
 import sys
 from pathlib import Path
@@ -12,13 +13,13 @@ from flow.base import committed, files
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import megahertz
 from flow.implementation.results import Configuration
-from flow.pages import camera, clock_logic, performance
+from flow.pages import camera, clock_logic, performance, products
 
 
 def main() -> int:
     parser = ArgumentParser(prog="performance.py", description=__doc__)
     chosen = parser.add_mutually_exclusive_group()
-    chosen.add_argument("--check", action="store_true", help="only say whether the page is up to date")
+    chosen.add_argument("--check", action="store_true", help="only say whether the pages are up to date")
     chosen.add_argument("--config", metavar="NAME", help="only print the recorded numbers of one configuration")
     parser.add_argument("--mhz", type=megahertz, help="with --config: what it does at a camera's clock")
     options = parser.parse_args()
@@ -31,6 +32,7 @@ def main() -> int:
         performance.PAGE: performance.page(),
         clock_logic.PICTURE: clock_logic.picture(clock_logic.points(routed)),
         camera.PAGE: camera.page(),
+        products.PAGE: products.page(),
     }
     code = files.update(texts, options.check, "scripts/performance.py")
     if not options.check:

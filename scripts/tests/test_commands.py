@@ -251,9 +251,3 @@ def test_fuzzing_needs_the_sanitizers_of_its_compiler(tmp_path):
     compiler.chmod(0o755)
     process = call("fuzz.sh", "pfm", environment={"PATH": f"{tmp_path}:{os.environ['PATH']}"})
     refused(process, 3, "clang++-16 cannot link with its sanitizers", "apt-get install", "libclang-rt")
-
-
-def test_scripts_are_documented():
-    readme = (ROOT / "README.md").read_text()
-    for script in sorted((ROOT / "scripts").glob("*.[ps][yh]")):
-        assert script.name in readme, f"README.md does not mention {script.name}"
