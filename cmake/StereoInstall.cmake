@@ -24,7 +24,7 @@ target_compile_options(cores_headers INTERFACE -Wno-unknown-pragmas) # those of 
 target_include_directories(cores_headers INTERFACE "$<INSTALL_INTERFACE:${header_folder}>")
 install(TARGETS cores_headers EXPORT stereo_hls)
 install(EXPORT stereo_hls FILE stereo_hlsConfig.cmake NAMESPACE stereo_hls:: DESTINATION ${package_folder})
-write_basic_package_version_file(stereo_hlsConfigVersion.cmake COMPATIBILITY ExactVersion ARCH_INDEPENDENT)
+write_basic_package_version_file(stereo_hlsConfigVersion.cmake COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/stereo_hlsConfigVersion.cmake" DESTINATION ${package_folder})
 install(DIRECTORY hls/ DESTINATION ${header_folder} FILES_MATCHING PATTERN "*.hpp")
 # Where a core keeps its memories in native code.

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The samples for CI services: linted as their services read them, and what they call is there."""
+"""The files that CI services and forges read, those of this project and the samples for others: linted as their
+services read them, and what they call is there."""
 
 import re
-import shutil
 import subprocess
+from pathlib import Path
 
 import pytest
 
@@ -11,29 +12,42 @@ from conftest import where_reachable
 from flow.base import venv
 from flow.base.tools import ROOT
 
-SAMPLES = ROOT / "examples" / "ci"
+SAMPLES = "examples/ci"
+FORMS = ".github/ISSUE_TEMPLATE"
 REQUIREMENTS = ROOT / "scripts" / "requirements-samples.txt"
 RULES = "{extends: default, rules: {line-length: {max: 120}}}"
 # The container shall have what Debian has now, so packages are not pinned.
 CONTAINER = ("hadolint", "--ignore", "DL3008")
+YAML = ("yamllint", "-s", "-d", RULES)
+
+
+def yaml_of(schema):
+    return [YAML, ("check-jsonschema", "--builtin-schema", f"vendor.{schema}")]
+
+
 LINTERS = {
-    "github-cosimulation.yml": [
-        ("yamllint", "-s", "-d", RULES),
-        ("check-jsonschema", "--builtin-schema", "vendor.github-workflows"),
-    ],
-    "gitlab-ci.yml": [
-        ("yamllint", "-s", "-d", RULES),
-        ("check-jsonschema", "--builtin-schema", "vendor.gitlab-ci"),
-    ],
-    "Containerfile": [CONTAINER],
+    f"{SAMPLES}/github-cosimulation.yml": yaml_of("github-workflows"),
+    f"{SAMPLES}/gitlab-ci.yml": yaml_of("gitlab-ci"),
+    f"{SAMPLES}/Containerfile": [CONTAINER],
+    ".github/workflows/ci.yml": yaml_of("github-workflows"),
+    f"{FORMS}/config.yml": yaml_of("github-issue-config"),
+    f"{FORMS}/wrong_result.yml": yaml_of("github-issue-forms"),
+    f"{FORMS}/hardware.yml": yaml_of("github-issue-forms"),
+    f"{FORMS}/proposal.yml": yaml_of("github-issue-forms"),
+    "CITATION.cff": yaml_of("citation-file-format"),
 }
+CALLERS = [name for name in LINTERS if name.startswith((SAMPLES, ".github/workflows"))]
 FAULTS = [
-    ("github-cosimulation.yml", "    runs-on: ubuntu-latest\n", ""),
-    ("github-cosimulation.yml", "jobs:\n", "jobs:\n  cosimulation: {runs-on: x}\n"),  # the key comes twice
-    ("gitlab-ci.yml", "    when: always\n", "    when: sometimes\n"),
-    ("gitlab-ci.yml", "  script:\n", "   script:\n"),
-    ("Containerfile", "WORKDIR /work", "WORKDIR work"),
-    ("Containerfile", "FROM debian:bookworm", "FROM debian"),
+    (f"{SAMPLES}/github-cosimulation.yml", "    runs-on: ubuntu-latest\n", ""),
+    (f"{SAMPLES}/github-cosimulation.yml", "jobs:\n", "jobs:\n  cosimulation: {runs-on: x}\n"),  # the key comes twice
+    (f"{SAMPLES}/gitlab-ci.yml", "    when: always\n", "    when: sometimes\n"),
+    (f"{SAMPLES}/gitlab-ci.yml", "  script:\n", "   script:\n"),
+    (f"{SAMPLES}/Containerfile", "WORKDIR /work", "WORKDIR work"),
+    (f"{SAMPLES}/Containerfile", "FROM debian:bookworm", "FROM debian"),
+    (".github/workflows/ci.yml", "    container:", "    kontainer:"),
+    (f"{FORMS}/config.yml", "true", "sometimes"),
+    (f"{FORMS}/hardware.yml", "name: Use in a design\n", ""),
+    ("CITATION.cff", "license: Apache-2.0", "license: Apache-20"),
 ]
 
 
@@ -53,29 +67,31 @@ def complaints():
 
 
 def test_every_sample_has_its_linters():
-    assert {path.name for path in SAMPLES.iterdir()} == set(LINTERS)
+    folders = [ROOT / SAMPLES, ROOT / ".github"]
+    found = {path.relative_to(ROOT).as_posix() for folder in folders for path in folder.rglob("*") if path.is_file()}
+    assert {*found, "CITATION.cff"} == set(LINTERS)
 
 
 @pytest.mark.parametrize("name", LINTERS)
 def test_no_complaint(complaints, name):
-    assert complaints(name, SAMPLES / name) == []
+    assert complaints(name, ROOT / name) == []
 
 
 @pytest.mark.parametrize("name, old, new", FAULTS)
 def test_a_fault_is_found(complaints, tmp_path, name, old, new):
-    text = (SAMPLES / name).read_text()
+    text = (ROOT / name).read_text()
     assert text.count(old) == 1
-    shutil.copy(SAMPLES / name, tmp_path)
-    (tmp_path / name).write_text(text.replace(old, new))
-    assert complaints(name, tmp_path / name)
+    copy = tmp_path / Path(name).name
+    copy.write_text(text.replace(old, new))
+    assert complaints(name, copy)
 
 
-@pytest.mark.parametrize("name", LINTERS)
+@pytest.mark.parametrize("name", CALLERS)
 def test_what_a_sample_calls_is_there(name):
     """Scripts of this project with options that they have; files of theirs that are kept."""
-    text = (SAMPLES / name).read_text()
+    text = (ROOT / name).read_text()
     calls = re.findall(r"(scripts/\w+\.(?:py|sh))((?: --[\w-]+)?)", text)
-    assert calls
+    assert calls or (" .ci/run\n" in text and (ROOT / ".ci" / "run").is_file())
     for script, option in calls:
         process = subprocess.run([ROOT / script, "--help"], capture_output=True, text=True)
         assert process.returncode == 0 and option.strip() in process.stdout
