@@ -5,6 +5,7 @@ import json
 import re
 import xml.etree.ElementTree as xml
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -33,6 +34,12 @@ def test_short_run_in_verilator(ghdl, verilator, tmp_path):
     assert report["failed"] == 0 and report["broken_stream_cases"] >= 20
     assert list(verify.SHORT_FRAMES) == SHORT
     assert all(count >= 20 for count in report["exact_frames"].values())
+
+
+def test_cocotb_can_mean_no_other_module():
+    """Where cocotb finds pytest, scripts/tests comes first on the path of Python (pyproject.toml)."""
+    benches = {path.name for path in cocotb_runs.TESTS.glob("*.py")}
+    assert benches and not benches & {path.name for path in Path(__file__).parent.glob("*.py")}
 
 
 @pytest.mark.slow
