@@ -14,7 +14,7 @@ from flow.shell import example
 
 def main() -> int:
     parser = ArgumentParser(prog="build_example.py", description=__doc__)
-    parser.add_argument("--seed", type=int, default=1, help="of place and route (default 1)")
+    parser.add_argument("--seed", type=int, default=1, help="seed of place and route (default 1)")
     parser.add_argument(
         "--out",
         type=a_path,

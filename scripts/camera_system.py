@@ -23,7 +23,7 @@ def parse() -> Namespace:
     parser.add_argument("--system", action="append", metavar="NAME", help=f"{', '.join(SYSTEMS)} (default: all)")
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--write", action="store_true", help="write camera_system_NAME.vhd again")
-    what.add_argument("--check", action="store_true", help="refuse where that would change it")
+    what.add_argument("--check", action="store_true", help="write nothing; exit code 1 if a file is not up to date")
     what.add_argument("--implement", action="store_true", help="area and clock on ECP5, by yosys and nextpnr")
     what.add_argument(
         "--frame", action="store_true", help="one whole frame of 640x480 in Verilator, and the latency of its rows"
@@ -31,7 +31,9 @@ def parse() -> Namespace:
     what.add_argument("--streams", type=int, metavar="N", help="N frames of random streams, some broken, in Verilator")
     what.add_argument("--show", action="store_true", help="print what camera_system_NAME.json says")
     parser.add_argument("--record", action="store_true", help="keep the result in camera_system_NAME.json")
-    parser.add_argument("--seeds", type=int, nargs="+", default=[1], metavar="N", help="of place and route (default 1)")
+    parser.add_argument(
+        "--seeds", type=int, nargs="+", default=[1], metavar="N", help="seed of place and route (default 1)"
+    )
     parser.add_argument("--router", choices=nextpnr.ROUTERS, default=nextpnr.ROUTERS[0], help="of nextpnr")
     parser.add_argument(
         "--pair", type=a_path, metavar="FOLDER", help="of --frame: left.png and right.png instead of a generated scene"

@@ -30,7 +30,7 @@ def main() -> int:
         help="named configurations (see stereo_hls configurations), patterns such as 'tiny*', or all: those with VHDL",
     )
     farm.add_options(parser, 1, "configurations")
-    parser.add_argument("--fail-fast", action="store_true", help="start no more configurations after one that fails")
+    parser.add_argument("--fail-fast", action="store_true", help="start no more configurations after a failure")
     parser.add_argument(
         "--changed",
         action="store_true",
@@ -64,7 +64,7 @@ def main() -> int:
     parser.add_argument(
         "--stall-percent", type=int, default=0, help="random bubbles in the input, 0 ... 95 %% (default 0)"
     )
-    parser.add_argument("--seed", type=int, default=1, help="of bubbles and filler pixels (default 1)")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the bubbles and filler pixels (default 1)")
     parser.add_argument(
         "--fit", choices=("none", "crop", "resize"), default="none", help="how images of another size are made to fit"
     )
@@ -90,7 +90,7 @@ def main() -> int:
     parser.add_argument(
         "--coverage",
         action="store_true",
-        help="in Verilator, and say which bits of registers never took both values and which branches never ran",
+        help="in Verilator, and list bits of registers that never took both values and branches that never ran",
     )
     parser.add_argument(
         "--watchdog",

@@ -85,7 +85,7 @@ def main() -> int:
         "--router",
         choices=nextpnr.ROUTERS,
         default=nextpnr.ROUTERS[0],
-        help="of nextpnr (default router1; router2 ends where that one circles, with longer clocks)",
+        help="router of nextpnr (default router1; router2 ends where router1 does not, with longer clock periods)",
     )
     parser.add_argument(
         "--rtl", type=a_path, help="folder with manifest.json and VHDL (default: those that are committed)"

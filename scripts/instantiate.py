@@ -25,7 +25,7 @@ def main() -> int:
     parser.add_argument(
         "--pad-map",
         action="store_true",
-        help="in a kit: zeros above the map in m_axis_tdata, up to a power of two of bits, as DMA engines want it",
+        help="in a kit: pad m_axis_tdata with zeros to a power of two of bits, for DMA engines",
     )
     parser.add_argument("--out", type=a_path, help="file to write (default: standard output); of a kit: a new folder")
     options = parser.parse_args()

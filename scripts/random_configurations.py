@@ -18,11 +18,11 @@ def main() -> int:
     parser.add_argument("--family", default="block_matching", help="algorithm family (default block_matching)")
     parser.add_argument("--count", type=int, default=20, help="how many configurations (default 20)")
     parser.add_argument(
-        "--seed", type=int, help="of the configurations and of their images; printed (default: another one each time)"
+        "--seed", type=int, help="seed of the configurations and their images; printed (default: another one each time)"
     )
     farm.add_options(parser, os.cpu_count() or 1, "cores")
     parser.add_argument(
-        "--row", action="append", metavar="ROW", help="instead of random ones, a row as in configurations.hpp"
+        "--row", action="append", metavar="ROW", help="a given row, as in configurations.hpp, instead of random ones"
     )
     options = parser.parse_args()
     if options.count < 1:

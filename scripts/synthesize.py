@@ -33,7 +33,7 @@ def check(names: Iterable[str], table: dict[str, Configuration]) -> int:
     again = " ".join(f"--config {name}" for name, (reasons, _) in found.items() if reasons)
     if again:
         raise FlowError(
-            f"the generated VHDL is not what its sources give; run scripts/synthesize.py {again}", EXIT_MISMATCH
+            f"the generated VHDL is stale, its sources have changed; run scripts/synthesize.py {again}", EXIT_MISMATCH
         )
     return EXIT_OK
 
@@ -88,13 +88,13 @@ def main() -> int:
     what.add_argument(
         "--refresh",
         action="store_true",
-        help="let manifests name the sources as they are now where clang makes the same code of them, and write shells "
-        "again that do not follow from them; needs no Bambu",
+        help="update the manifests of cores whose changed sources compile to the same code in clang, and write stale "
+        "shells again; needs no Bambu",
     )
     parser.add_argument(
         "--out",
         type=a_path,
-        help="a folder of one's own, one subfolder for each configuration; changes nothing that is committed",
+        help="another folder, with a subfolder for each configuration; changes no committed file",
     )
     farm.add_options(parser, 1, "configurations that Bambu makes")
     options = parser.parse_args()

@@ -21,9 +21,7 @@ def main() -> int:
     parser.add_argument(
         "--frames", type=int, help="correct frames of each --config (default: those of the whole run, or 100)"
     )
-    parser.add_argument(
-        "--seed", type=int, default=1, help="of everything that is random; printed at the end (default 1)"
-    )
+    parser.add_argument("--seed", type=int, default=1, help="seed of everything random; printed at the end (default 1)")
     parser.add_argument(
         "--chunk", type=int, metavar="N", help="with one --config: only its simulation 'mixture N', to replay it"
     )

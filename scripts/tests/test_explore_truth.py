@@ -139,9 +139,9 @@ def test_each_pair_has_its_scale(scene, tmp_path):
 def test_a_scale_that_puts_the_truth_outside_of_the_range_is_remarked(scene, tmp_path):
     process = call("explore.py", *pair(scene), "--truth-scale", 0.1, *SWEEP, "--out", tmp_path)
     assert process.returncode == 0, process.stderr
-    assert "looks for disparities of 0 ... 15 px, but 100 % of the true ones" in process.stdout
+    assert "searches disparities of 0 ... 15 px, but 100 % of the ground truth" in process.stdout
     good = call("explore.py", *pair(scene), *SWEEP, "--out", tmp_path)
-    assert good.returncode == 0 and "is the scale" not in good.stdout
+    assert good.returncode == 0 and "check the scale" not in good.stdout
 
 
 def test_what_was_evaluated_is_kept(scene, tmp_path):

@@ -44,7 +44,7 @@ inline void add_calibration_options(CLI::App& command, CalibrationOptions& optio
    command.add_option("--extrinsics", options.files.extrinsics, "a second YAML file, where R and T stand apart")
        ->excludes(right);
    command.add_flag("--fisheye", options.files.fisheye,
-                    "D1 and D2 are the four coefficients of cv::fisheye, which the file does not say");
+                    "D1 and D2 of the file are the four coefficients of cv::fisheye");
    command
        .add_option("--calibrated-size", options.calibrated_size,
                    "WIDTHxHEIGHT of the images that the cameras were calibrated with: for images scaled since then")

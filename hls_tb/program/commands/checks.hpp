@@ -15,7 +15,7 @@ namespace stereo::app {
 inline std::string check_positive_number(const std::string& text) {
    double value = 0;
    const bool is_number = CLI::detail::lexical_cast(text, value);
-   return is_number && std::isfinite(value) && value > 0 ? "" : text + " is no number above 0";
+   return is_number && std::isfinite(value) && value > 0 ? "" : text + " is not a number above 0";
 }
 
 /// A whole number that a seed can hold. CLI11 makes another number of a larger one.
@@ -25,7 +25,7 @@ inline std::string check_seed(const std::string& text) {
        !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
    const std::string digits = is_number ? text.substr(std::min(text.find_first_not_of('0'), text.size() - 1)) : "";
    const bool fits = digits.size() < largest.size() || (digits.size() == largest.size() && digits <= largest);
-   return is_number && fits ? "" : text + " is no whole number of 0 ... " + largest;
+   return is_number && fits ? "" : text + " is not a whole number of 0 ... " + largest;
 }
 
 /// Every option of every command refuses an empty value, which no option has a meaning for.

@@ -32,7 +32,7 @@ void add_configurations(CLI::App& app) {
    static bool as_json = false, of_stages = false;
    CLI::App* command = app.add_subcommand("configurations", "list the hardware configurations");
    command->add_flag("--json", as_json, "as JSON, for scripts");
-   command->add_flag("--stages", of_stages, "those of stages in front of a matching core instead");
+   command->add_flag("--stages", of_stages, "list the stages in front of a matching core instead");
    command->callback([] { list_configurations(as_json, of_stages); });
 }
 

@@ -58,7 +58,7 @@ struct PreparedPair {
 PreparedPair prepare(const Arguments& arguments, int bits) {
    Calibration loaded = load_calibration(arguments.calibration.files);
    if (!arguments.unit_mm && !loaded.unknown_unit.empty())
-      throw InputError("--calibration: " + loaded.unknown_unit + ": say with --unit-mm how many millimetres it is");
+      throw InputError("--calibration: " + loaded.unknown_unit + ": give its length in millimetres with --unit-mm");
    const double unit_mm = arguments.unit_mm.value_or(loaded.unit_mm > 0 ? loaded.unit_mm : kMetre);
    if (arguments.rectified && !loaded.rectified_size.empty()) loaded.image_size = loaded.rectified_size;
    PreparedPair pair{
@@ -204,19 +204,22 @@ void add_depth(CLI::App& app) {
    command->add_option("--right", arguments.right, "right camera's image")->required();
    command->add_option("--config", arguments.config, "configuration, run by the fast model on the whole images")
        ->required();
-   command->add_option("--set", arguments.settings, "NAME=VALUE: another option than the configuration's")
+   command->add_option("--set", arguments.settings, "NAME=VALUE: override an option of the configuration")
        ->allow_extra_args(false);
    command
-       ->add_option("--unit-mm", arguments.unit_mm,
-                    "millimetres of one unit of the calibration's T; default: as its format has it, else 1000, metres")
+       ->add_option(
+           "--unit-mm", arguments.unit_mm,
+           "length of one unit of the calibration's T in millimetres; default: that of its format, else 1000 (metres)")
        ->check(check_positive_number);
    add_threads_option(*command, arguments.threads);
    add_postprocessing_options(*command, arguments.postprocessing, "the depths");
    command
        ->add_option("--least-depth-mm", arguments.least_mm,
-                    "nearer pixels count as unknown, in all files but preview.png")
+                    "mark nearer pixels as unknown, in all files but preview.png")
        ->check(check_positive_number);
-   command->add_option("--largest-depth-mm", arguments.largest_mm, "the same of farther ones")
+   command
+       ->add_option("--largest-depth-mm", arguments.largest_mm,
+                    "mark farther pixels as unknown, in all files but preview.png")
        ->check(check_positive_number);
    static const std::map<std::string, PlyFormat> kPlyFormats{{"binary", PlyFormat::binary},
                                                              {"ascii", PlyFormat::ascii}};

@@ -152,8 +152,8 @@ EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& argume
    check_opencv_matcher(matcher, truth.shown.left.width, truth.shown.left.height);
    EvaluatedMethod method{matcher.name(), "opencv", Reference::left, parameters_json(matcher)};
    if (truth.bits > 8)
-      method.remarks.push_back(method.name + " takes 8 bits a pixel and was given the upper 8 of the images' " +
-                               std::to_string(truth.bits));
+      method.remarks.push_back(method.name + " gets the upper 8 of the images' " + std::to_string(truth.bits) +
+                               " bits");
    const ImagePair seen = shown_pair(truth.seen, truth.bits);
    score(method, timed(method.milliseconds, [&] { return match_opencv(seen, matcher, arguments.threads); }),
          DisparityRange{0, matcher.disparities}, truth);
@@ -192,8 +192,8 @@ void follow_set_disparities(Arguments& arguments) {
    if (set.empty()) return;
    constexpr int kSteps = 16, kMost = 1 << 20;  // far more than OpenCV takes, which is checked later
    arguments.opencv_disparities = (std::clamp(std::stoi(set), 1, kMost) + kSteps - 1) / kSteps * kSteps;
-   std::cout << "OpenCV's matchers look for " << arguments.opencv_disparities
-             << " disparities, as --set disparities=" << set << " says\n";
+   std::cout << "OpenCV's matchers search " << arguments.opencv_disparities << " disparities (--set disparities=" << set
+             << ")\n";
 }
 
 void write_json(const std::string& path, const nlohmann::json& json) {
@@ -237,7 +237,7 @@ void evaluate(Arguments arguments) {
 }
 
 void add_methods(CLI::App& command, Arguments& arguments) {
-   command.add_option("--config", arguments.configs, "configuration, run on the whole images; repeat it")
+   command.add_option("--config", arguments.configs, "configuration, run on the whole images; may be repeated")
        ->allow_extra_args(false);
    command
        .add_option("--set", arguments.settings,
@@ -248,18 +248,19 @@ void add_methods(CLI::App& command, Arguments& arguments) {
    add_postprocessing_options(command, arguments.postprocessing, "the configurations' maps");
    command
        .add_option("--opencv", arguments.opencv,
-                   "OpenCV's StereoBM or StereoSGBM: bm, sgbm or another mode of sgbm; repeat it")
+                   "OpenCV's StereoBM or StereoSGBM: bm, sgbm or another mode of sgbm; may be repeated")
        ->allow_extra_args(false)
        ->check(CLI::IsMember(&opencv_kinds()));
    command
-       .add_option("--opencv-disparities", arguments.opencv_disparities,
-                   "theirs; default what --set disparities says, up to the next multiple of 16, else 48")
+       .add_option(
+           "--opencv-disparities", arguments.opencv_disparities,
+           "disparities of OpenCV's matchers; default: --set disparities, rounded up to a multiple of 16, else 48")
        ->check(CLI::PositiveNumber);
-   command.add_option("--opencv-block", arguments.opencv_block, "theirs; default 15 for bm, 3 for sgbm")
+   command.add_option("--opencv-block", arguments.opencv_block, "block of OpenCV's matchers; default 15 for bm, 3 for sgbm")
        ->check(CLI::PositiveNumber);
    command
        .add_option("--disparity", arguments.disparities,
-                   "a result of the images' size: a file as --truth-left; repeat it")
+                   "a disparity map of the images' size, in a format of --truth-left; may be repeated")
        ->allow_extra_args(false);
    command
        .add_option("--reference", arguments.references,
@@ -274,7 +275,7 @@ void add_methods(CLI::App& command, Arguments& arguments) {
 
 void add_evaluate(CLI::App& app) {
    static Arguments arguments;
-   CLI::App* command = app.add_subcommand("evaluate", "measure disparity maps beside ground truth");
+   CLI::App* command = app.add_subcommand("evaluate", "measure disparity maps against ground truth");
    command->add_option("--left", arguments.left, "left image of the rectified pair")->required();
    command->add_option("--right", arguments.right, "right image")->required();
    command->add_option(
@@ -283,21 +284,29 @@ void add_evaluate(CLI::App& app) {
    command->add_option("--truth-right", arguments.truth_right, "the right image's");
    command
        ->add_option("--truth-scale", arguments.truth_scale,
-                    "values a pixel of the truth; default: 256 of 16 bits as KITTI's, else 1")
+                    "units of the truth in a pixel; default: 256 for 16-bit files (KITTI), else 1")
        ->check(check_positive_number);
    command->add_option("--visible-left", arguments.visible_left,
-                       "image whose left pixels count where not 0; then 0 is a true disparity, too");
+                       "mask of the left image: its pixels of 0 do not count; 0 in the truth is then a disparity");
    command->add_option("--visible-right", arguments.visible_right, "the right image's");
-   command->add_option("--unknown", arguments.unknown,
-                       "a value in files of disparities that stands for none, such as -1; what is not finite does");
+   command->add_option(
+       "--unknown", arguments.unknown,
+       "a value in files of disparities that marks unknown pixels, such as -1; values that are not finite always do");
    command->add_option("--border", arguments.border_px, "pixels at each side of the images that do not count")
        ->check(CLI::Range(0, 10000))
        ->capture_default_str();
-   command->add_option("--gain", arguments.cameras.gain, "match with a right image of so many times its grey values")
+   command
+       ->add_option("--gain", arguments.cameras.gain,
+                    "multiply the grey values of the right image by this before matching")
        ->check(check_positive_number)
        ->capture_default_str();
-   command->add_option("--offset", arguments.cameras.offset, "and so many grey levels more")->capture_default_str();
-   command->add_option("--noise", arguments.cameras.noise, "match with noise of this deviation in both images")
+   command
+       ->add_option("--offset", arguments.cameras.offset,
+                    "add this to the grey values of the right image before matching")
+       ->capture_default_str();
+   command
+       ->add_option("--noise", arguments.cameras.noise,
+                    "add noise of this standard deviation to both images before matching")
        ->check(CLI::Range(0, 255))
        ->capture_default_str();
    command->add_option("--noise-seed", arguments.cameras.seed, "another number, other noise")

@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
    } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
       if (argc > 1 && app.get_subcommands().empty())
-         return report(std::string(argv[1]) + ": there is no such command; see stereo_hls --help", kInputError);
+         return report(std::string(argv[1]) + ": unknown command; see stereo_hls --help", kInputError);
       return report(std::string(error.what()) + "; see stereo_hls --help", kInputError);
    } catch (const InputError& error) {
       return report(error.what(), kInputError);

@@ -214,32 +214,32 @@ void add_match(CLI::App& app) {
               "fast (default): the software model, any size; clocked: the hardware's C++");
    command
        ->add_option("--set", arguments.settings,
-                    "NAME=VALUE: another option than the configuration's, such as window_px=9")
+                    "NAME=VALUE: override an option of the configuration, such as window_px=9")
        ->allow_extra_args(false);
    add_threads_option(*command, arguments.threads);
    add_pair_options(*command, arguments.left, arguments.right, arguments.fit);
    add_postprocessing_options(*command, arguments.postprocessing);
    command->add_flag("--confidence", arguments.postprocessing.wants_confidence,
-                     "also write confidence.png: 255 for the surest disparities, 0 for those without any");
+                     "also write confidence.png: 255 for the surest pixels, 0 for pixels without confidence");
    command
        ->add_option("--write", arguments.formats,
-                    "also the map at the size of the image: pfm (disparity.pfm, infinite where there is none) or kitti "
-                    "(disparity_kitti.png, 16 bits, 0 where there is none); repeat it")
+                    "also write the map at the size of the image: pfm (disparity.pfm, infinity where invalid) or kitti "
+                    "(disparity_kitti.png, 16 bits, 0 where invalid); may be repeated")
        ->allow_extra_args(false)
        ->check(CLI::IsMember(&kFormats));
    CLI::Option* truth = command->add_option(
        "--truth", arguments.truth,
-       "true disparities of the reference image: count bad pixels; a file as --truth-left of evaluate");
+       "ground truth of the reference image, in a format of evaluate --truth-left: count bad pixels");
    command
        ->add_option("--truth-scale", arguments.truth_scale,
-                    "values a pixel of the truth; default: 256 of 16 bits as KITTI's, else 1")
+                    "units of the truth in a pixel; default: 256 for 16-bit files (KITTI), else 1")
        ->check(check_positive_number)
        ->needs(truth);
-   command->add_option("--unknown", arguments.unknown, "a value of the truth that stands for none, such as -1")
+   command->add_option("--unknown", arguments.unknown, "a value of the truth that marks unknown pixels, such as -1")
        ->needs(truth);
    command
        ->add_option("--visible", arguments.visible,
-                    "image whose pixels count where not 0; then 0 is a true disparity, too")
+                    "mask: its pixels of 0 do not count; 0 in the truth is then a disparity")
        ->needs(truth);
    command->callback([] { match(arguments); });
 }

@@ -13,18 +13,19 @@ namespace stereo::app {
 inline void add_postprocessing_options(CLI::App& command, Postprocessing& options, const std::string& of = "the map") {
    CLI::Option* const window = command
                                    .add_option("--speckle-window", options.speckle_window_px,
-                                               "pixels of the largest speckle that becomes invalid in " + of +
-                                                   ", as cv::filterSpeckles does it; 0: none")
+                                               "mark speckles of up to this many pixels as invalid in " + of +
+                                                   ", as cv::filterSpeckles does; 0: off")
                                    ->check(CLI::Range(0, 1000000000))
                                    ->capture_default_str();
    command
-       .add_option("--speckle-range", options.speckle_range_px, "pixels by which neighbours in a speckle may differ")
+       .add_option("--speckle-range", options.speckle_range_px,
+                   "largest difference of neighbours in a speckle, in pixels")
        ->check(CLI::Range(0, 256))
        ->capture_default_str()
        ->needs(window);
    command
        .add_option("--least-confidence", options.least_confidence,
-                   "pixels of less confidence become invalid; 0: none, 255: all but the surest")
+                   "mark pixels of less confidence as invalid, 0 ... 255; 0: off")
        ->check(CLI::Range(0, kLargestConfidence))
        ->capture_default_str();
 }

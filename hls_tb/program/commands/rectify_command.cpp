@@ -180,9 +180,9 @@ void rectify(const Arguments& arguments) {
 
 void add_rectify(CLI::App& app) {
    static Arguments arguments;
-   CLI::App* command = app.add_subcommand(
-       "rectify",
-       "the tables of the rectification in hardware, and what it makes of images: left_table.hex, left.png ...");
+   CLI::App* command = app.add_subcommand("rectify",
+                                          "make the tables of the hardware rectification, and rectify images with its "
+                                          "integers: left_table.hex, left.png ...");
    add_calibration_options(*command, arguments.calibration);
    CLI::Option* left = command->add_option("--left", arguments.left, "left camera's image");
    CLI::Option* right = command->add_option("--right", arguments.right, "right camera's image");
@@ -194,7 +194,8 @@ void add_rectify(CLI::App& app) {
    height->needs(width);
    command
        ->add_option("--set", arguments.settings,
-                    "NAME=VALUE: another option than the default; rows that are not set are as many as needed")
+                    "NAME=VALUE: set an option, such as grid_px=8; rows_above and rows_below default to what the "
+                    "calibration needs")
        ->allow_extra_args(false);
    command->add_option("--out", arguments.out, "folder for the results")->required();
    command->callback([] { rectify(arguments); });

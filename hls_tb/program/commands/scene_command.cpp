@@ -103,7 +103,7 @@ void add_scene(CLI::App& app) {
    command->add_option("--disparities", options.disparities, "disparity range")
        ->capture_default_str()
        ->excludes(config);
-   command->add_option("--pixel-bits", arguments.pixel_bits, "of left and right: 8, 10 or 12")
+   command->add_option("--pixel-bits", arguments.pixel_bits, "bits of a pixel in left and right: 8, 10 or 12")
        ->check(CLI::IsMember({8, 10, 12}))
        ->capture_default_str()
        ->excludes(config);

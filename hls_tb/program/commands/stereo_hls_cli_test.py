@@ -348,8 +348,8 @@ def test_a_failure_leaves_no_folder_behind(tmp_path, match):
         (["scene", "--out", "o", "--seed", "1", "--width", "9"], "disparity range"),
         (["scene", "--out", "o", "--seed", "1", "--width", "9", "--frames", "2"], "disparity range"),
         (["scene", "--out", "o", "--seed", "1", "--frames", "0"], "--frames"),
-        (["frobnicate"], "frobnicate: there is no such command"),
-        (["--frobnicate"], "--frobnicate: there is no such command"),
+        (["frobnicate"], "frobnicate: unknown command"),
+        (["--frobnicate"], "--frobnicate: unknown command"),
     ],
 )
 def test_wrong_usage(tmp_path, arguments, says):
@@ -385,7 +385,7 @@ def test_seeds_that_would_be_another_number(tmp_path, seed):
     """A message fits a line."""
     words = [PROGRAM, "scene", "--config", "tiny", f"--seed={seed}", "--out", tmp_path / "out"]
     result = subprocess.run(words, capture_output=True, text=True)
-    assert result.returncode == 2 and "no whole number of 0 ... 18446744073709551615" in result.stderr
+    assert result.returncode == 2 and "not a whole number of 0 ... 18446744073709551615" in result.stderr
     assert not (tmp_path / "out").exists()
 
 

@@ -315,7 +315,7 @@ def test_a_principal_point_far_from_the_middle(tmp_path, depth):
 @pytest.mark.parametrize("width, height", [("wide", HEIGHT), (0, HEIGHT), (WIDTH, -1), (WIDTH, 1.5)])
 def test_sizes_that_are_none(tmp_path, depth, width, height):
     yml = with_size(calibration(tmp_path / "c.yml"), width, height)
-    fail(tmp_path, *depth, yml, *plane(tmp_path), says=["c.yml: its image_", "no number of pixels"])
+    fail(tmp_path, *depth, yml, *plane(tmp_path), says=["c.yml: its image_", "not a number of pixels"])
 
 
 def test_depths_that_are_left_out(tmp_path, depth):
@@ -615,16 +615,16 @@ def turned(degrees):
             for count in (1, 2, 3, 6, 7, 9, 10, 11, 13, 15)
             for columns in (columns or count,)
         ),
-        ({"M1": (CAMERA_TURNED, 3)}, ["--rectified"], ["M1 is no camera matrix", "row 3, column 1 must be 0"]),
-        ({"M1": (CAMERA_SKEWED, 3)}, [], ["M1 is no camera matrix", "row 1, column 2 must be 0"]),
+        ({"M1": (CAMERA_TURNED, 3)}, ["--rectified"], ["M1 is not a camera matrix", "row 3, column 1 must be 0"]),
+        ({"M1": (CAMERA_SKEWED, 3)}, [], ["M1 is not a camera matrix", "row 1, column 2 must be 0"]),
         (
             {"T": ([-0.01, -0.1, 0.0], 1)},
             ["--rectified"],
             ["T puts the right camera at 0.01, 0.1, 0", "above the other"],
         ),
         ({"R": (turned(17), 3)}, ["--rectified"], ["R turns the right camera by 17 degrees"]),
-        ({"R": ([2.0, *IDENTITY[1:]], 3)}, ["--rectified"], ["R is no rotation"]),
-        ({"R": ([2.0, *IDENTITY[1:]], 3)}, [], ["R is no rotation"]),
+        ({"R": ([2.0, *IDENTITY[1:]], 3)}, ["--rectified"], ["R is not a rotation"]),
+        ({"R": ([2.0, *IDENTITY[1:]], 3)}, [], ["R is not a rotation"]),
         ({"T": ([0.0, -0.05, 0.0], 1)}, [], ["one above the other"]),
         ({"T": ([0.05, 0.0, 0.0], 1)}, [], ["exchange --left and --right"]),
         ({"T": ([0.0, 0.0, 0.0], 1)}, [], ["--calibration"]),
@@ -639,8 +639,8 @@ def turned(degrees):
             ["P2 has a baseline of 0.1 but its T is 0.05 long"],
         ),
         ({}, ["--unit-mm", "0"], ["--unit-mm"]),
-        ({}, ["--unit-mm", "nan"], ["--unit-mm", "no number above 0"]),
-        ({}, ["--unit-mm", "inf"], ["--unit-mm", "no number above 0"]),
+        ({}, ["--unit-mm", "nan"], ["--unit-mm", "not a number above 0"]),
+        ({}, ["--unit-mm", "inf"], ["--unit-mm", "not a number above 0"]),
         ({}, ["--set", "window=3"], ["--set window=3"]),
         ({}, ["--set", "disparities=200"], ["--config study", "200"]),
         ({}, ["--config", "nope"], ["nope"]),

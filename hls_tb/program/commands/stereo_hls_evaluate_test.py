@@ -163,7 +163,7 @@ def test_values_that_stand_for_unknown(tmp_path, evaluate, kind, mark):
     assert method["masks"]["all"]["pixels"] == (WIDTH - 3) * HEIGHT and method["masks"]["all"]["avg_px"] == 0
     assert "unknown" not in out
     if mark == 1e9:
-        fail(tmp_path, *evaluate, *words, says=["0,", "is no disparity", "--unknown"])
+        fail(tmp_path, *evaluate, *words, says=["0,", "is not a disparity", "--unknown"])
     elif said:
         out, [method] = results(tmp_path, *evaluate, *words)
         assert method["masks"]["all"]["pixels"] == WIDTH * HEIGHT
@@ -342,7 +342,7 @@ def test_opencv_follows_the_disparities_that_are_set(tmp_path):
             out, methods = results(tmp_path, *pair, "--set", f"disparities={disparities}")
             assert methods[0]["parameters"]["disparities"] == disparities
             assert [m["parameters"]["disparities"] for m in methods[1:]] == [theirs, theirs]
-            assert f"OpenCV's matchers look for {theirs} disparities, as --set disparities={disparities}" in out
+            assert f"OpenCV's matchers search {theirs} disparities (--set disparities={disparities})" in out
     out, methods = results(tmp_path, *pair, "--set", "disparities=32", "--opencv-disparities", 16)
     assert [m["parameters"]["disparities"] for m in methods] == [32, 16, 16] and "look for" not in out
     assert [m["parameters"]["disparities"] for m in results(tmp_path, *pair)[1]] == [DISPARITIES, 48, 48]
@@ -381,8 +381,8 @@ def test_truth_that_cannot_fit_is_remarked(tmp_path, evaluate):
     far = pfm(tmp_path / "far.pfm", lambda x, y: 90.5)
     out, [method] = results(tmp_path, *evaluate, "--truth-right", far, "--config", "tiny")
     assert method["remarks"] == [
-        "tiny looks for disparities of 0 ... 7 px, but 100 % of the true ones, 90.5 ... 90.5 px, lie outside: "
-        "is the scale of the truth right?"
+        "tiny searches disparities of 0 ... 7 px, but 100 % of the ground truth, 90.5 ... 90.5 px, lies outside; "
+        "check the scale of the truth"
     ]
     assert method["remarks"][0] in out
     near = pfm(tmp_path / "near.pfm", lambda x, y: 7)
@@ -390,8 +390,8 @@ def test_truth_that_cannot_fit_is_remarked(tmp_path, evaluate):
     words = ["--truth-left", near, "--reference", "left", "--disparity"]
     _, [method] = results(tmp_path, *evaluate, *words, found)
     assert method["remarks"] == [
-        f"100 % of the disparities that {found} found are off by more than 1 px: "
-        "do the truth, its scale and the images belong together?"
+        f"100 % of the disparities that {found} found are off by more than 1 px; "
+        "check that the truth and its scale belong to these images"
     ]
     _, [method] = results(tmp_path, *evaluate, *words, near)
     assert method["remarks"] == []
@@ -422,7 +422,7 @@ def test_the_table_comes_without_json(tmp_path, pair):
         (["--truth-left", "T", "--disparity", "T"], ["--disparity", "--reference"]),
         (["--truth-left", "T", "--disparity", "T", "--reference", "both"], ["--reference", "both"]),
         (["--truth-left", "T", "--truth-scale", "0", "--config", "tiny"], ["--truth-scale"]),
-        (["--truth-left", "T", "--truth-scale", "nan", "--config", "tiny"], ["--truth-scale", "no number above 0"]),
+        (["--truth-left", "T", "--truth-scale", "nan", "--config", "tiny"], ["--truth-scale", "not a number above 0"]),
         (["--truth-left", "GREY", "--truth-scale", "1e-300", "--config", "tiny"], ["--truth-left", "so small a scale"]),
         (["--truth-left", "T", "--border", "-1", "--config", "tiny"], ["--border"]),
         (["--truth-left", "no.pfm", "--config", "tiny"], ["no.pfm", "no such file"]),
@@ -444,13 +444,13 @@ def test_wrong_usage(tmp_path, evaluate, arguments, says):
 @pytest.mark.parametrize(
     "content, says",
     [
-        (b"", "broken off"),
+        (b"", "truncated"),
         (b"Pf\n32 12\n-1\n", "0 bytes of pixels"),
         (b"Pf\n60000 60000\n-1\nxxxx", "14400000000"),
         (b"Pf\n0 12\n-1\n", "width of 0"),
         (b"PF\n32 12\n-1\n", "colour"),
         (b"Pf\n32 12\n-1\n" + struct.pack("<f", float("nan")) * 384, "none of its pixels has a true disparity"),
-        (b"Pf\n32 12\n-1\n" + struct.pack("<f", 1e30) * 384, "is no disparity"),
+        (b"Pf\n32 12\n-1\n" + struct.pack("<f", 1e30) * 384, "is not a disparity"),
     ],
 )
 def test_hostile_pfm(tmp_path, evaluate, content, says):

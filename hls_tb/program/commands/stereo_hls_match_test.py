@@ -234,8 +234,8 @@ def test_truth_needs_no_visible_pixels(tmp_path, match, kind):
 
 def test_truth_of_a_wrong_scale_is_remarked(tmp_path, match):
     truth = gray_image(tmp_path / "t.pgm", lambda x, y: 40)
-    assert "looks for disparities of 0 ... 7 px, but 100 %" in succeed(*match, "--truth", truth)
-    assert "lie outside" not in succeed(*match, "--truth", truth, "--truth-scale", 10)
+    assert "searches disparities of 0 ... 7 px, but 100 %" in succeed(*match, "--truth", truth)
+    assert "lies outside" not in succeed(*match, "--truth", truth, "--truth-scale", 10)
 
 
 def test_set_changes_options_of_the_fast_model(tmp_path, match):
@@ -431,7 +431,7 @@ def test_a_jpeg_that_is_broken_off(tmp_path, command):
     of = (lambda path: path.parent) if command == "video" else lambda path: path
     succeed(command, "--left", of(whole), "--right", of(whole), *more)
     for left, right in ((whole, cut), (cut, whole)):
-        says = ["0.jpg: is broken off or damaged", "Premature end of JPEG file"]
+        says = ["0.jpg: is truncated or damaged", "Premature end of JPEG file"]
         fail(tmp_path, command, "--left", of(left), "--right", of(right), *more, says=says)
 
 

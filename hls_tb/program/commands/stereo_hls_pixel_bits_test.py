@@ -110,7 +110,7 @@ def test_evaluate_measures_as_with_8_bits(tmp_path):
     out, [deeper, deeper_bm] = evaluated(tmp_path, deep, *words, "--set", "pixel_bits=12")
     assert tiny["masks"] == deeper["masks"] and len(tiny["masks"]) >= 3
     assert bm["masks"] == deeper_bm["masks"] and bm["parameters"] == deeper_bm["parameters"]
-    remark = "StereoBM takes 8 bits a pixel and was given the upper 8 of the images' 12"
+    remark = "StereoBM gets the upper 8 of the images' 12 bits"
     assert deeper_bm["remarks"][0] == remark and remark in out and bm["remarks"] == []
     assert (tiny["parameters"]["pixel_bits"], deeper["parameters"]["pixel_bits"]) == (8, 12)
 

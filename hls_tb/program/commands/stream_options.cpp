@@ -55,19 +55,20 @@ void add_stream_options(CLI::App& command, StreamArguments& arguments) {
            ->check(CLI::Range(1, 1000))
            ->capture_default_str();
    command
-       .add_option("--broken", arguments.broken,
-                   "instead of frames, so many faults of a stream: broken frames, records without start, resets")
+       .add_option(
+           "--broken", arguments.broken,
+           "send this many stream faults instead of frames: broken frames, records without start of frame, resets")
        ->check(CLI::Range(1, 1000))
        ->excludes(frames)
        ->excludes(rows);
    command.add_option("--stall-percent", options.stall_percent, "chance of a bubble before a pixel pair")
        ->check(CLI::Range(0, 95))
        ->capture_default_str();
-   command.add_option("--seed", options.seed, "of the bubbles and flush rows")
+   command.add_option("--seed", options.seed, "seed of the bubbles and flush rows")
        ->capture_default_str()
        ->check(check_seed);
    add_pair_options(command, arguments.left, arguments.right, arguments.fit);
-   command.add_flag("--stress", arguments.stress, "the stream that is made to find faults; before that of the images");
+   command.add_flag("--stress", arguments.stress, "send the stress stream first, then the images");
    CLI::Option* const left = command.get_option("--left")->required(false);
    CLI::Option* const right = command.get_option("--right")->required(false);
    left->needs(right);

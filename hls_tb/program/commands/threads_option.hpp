@@ -22,7 +22,7 @@ inline void add_threads_option(CLI::App& command, int& threads, const std::strin
    threads = all_cores();
    command
        .add_option("--threads", threads,
-                   "threads of " + of + ", which give the same disparities in any number; default: all cores")
+                   "threads of " + of + "; the result does not depend on it; default: all processors")
        ->check(CLI::Range(1, kMostThreads))
        ->capture_default_str();
 }

@@ -62,13 +62,13 @@ void trace(const TraceArguments& arguments) {
 
 void add_trace(CLI::App& app) {
    static TraceArguments arguments;
-   CLI::App* command = app.add_subcommand(
-       "trace",
-       "trace all registers of the clocked core: trace.txt; of random pixels, or of the stream that `vectors` makes");
+   CLI::App* command = app.add_subcommand("trace",
+                                          "write the values of all registers of a clocked core in every clock, for "
+                                          "random pixels or for the stream of `vectors`: trace.txt");
    command->add_option("--config", arguments.config, "configuration")->required();
    command->add_option("--out", arguments.out, "folder for the result")->required();
    command->add_option("--clocks", arguments.clocks, "how many")->check(CLI::Range(10, 1000000))->capture_default_str();
-   command->add_option("--first-clock", arguments.first, "the first one of a stream")
+   command->add_option("--first-clock", arguments.first, "first clock of the stream to write")
        ->check(CLI::Range(0, 1000000000))
        ->capture_default_str();
    add_stream_options(*command, arguments.stream);

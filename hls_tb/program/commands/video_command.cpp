@@ -109,11 +109,13 @@ void add_video(CLI::App& app) {
        ->excludes(right);
    command->add_option("--config", arguments.config, "configuration, run by the fast model on whole frames")
        ->required();
-   command->add_option("--set", arguments.settings, "NAME=VALUE: another option than the configuration's")
+   command->add_option("--set", arguments.settings, "NAME=VALUE: override an option of the configuration")
        ->allow_extra_args(false);
    add_postprocessing_options(*command, arguments.postprocessing, "each map");
    add_threads_option(*command, arguments.threads);
-   command->add_option("--frames-per-second", arguments.frames_per_second, "of the result; default: the input's, or 25")
+   command
+       ->add_option("--frames-per-second", arguments.frames_per_second,
+                    "frame rate of the result; default: the input's, or 25")
        ->check(check_positive_number)
        ->check(CLI::Range(0.1, 1000.0));
    command->add_option("--out", arguments.out, "a video NAME.avi, or a folder for images")->required();

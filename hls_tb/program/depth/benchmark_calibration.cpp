@@ -61,7 +61,7 @@ cv::Mat matrix(const Lines& lines, const std::string& key, int rows, int columns
 cv::Size size_of(double width, double height) {
    constexpr double kLargest = 65536;
    const auto is_side = [](double side) { return side >= 1 && side <= kLargest && side == std::floor(side); };
-   if (!is_side(width) || !is_side(height)) throw InputError("its image size is no number of pixels");
+   if (!is_side(width) || !is_side(height)) throw InputError("its image size is not a number of pixels");
    return {int(width), int(height)};
 }
 

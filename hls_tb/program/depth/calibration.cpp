@@ -89,7 +89,7 @@ void take(Calibration& calibration, const cv::FileNode& node, const Entry& entry
    cv::Mat matrix;
    if (node.isSeq()) {
       matrix = matrix_of_list(node, entry);
-      if (matrix.empty()) throw InputError(what + " is no list of as many numbers as it must have");
+      if (matrix.empty()) throw InputError(what + " is not a list of the right length");
    } else {
       matrix = matrix_of_map(node, entry, what);
    }

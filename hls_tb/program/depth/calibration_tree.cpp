@@ -51,7 +51,7 @@ std::vector<double> numbers_of(const Tree& node, const std::string& name) {
    std::vector<double> numbers;
    const auto take = [&](const Tree& item) {
       const std::optional<double> number = number_of(item);
-      if (!number) throw InputError("its " + name + " is no list of numbers");
+      if (!number) throw InputError("its " + name + " is not a list of numbers");
       numbers.push_back(*number);
    };
    if (node.is_array()) std::for_each(node.begin(), node.end(), take);
@@ -88,7 +88,7 @@ std::string word_at(const Tree& tree, const char* name) {
 int side_of(double side, const std::string& name) {
    constexpr double kLargest = 65536;
    if (side >= 1 && side <= kLargest && side == std::floor(side)) return int(side);
-   throw InputError("its " + name + " is no number of pixels");
+   throw InputError("its " + name + " is not a number of pixels");
 }
 
 Lens lens_of_word(const std::string& word) {

@@ -46,7 +46,7 @@ Camera camera_of(const Tree& tree) {
 cv::Mat motion_of(const Tree& node, const std::string& name) {
    cv::Mat motion = matrix_of(node, 4, 4, name);
    if (cv::norm(motion.row(3), cv::Mat((cv::Mat_<double>(1, 4) << 0, 0, 0, 1)), cv::NORM_INF) > 0)
-      throw InputError("its " + name + " is no motion of a camera: row 4 must be 0 0 0 1; is it transposed?");
+      throw InputError("its " + name + " is not a motion of a camera: row 4 must be 0 0 0 1; is it transposed?");
    require_rotation("its " + name, motion(cv::Rect(0, 0, 3, 3)));
    return motion;
 }

@@ -26,7 +26,7 @@ const std::map<std::string, double> kUnits{
 /// As jsonencode writes it: a list of rows.
 cv::Mat matrix_at(const Tree& node, int rows, int columns, const std::string& name) {
    if (!node.is_array() || node.empty() || !node.front().is_array())
-      throw InputError("its " + name + " is no list of rows, as jsonencode writes a matrix");
+      throw InputError("its " + name + " is not a list of rows, as jsonencode writes a matrix");
    return matrix_of(node, rows, columns, name);
 }
 

@@ -109,7 +109,7 @@ std::string last_disparity_warning(const DisparityMap& map, const MapGeometry& g
    if (last < kManyAtLast * all || last < kMoreThanBefore * before || all < kFewestPixels) return "";
    std::ostringstream text;
    text << "warning: the range of disparities looks too short: " << std::fixed << std::setprecision(1)
-        << 100 * last / all << " % of the pixels have the last one, "
+        << 100 * last / all << " % of the pixels have the last disparity of the range, "
         << geometry.min_disparity + geometry.disparities - 1 << " px; see --set disparities\n";
    return text.str();
 }

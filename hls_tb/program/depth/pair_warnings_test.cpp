@@ -80,7 +80,8 @@ TEST(LastDisparityWarning, IsOfManyPixelsThere) {
    };
    for (const bool subpixel : {false, true}) {
       EXPECT_EQ(warning(kDisparities, subpixel), "");
-      EXPECT_NE(warning(16, subpixel).find("have the last one, 15 px"), std::string::npos) << warning(16, subpixel);
+      EXPECT_NE(warning(16, subpixel).find("have the last disparity of the range, 15 px"), std::string::npos)
+          << warning(16, subpixel);
    }
    DisparityMap none(50, 40, 15);
    std::fill(none.valid.begin(), none.valid.end(), uint8_t(0));

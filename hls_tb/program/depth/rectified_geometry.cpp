@@ -148,13 +148,13 @@ void require_camera_matrix(const std::string& name, const cv::Mat& camera) {
    if (!wrong.empty()) wrong += " must be 0";
    else if (std::abs(camera.at<double>(2, 2) - 1) > kRounding) wrong = "row 3, column 3 must be 1";
    else if (camera.at<double>(0, 0) <= 0 || camera.at<double>(1, 1) <= 0) wrong = "a focal length must be above 0";
-   if (!wrong.empty()) throw InputError(name + " is no camera matrix, fx 0 cx, 0 fy cy, 0 0 1: " + wrong);
+   if (!wrong.empty()) throw InputError(name + " is not a camera matrix, fx 0 cx, 0 fy cy, 0 0 1: " + wrong);
 }
 
 void require_rotation(const std::string& name, const cv::Mat& r) {
    constexpr double kLargest = 1e-3;
    if (cv::norm(r * r.t(), cv::Mat::eye(3, 3, CV_64F), cv::NORM_INF) > kLargest || cv::determinant(r) < 0)
-      throw InputError(name + " is no rotation");
+      throw InputError(name + " is not a rotation");
 }
 
 RectifiedGeometry geometry_of_q(const cv::Mat& q) {

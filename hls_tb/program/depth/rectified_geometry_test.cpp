@@ -58,8 +58,8 @@ cv::Mat random_q(Random& random) {
    const double row = drawn_entry(random, 5, 40);
    const double offset = drawn_entry(random, -20, 20);
    cv::Mat q = q_of(focal, baseline, column, row, offset);
-   if (random.below(2) == 0) q.row(1) *= -1;                     // y up
-   if (random.below(2) == 0) q.row(2) *= -1;                     // z backward
+   if (random.below(2) == 0) q.row(1) *= -1;                           // y up
+   if (random.below(2) == 0) q.row(2) *= -1;                           // z backward
    if (random.below(4) == 0) q.row(1) *= drawn_entry(random, 0.5, 2);  // pixels that are not square
    const double scale = std::pow(10, drawn_entry(random, -4, 4));
    const int sign = random.below(2) == 0 ? 1 : -1;
@@ -223,10 +223,10 @@ TEST(RectifiedGeometry, RefusesWhatIsNone) {
    expect(with_t(0, 0, 0.1), "stand side by side");
    Calibration bad = good;
    bad.m1 = cv::Mat(good.m1.t());
-   expect(bad, "M1 is no camera matrix, fx 0 cx, 0 fy cy, 0 0 1: row 3, column 1 must be 0");
+   expect(bad, "M1 is not a camera matrix, fx 0 cx, 0 fy cy, 0 0 1: row 3, column 1 must be 0");
    bad = good;
    bad.m2 = cv::Mat(good.m2 * 2);
-   expect(bad, "M2 is no camera matrix, fx 0 cx, 0 fy cy, 0 0 1: row 3, column 3 must be 1");
+   expect(bad, "M2 is not a camera matrix, fx 0 cx, 0 fy cy, 0 0 1: row 3, column 3 must be 1");
    bad = good;
    bad.m2 = camera(520, 22, 10);
    expect(bad, "focal lengths of 500 and 520 px");
@@ -239,7 +239,7 @@ TEST(RectifiedGeometry, RefusesWhatIsNone) {
    expect(bad, "R turns the right camera by 17 degrees");
    bad = good;
    bad.r = cv::Mat(2 * good.r);
-   expect(bad, "R is no rotation");
+   expect(bad, "R is not a rotation");
 }
 
 TEST(RectifiedGeometry, ProjectionsBesideQAreCheckedToo) {

@@ -39,9 +39,9 @@ std::string range_remark(const std::string& name, const DisparityImage& truth, D
    if (2 * std::size_t(outside) <= known.size()) return "";
    const auto [smallest, largest] = std::minmax_element(known.begin(), known.end());
    std::ostringstream text;
-   text << name << " looks for disparities of " << range.first << " ... " << range.first + range.count - 1
-        << " px, but " << 100 * outside / std::ptrdiff_t(known.size()) << " % of the true ones, " << *smallest
-        << " ... " << *largest << " px, lie outside: is the scale of the truth right?";
+   text << name << " searches disparities of " << range.first << " ... " << range.first + range.count - 1 << " px, but "
+        << 100 * outside / std::ptrdiff_t(known.size()) << " % of the ground truth, " << *smallest << " ... "
+        << *largest << " px, lies outside; check the scale of the truth";
    return text.str();
 }
 
@@ -49,7 +49,7 @@ std::string bad_remark(const std::string& name, double bad, double compared) {
    if (compared == 0 || bad < 0.9 * compared) return "";
    std::ostringstream text;
    text << std::floor(100 * bad / compared) << " % of the disparities that " << name << " found are off by more than "
-        << kBadPixelTolerance << " px: do the truth, its scale and the images belong together?";
+        << kBadPixelTolerance << " px; check that the truth and its scale belong to these images";
    return text.str();
 }
 

@@ -95,8 +95,8 @@ TEST(Truth, OutsideOfTheRangeIsRemarkedFromHalfOn) {
    EXPECT_EQ(range_remark("tiny", truth, {0, 21}), "");
    EXPECT_EQ(
        range_remark("tiny", truth, {0, 10}),
-       "tiny looks for disparities of 0 ... 9 px, but 100 % of the true ones, 10.5 ... 20 px, lie outside: is the "
-       "scale of the truth right?");
+       "tiny searches disparities of 0 ... 9 px, but 100 % of the ground truth, 10.5 ... 20 px, lies outside; check "
+       "the scale of the truth");
    EXPECT_NE(range_remark("tiny", truth, {12, 5}), "") << "below";
    EXPECT_EQ(range_remark("tiny", DisparityImage(4, 1), {0, 10}), "") << "nothing is known";
 }
@@ -105,10 +105,9 @@ TEST(Truth, NearlyAllBadIsRemarked) {
    EXPECT_EQ(bad_remark("tiny", 89, 100), "");
    EXPECT_EQ(bad_remark("tiny", 0, 0), "");
    EXPECT_EQ(bad_remark("tiny", 0, 5), "");
-   EXPECT_EQ(
-       bad_remark("tiny", 959, 1000),
-       "95 % of the disparities that tiny found are off by more than 1 px: do the truth, its scale and the images "
-       "belong together?");
+   EXPECT_EQ(bad_remark("tiny", 959, 1000),
+             "95 % of the disparities that tiny found are off by more than 1 px; check that the truth and its scale "
+             "belong to these images");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ std::string first_bytes(const std::string& path, std::size_t count) {
 /// Throws std::invalid_argument.
 std::string all_bytes(const std::string& path) {
    const std::ifstream file(path, std::ios::binary);
-   if (!file) throw std::invalid_argument("it cannot be read; check its rights");
+   if (!file) throw std::invalid_argument("it cannot be read; check its permissions");
    std::ostringstream text;
    text << file.rdbuf();
    return text.str();
@@ -108,7 +108,7 @@ void divide(DisparityImage& image, double scale, std::optional<double> unknown) 
       else {
          const auto width = std::size_t(image.width);
          std::ostringstream text;
-         text << "its pixel " << i % width << "," << i / width << ", " << px << ", is no disparity"
+         text << "its pixel " << i % width << "," << i / width << ", " << px << ", is not a disparity"
               << (scale < 1 ? " with so small a scale" : "; if it marks unknown ones, give --unknown");
          throw std::invalid_argument(text.str());
       }

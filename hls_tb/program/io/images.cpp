@@ -51,7 +51,7 @@ void heed(const std::string& name, const std::string& complaint) {
    // Cameras write some bytes too many between the parts of a JPEG file, which nothing is lost by.
    const bool damaged = says("Corrupt JPEG data") && !says("extraneous bytes before marker");
    if (damaged || says("remature end of"))
-      throw InputError(name + ": is broken off or damaged (" + line + "); give the whole image");
+      throw InputError(name + ": is truncated or damaged (" + line + "); give the whole image");
    std::cout << "warning: " << name << ": " << line << '\n';
 }
 
@@ -74,9 +74,8 @@ cv::Mat read_image(const std::string& path, const std::string& name) {
    std::ostringstream bytes;
    bytes << std::ifstream(path, std::ios::binary).rdbuf();
    if (const int orientation = exif_orientation(bytes.view()); orientation != 1)
-      throw InputError(name + ": its EXIF data says that it is turned or mirrored, orientation " +
-                       std::to_string(orientation) +
-                       ", but the pixels of a calibrated camera count as they are stored; give an upright image, or "
+      throw InputError(name + ": its EXIF data rotates or mirrors it, orientation " + std::to_string(orientation) +
+                       ", but pixels are taken as stored; give an upright image, or "
                        "remove that tag");
    return mat;
 }

@@ -128,7 +128,7 @@ TEST(Images, BrokenOffOnesAreRefused) {
 
 TEST(Images, DamagedJpegIsRefused) {
    const std::string whole = encoded(".jpg");
-   EXPECT_NE(refusal(whole.substr(0, whole.size() / 2) + "\xff\xd9", ".jpg").find("broken off or damaged"),
+   EXPECT_NE(refusal(whole.substr(0, whole.size() / 2) + "\xff\xd9", ".jpg").find("truncated or damaged"),
              std::string::npos);
 }
 

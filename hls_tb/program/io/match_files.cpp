@@ -49,7 +49,7 @@ OwnMap own_map(const std::string& option, const fs::path& path, const Facts& fac
    const DisparityImage map = load_disparities(option, path.string(), {.scale = scale, .zero_is_known = true}).image;
    if (map.width != facts.map_width || map.height != facts.height || facts.first_column < 0 ||
        facts.first_column + map.width > facts.width)
-      throw InputError(option + " " + path.string() + ": is not the map that " + kFactsName + " beside it tells of");
+      throw InputError(option + " " + path.string() + ": is not the map that " + kFactsName + " beside it describes");
    const fs::path valid_path = path.parent_path() / kValidName;
    const bool checked = fs::is_regular_file(valid_path);
    const GrayImage valid = checked ? load_gray(valid_path.string()) : GrayImage(map.width, map.height, 255);

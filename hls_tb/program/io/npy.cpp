@@ -44,13 +44,13 @@ float value_at(std::string_view bytes, std::size_t offset, std::size_t size, boo
 /// The header's text, taken from `rest`.
 std::string take_header(std::string_view& rest) {
    constexpr std::size_t kVersion = 6;
-   if (rest.size() < kMagic.size() + 4) refuse("its NumPy header is broken off");
+   if (rest.size() < kMagic.size() + 4) refuse("its NumPy header is truncated");
    const int version = uint8_t(rest[kVersion]);
    if (version < 1 || version > 3) refuse("it is of another version of NumPy's format than 1, 2 and 3");
    const std::size_t digits = version == 1 ? 2 : 4, start = kMagic.size() + 2 + digits;
-   if (rest.size() < start) refuse("its NumPy header is broken off");
+   if (rest.size() < start) refuse("its NumPy header is truncated");
    const uint64_t length = whole_at(rest, kMagic.size() + 2, digits, true);
-   if (length > kLongestHeader || rest.size() - start < length) refuse("its NumPy header is broken off");
+   if (length > kLongestHeader || rest.size() - start < length) refuse("its NumPy header is truncated");
    const std::string header(rest.substr(start, length));
    rest.remove_prefix(start + length);
    return header;

@@ -79,10 +79,10 @@ TEST(Npy, RefusesWhatIsNoMap) {
    const std::pair<std::string, std::string> cases[] = {
        {"", "does not begin"},
        {"\x93NUMPX", "does not begin"},
-       {"\x93NUMPY\1", "broken off"},
-       {"\x93NUMPY\1\0\xff\0{"s, "broken off"},
+       {"\x93NUMPY\1", "truncated"},
+       {"\x93NUMPY\1\0\xff\0{"s, "truncated"},
        {"\x93NUMPY\4\0\1\0{"s, "another version"},
-       {"\x93NUMPY\2\0\xff\xff\xff\xff{"s, "broken off"},
+       {"\x93NUMPY\2\0\xff\xff\xff\xff{"s, "truncated"},
        {"\x93NUMPY\1\0\3\0{}\n"s, "names no array"},
        {npy("<u2", "False", "1, 1", "xx"), "an array of <u2"},
        {npy("|O", "False", "1, 1", four), "an array of |O"},

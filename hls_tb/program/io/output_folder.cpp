@@ -39,7 +39,7 @@ void OutputFolder::add(const std::string& name, const std::string& content, Runs
    file.close();
    if (!file)
       throw InputError(option_ + " " + path_.string() + ": " + name +
-                       " cannot be written there; check space and rights");
+                       " cannot be written there; check free space and permissions");
 }
 
 void OutputFolder::add_json(const std::string& name, const nlohmann::json& json) {

@@ -21,7 +21,7 @@ std::string_view take_word(std::string_view& rest) {
    while (!rest.empty() && is_space(rest.front())) rest.remove_prefix(1);
    std::size_t length = 0;
    while (length < rest.size() && length <= kLongestWord && !is_space(rest[length])) ++length;
-   if (length == 0 || length > kLongestWord || length == rest.size()) refuse("its PFM header is broken off");
+   if (length == 0 || length > kLongestWord || length == rest.size()) refuse("its PFM header is truncated");
    const std::string_view word = rest.substr(0, length);
    rest.remove_prefix(length + 1);
    return word;

@@ -62,11 +62,11 @@ TEST(Pfm, ValuesAreThoseOfTheFile) {
 TEST(Pfm, RefusesWhatIsNoDisparityMap) {
    const std::string four = pixels({1}, true);
    const std::pair<std::string, std::string> cases[] = {
-       {"", "broken off"},
-       {"Pf", "broken off"},
-       {"Pf\n", "broken off"},
-       {"Pf\n3 2\n-1.0", "broken off"},
-       {std::string(100, 'P'), "broken off"},
+       {"", "truncated"},
+       {"Pf", "truncated"},
+       {"Pf\n", "truncated"},
+       {"Pf\n3 2\n-1.0", "truncated"},
+       {std::string(100, 'P'), "truncated"},
        {"PF\n1 1\n-1\n" + four + four + four, "colour"},
        {"P5\n1 1\n255\n" + four, "does not begin with Pf"},
        {"Pf\n0 1\n-1\n", "a width of 0"},

@@ -83,7 +83,7 @@ std::vector<Line> lines_of(std::string_view text) {
          continue;
       }
       const std::size_t indent = line.find_first_not_of(' ');
-      if (line[indent] == '\t') refuse(number, "a tab is no indentation");
+      if (line[indent] == '\t') refuse(number, "it is indented with a tab");
       lines.push_back({number, indent, std::string(content)});
    }
    if (scanner.open > 0) refuse(lines.back().number, "a bracket is not closed");
@@ -121,7 +121,7 @@ class FlowParser {
 
    Tree whole() {
       Tree tree = value(0);
-      if (!rest().empty()) refuse(line_, "there is more behind a value");
+      if (!rest().empty()) refuse(line_, "a value is followed by more text");
       return tree;
    }
 
@@ -129,7 +129,7 @@ class FlowParser {
    std::string_view rest() { return text_ = trimmed(text_); }
 
    Tree value(int depth) {
-      if (depth > kDeepest) refuse(line_, "brackets lie too deep in each other");
+      if (depth > kDeepest) refuse(line_, "brackets are nested too deeply");
       text_ = without_tag(rest());
       if (text_.starts_with('[')) return sequence(depth);
       if (text_.starts_with('{')) return mapping(depth);
@@ -175,7 +175,7 @@ class FlowParser {
       while (!take('}')) {
          const std::string key = word(":,]}").get<std::string>();
          if (!take(':')) refuse(line_, "a key has no value");
-         if (!items.emplace(key, value(depth + 1)).second) refuse(line_, "the key " + key + " stands there twice");
+         if (!items.emplace(key, value(depth + 1)).second) refuse(line_, "the key " + key + " appears twice");
          if (!take(',') && !rest().starts_with('}')) refuse(line_, "a comma or } is missing");
       }
       return items;
@@ -192,7 +192,7 @@ class BlockParser {
    Tree whole() {
       if (lines_.empty()) return "";
       Tree tree = block(0);
-      if (next_ < lines_.size()) refuse(lines_[next_].number, "its indentation does not fit");
+      if (next_ < lines_.size()) refuse(lines_[next_].number, "its indentation does not match the lines before");
       return tree;
    }
 
@@ -201,7 +201,7 @@ class BlockParser {
 
    Tree block(int depth) {
       const Line& line = lines_[next_];
-      if (depth > kDeepest) refuse(line.number, "it lies too deep");
+      if (depth > kDeepest) refuse(line.number, "it is nested too deeply");
       if (is_item(line)) return sequence(line.indent, depth);
       if (key_end(line.text) != std::string::npos) return mapping(line.indent, depth);
       ++next_;
@@ -242,8 +242,7 @@ class BlockParser {
          const std::string key = unquoted(trimmed(std::string_view(line.text).substr(0, end)));
          const std::string_view value = without_tag(trimmed(std::string_view(line.text).substr(end + 1)));
          Tree found = value.empty() ? below(indent, true, depth) : FlowParser(value, line.number).whole();
-         if (!items.emplace(key, std::move(found)).second)
-            refuse(line.number, "the key " + key + " stands there twice");
+         if (!items.emplace(key, std::move(found)).second) refuse(line.number, "the key " + key + " appears twice");
       }
       return items;
    }

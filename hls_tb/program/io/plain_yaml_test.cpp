@@ -35,8 +35,8 @@ TEST(PlainYaml, WhatIsRead) {
 }
 
 TEST(PlainYaml, WhatIsRefused) {
-   const std::pair<const char*, const char*> cases[] = {{"a: 1\na: 2\n", "line 2: the key a stands there twice"},
-                                                        {"a: {b: 1, b: 2}\n", "line 1: the key b stands there twice"},
+   const std::pair<const char*, const char*> cases[] = {{"a: 1\na: 2\n", "line 2: the key a appears twice"},
+                                                        {"a: {b: 1, b: 2}\n", "line 1: the key b appears twice"},
                                                         {"a: 1\n---\nb: 2\n", "line 3: there is a second document"},
                                                         {"a: [1, 2\n", "line 1: a bracket is not closed"},
                                                         {"a: 1]\n", "line 1: a bracket is closed"},
@@ -44,7 +44,7 @@ TEST(PlainYaml, WhatIsRefused) {
                                                         {"a: &x 1\n", "line 1: this kind of value"},
                                                         {"a: *x\n", "line 1: this kind of value"},
                                                         {"a: |\n  text\n", "line 1: this kind of value"},
-                                                        {"\ta: 1\n", "line 1: a tab is no indentation"},
+                                                        {"\ta: 1\n", "line 1: it is indented with a tab"},
                                                         {"a: 1\n  b: 2\n", "line 2: its indentation"},
                                                         {"a: 1\nb\n", "line 2: a key is missing"},
                                                         {"a: 'x\n", "line 1: a quoted text does not end"},

@@ -90,7 +90,8 @@ class AviSink : public FrameSink {
    void commit() override {
       writer_.release();
       if (!is_whole())
-         throw InputError("--out " + path_.string() + ": the video cannot be written there; check space and rights");
+         throw InputError("--out " + path_.string() +
+                          ": the video cannot be written there; check free space and permissions");
       std::cout << path_.string() << '\n';
       require_printed();
       fs::rename(partial_.path(), path_);

@@ -31,7 +31,7 @@ _running: set[subprocess.Popen[bytes]] = set()  # in this process, of `run_logge
 
 def add_options(parser: ArgumentParser, jobs: int, what: str) -> None:
     parser.add_argument(
-        "--jobs", type=int, default=jobs, metavar="N", help=f"so many {what} at a time on this machine (default {jobs})"
+        "--jobs", type=int, default=jobs, metavar="N", help=f"{what} at a time on this machine (default {jobs})"
     )
     parser.add_argument(
         "--scheduler",

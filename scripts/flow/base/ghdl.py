@@ -19,7 +19,7 @@ Generics = Mapping[str, Union[int, str]]  # of a top
 def version() -> str:
     match = re.match(r"GHDL \S+", run([find_ghdl(), "--version"]))
     if not match:
-        raise FlowError("ghdl --version does not say its version as GHDL does", EXIT_TOOL_FAILED)
+        raise FlowError("ghdl --version prints no version", EXIT_TOOL_FAILED)
     return match.group()
 
 

@@ -84,7 +84,7 @@ def tool_version(program: str) -> str:
     """The first line of what `program --version` says."""
     lines = run([program, "--version"]).splitlines()
     if not lines:
-        raise FlowError(f"{Path(program).name} --version says nothing", EXIT_TOOL_FAILED)
+        raise FlowError(f"{Path(program).name} --version prints nothing", EXIT_TOOL_FAILED)
     return lines[0].strip()
 
 

@@ -89,7 +89,7 @@ class Checker:
         module.unlink()
         if result.returncode not in (EXIT_OK, EXIT_MISMATCH) or not result.stdout.startswith(f"{core.name}: "):
             raise FlowError(
-                f"check_cores broke off on {core.row}: exit code {result.returncode} {result.stderr.strip()}",
+                f"check_cores failed on {core.row}: exit code {result.returncode} {result.stderr.strip()}",
                 EXIT_TOOL_FAILED,
             )
         return Core(core.name, core.row, result.stdout.removeprefix(f"{core.name}: ").strip())

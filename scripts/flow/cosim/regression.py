@@ -41,7 +41,7 @@ def select(words: Iterable[str]) -> list[str]:
     for word in words:
         found = fnmatch.filter(made, "*" if word == ALL else word) if is_pattern(word) else [word]
         if not found:
-            raise FlowError(f"no configuration with VHDL is like '{word}'; known are: {', '.join(made)}")
+            raise FlowError(f"no configuration with VHDL matches '{word}'; known are: {', '.join(made)}")
         chosen += found
     unknown = [name for name in chosen if name not in table]
     if unknown:

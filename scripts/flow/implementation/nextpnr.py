@@ -47,7 +47,7 @@ def version(nextpnr: str, work: Path) -> str:
     run([nextpnr, "--version"], log=log)
     match = re.search(r"Version (\S+?)\)", log.read_text())
     if not match:
-        raise FlowError(f"{nextpnr} --version does not say its version as nextpnr does", EXIT_TOOL_FAILED)
+        raise FlowError(f"{nextpnr} --version prints no version of nextpnr", EXIT_TOOL_FAILED)
     name = match.group(1)
     return name if os.environ.get("NEXTPNR_ECP5") else f"{name} ({venv.pinned(REQUIREMENTS, PACKAGE)})"
 

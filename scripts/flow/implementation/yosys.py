@@ -28,7 +28,7 @@ def version() -> str:
     text = run([*find_yosys(), "-V"])
     match = re.match(r"Yosys \S+", text)
     if not match:
-        raise FlowError("yosys -V does not say its version as yosys does", EXIT_TOOL_FAILED)
+        raise FlowError("yosys -V prints no version", EXIT_TOOL_FAILED)
     return match.group() if os.environ.get("YOSYS") else f"{match.group()} ({venv.pinned(REQUIREMENTS, PACKAGE)})"
 
 
