@@ -36,19 +36,19 @@ def main() -> int:
         action="store_true",
         help="only configurations that have not passed into --out before with the same VHDL, model, tools and options",
     )
-    parser.add_argument("--left", type=a_path, help="left image of a rectified pair, sent behind the stress stream")
+    parser.add_argument("--left", type=a_path, help="left image of a rectified pair, sent after the stress stream")
     parser.add_argument("--right", type=a_path, help="right image")
     parser.add_argument(
         "--stimulus",
         metavar="stress|scene|FILE",
-        help="stress (default): the stream that is made to find faults, and behind it the images, where any are given; "
-        "scene: the images alone, or a generated scene; with --expected: a stimulus.txt of one's own",
+        help="stress (default): a stream that is made to find faults, then the images, if any are given; "
+        "scene: the images alone, or a generated scene; FILE: your own stimulus.txt, with --expected",
     )
-    parser.add_argument("--expected", type=a_path, help="its expected.txt")
+    parser.add_argument("--expected", type=a_path, help="the expected.txt of your own stimulus.txt")
     parser.add_argument(
         "--rows",
         metavar="A:B|N",
-        help="send only image rows A ... B-1, as the top of a frame; or the middle N rows, more where an output needs "
+        help="send only image rows A ... B-1, as the top of a frame; or the middle N rows, more if an output needs "
         "them",
     )
     parser.add_argument(
@@ -59,38 +59,36 @@ def main() -> int:
         type=int,
         default=0,
         metavar="N",
-        help="instead of frames, N faults of a stream: frames broken off, records without a start of frame, resets",
+        help="send N stream faults instead of frames: frames broken off, records without a start of frame, resets",
     )
     parser.add_argument(
         "--stall-percent", type=int, default=0, help="random bubbles in the input, 0 ... 95 %% (default 0)"
     )
     parser.add_argument("--seed", type=int, default=1, help="seed of the bubbles and filler pixels (default 1)")
     parser.add_argument(
-        "--fit", choices=("none", "crop", "resize"), default="none", help="how images of another size are made to fit"
+        "--fit", choices=("none", "crop", "resize"), default="none", help="how to adapt images of another size"
     )
     parser.add_argument("--simulator", choices=sorted(SIMULATORS), default="ghdl")
-    parser.add_argument(
-        "--rtl", type=a_path, help="folder with manifest.json and VHDL (default: those that are committed)"
-    )
+    parser.add_argument("--rtl", type=a_path, help="folder with manifest.json and VHDL (default: the committed ones)")
     parser.add_argument(
         "--allow-edited", action="store_true", help="take VHDL that differs from its manifest, for experiments"
     )
     parser.add_argument(
         "--out",
         type=a_path,
-        help="where reports go (default build/cosim/CONFIG-SIMULATOR; of several build/cosim/regression; a folder in "
-        "$XDG_CACHE_HOME where build/ cannot be written)",
+        help="folder for the reports (default build/cosim/CONFIG-SIMULATOR, of several configurations "
+        "build/cosim/regression; in $XDG_CACHE_HOME if build/ cannot be written)",
     )
     parser.add_argument(
         "--wave",
         type=a_path,
         metavar="FILE",
-        help=".ghw, .fst or .vcd (ghdl), .fst (verilator, nvc) around the first mismatch",
+        help="write a waveform around the first mismatch: .ghw, .fst or .vcd (ghdl), .fst (verilator, nvc)",
     )
     parser.add_argument(
         "--coverage",
         action="store_true",
-        help="in Verilator, and list bits of registers that never took both values and branches that never ran",
+        help="run in Verilator and list bits of registers that never took both values and branches that never ran",
     )
     parser.add_argument(
         "--watchdog",
@@ -98,12 +96,12 @@ def main() -> int:
         type=float,
         default=300.0,
         metavar="SECONDS",
-        help="stop a simulation that makes no progress for so long (default 300)",
+        help="stop a simulation after this time without progress (default 300)",
     )
     parser.add_argument(
         "--record",
         action="store_true",
-        help="keep the result beside the VHDL, in cosimulation.json, for docs/performance.md",
+        help="write the result into cosimulation.json beside the VHDL, for docs/performance.md",
     )
     options = parser.parse_args()
     if options.coverage:

@@ -25,8 +25,8 @@ def parse() -> Namespace:
         action="append",
         default=[],
         metavar=("LEFT", "RIGHT", "TRUTH_LEFT", "TRUTH_RIGHT"),
-        help="a rectified pair and the true disparities of both images, - for none: then the other image is the "
-        "reference; repeat it",
+        help="a rectified pair and the ground truth of both images; - for none: then the other image is the "
+        "reference; may be repeated",
     )
     parser.add_argument(
         "--truth-scale",
@@ -34,7 +34,7 @@ def parse() -> Namespace:
         action="extend",
         type=float,
         metavar="S",
-        help="values a pixel of the pairs' truth: one number for all, or one for each --pair (default 256 of 16 bits "
+        help="units of the truth in a pixel: one number for all pairs, or one for each --pair (default 256 for 16 bits "
         "as KITTI's, else 1)",
     )
     parser.add_argument(
@@ -66,16 +66,16 @@ def parse() -> Namespace:
         nargs="*",
         default=["sgm_450", "sgm_640"],
         metavar="NAME",
-        help="configurations that are tried as they are, but for the disparities and, where only one image has truth, "
+        help="configurations to try unchanged except for the disparities and, if only one image has truth, "
         "the reference (default sgm_450 sgm_640)",
     )
     parser.add_argument(
         "--mask",
         choices=evaluation.MASKS,
-        help="region that counts (default non_occluded, or all where only one image has truth)",
+        help="region to measure (default non_occluded, or all if only one image has truth)",
     )
     parser.add_argument(
-        "--measure", choices=evaluation.MEASURES, default="bad_1", help="what the front is of (default bad_1)"
+        "--measure", choices=evaluation.MEASURES, default="bad_1", help="measure of the front (default bad_1)"
     )
     parser.add_argument(
         "--valid-only", action="store_true", help="leave rejected pixels out instead of counting them as bad"
@@ -86,7 +86,7 @@ def parse() -> Namespace:
         type=a_path,
         default=ROOT / "build" / "explore",
         metavar="DIR",
-        help="folder for explore.json, explore.csv and front.png, and for evaluations.jsonl, which keeps what is done",
+        help="folder for explore.json, explore.csv, front.png, and evaluations.jsonl, which keeps finished evaluations",
     )
     return parser.parse_args()
 

@@ -79,7 +79,12 @@ def main() -> int:
         "--shell", action="store_true", help="stereo_ip_NAME, the core in its AXI shell, instead of the core alone"
     )
     parser.add_argument(
-        "--seeds", type=int, nargs="+", default=DEFAULT_SEEDS, metavar="N", help="of place and route (default 1 2 3)"
+        "--seeds",
+        type=int,
+        nargs="+",
+        default=DEFAULT_SEEDS,
+        metavar="N",
+        help="seeds of place and route (default 1 2 3)",
     )
     parser.add_argument(
         "--router",
@@ -87,9 +92,7 @@ def main() -> int:
         default=nextpnr.ROUTERS[0],
         help="router of nextpnr (default router1; router2 ends where router1 does not, with longer clock periods)",
     )
-    parser.add_argument(
-        "--rtl", type=a_path, help="folder with manifest.json and VHDL (default: those that are committed)"
-    )
+    parser.add_argument("--rtl", type=a_path, help="folder with manifest.json and VHDL (default: the committed ones)")
     parser.add_argument("--out", type=a_path, help="implementation.json goes to OUT/CONFIG (default beside the VHDL)")
     farm.add_options(parser, 1, "configurations")
     options = parser.parse_args()

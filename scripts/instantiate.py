@@ -19,7 +19,7 @@ def main() -> int:
     parser = ArgumentParser(prog="instantiate.py", description=__doc__)
     parser.add_argument("--config", required=True, help="named configuration with VHDL")
     what = parser.add_mutually_exclusive_group()
-    what.add_argument("--instance", action="store_true", help="only an instance, to be pasted")
+    what.add_argument("--instance", action="store_true", help="write an instance to paste")
     what.add_argument("--kit", choices=contents.TOOLS, help="a folder for this tool")
     parser.add_argument("--mhz", type=megahertz, help="clock in the constraints of a kit (default 100)")
     parser.add_argument(

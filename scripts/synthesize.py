@@ -96,7 +96,7 @@ def main() -> int:
         type=a_path,
         help="another folder, with a subfolder for each configuration; changes no committed file",
     )
-    farm.add_options(parser, 1, "configurations that Bambu makes")
+    farm.add_options(parser, 1, "configurations in Bambu")
     options = parser.parse_args()
     table = designs()
     names = options.config or sorted(name for name, row in table.items() if row["use"] != PLANNED)

@@ -36,7 +36,7 @@ def add_options(parser: ArgumentParser, jobs: int, what: str) -> None:
     parser.add_argument(
         "--scheduler",
         metavar="ADDRESS",
-        help=f"on the workers of this Dask scheduler instead, as tcp://host:8786 (docs/farms.md; {REQUIREMENTS})",
+        help=f"run on the workers of this Dask scheduler, such as tcp://host:8786 (docs/farms.md; {REQUIREMENTS})",
     )
 
 
