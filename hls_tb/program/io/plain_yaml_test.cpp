@@ -48,7 +48,7 @@ TEST(PlainYaml, WhatIsRefused) {
                                                         {"a: 1\n  b: 2\n", "line 2: its indentation"},
                                                         {"a: 1\nb\n", "line 2: a key is missing"},
                                                         {"a: 'x\n", "line 1: a quoted text does not end"},
-                                                        {"a: [1] 2\n", "line 1: there is more"},
+                                                        {"a: [1] 2\n", "line 1: a value is followed by more text"},
                                                         {"a: {b}\n", "line 1: a key has no value"}};
    for (const auto& [yaml, wanted] : cases) try {
          ADD_FAILURE() << yaml << ": " << json(yaml);

@@ -72,7 +72,7 @@ def tool_version(bambu: str) -> str:
     text = run([bambu, "--version"])
     match = re.search(r"Version: PandA (\S+) - Revision (\w+)", text)
     if not match:
-        raise FlowError(f"{bambu} prints no version of Bambu", EXIT_TOOL_FAILED)
+        raise FlowError(f"{bambu} does not say its version as Bambu does", EXIT_TOOL_FAILED)
     return f"PandA Bambu {match.group(1)} revision {match.group(2)[:9]}"
 
 
