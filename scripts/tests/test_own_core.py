@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: Apache-2.0
+"""examples/own_core: a project that uses an installed stereo_hls has a configuration of its own, and its clocked core
+gives the map of the fast model."""
+
+import re
+import struct
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from flow.base.tools import ROOT, find_stereo_hls, run
+from flow_commands import random_pair
+
+EXAMPLE = ROOT / "examples" / "own_core"
+WIDTH, HEIGHT, DISPARITIES = 96, 48, 24
+SIZE = {"width_px": WIDTH, "height_px": HEIGHT}
+
+
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("prefix") / "usr"
+    run(["cmake", "--install", Path(find_stereo_hls()).parent, "--prefix", folder])
+    return folder
+
+
+@pytest.fixture(scope="module")
+def program(prefix, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("own_core")
+    run(["cmake", "-S", EXAMPLE, "-B", folder, f"-DCMAKE_PREFIX_PATH={prefix}"])
+    run(["cmake", "--build", folder])
+    return folder / "own_core"
+
+
+@pytest.fixture
+def pair(tmp_path, monkeypatch):
+    """Few grey levels, so that many disparities are equally good."""
+    monkeypatch.setattr("flow_commands.configuration", lambda name, table: SIZE)
+    monkeypatch.setattr("flow_commands.designs", dict)
+    return random_pair(tmp_path / "pair", "own_96", levels=5)
+
+
+def pgm(path):
+    head, columns, rows, pixels = re.match(rb"(P5) (\d+) (\d+) 255\n(.*)", path.read_bytes(), re.DOTALL).groups()
+    assert len(pixels) == int(columns) * int(rows) and head == b"P5"
+    return [list(pixels[y * int(columns) : (y + 1) * int(columns)]) for y in range(int(rows))]
+
+
+def pfm(path):
+    scale, pixels = re.match(rb"Pf\s\d+\s\d+\s(\S+)\s(.*)", path.read_bytes(), re.DOTALL).groups()
+    assert float(scale) < 0, "little endian"
+    values = struct.unpack(f"<{WIDTH * HEIGHT}f", pixels)
+    return [list(values[y * WIDTH : (y + 1) * WIDTH]) for y in reversed(range(HEIGHT))]
+
+
+def test_its_map_is_that_of_the_fast_model(prefix, program, pair, tmp_path):
+    run([program, *pair, tmp_path / "map.pgm"])
+    options = [f"--set={option}" for option in (f"disparities={DISPARITIES}", "window_px=5", "cost=census")]
+    images = ["--left", pair[0], "--right", pair[1]]
+    run(
+        [
+            prefix / "bin" / "stereo_hls",
+            "match",
+            "--config",
+            "tiny",
+            *options,
+            *images,
+            "--write=pfm",
+            "--out",
+            tmp_path,
+        ]
+    )
+    own, fast = pgm(tmp_path / "map.pgm"), pfm(tmp_path / "disparity.pfm")
+    assert len(own[0]) == WIDTH - DISPARITIES and len({value for row in own for value in row}) == DISPARITIES
+    assert own == [row[: WIDTH - DISPARITIES] for row in fast]
+
+
+def test_wrong_images_are_refused(program, pair, tmp_path):
+    """One sentence, exit code 2, no map."""
+    short = tmp_path / "short.pgm"
+    short.write_bytes(pair[0].read_bytes()[:-1])
+    other = tmp_path / "other.pgm"
+    other.write_bytes(b"P5 2 2 255\n1234")
+    for left, words in ((short, "is truncated"), (other, "96x48"), (tmp_path / "none.pgm", "96x48")):
+        process = subprocess.run([program, left, pair[1], tmp_path / "map.pgm"], capture_output=True, text=True)
+        assert process.returncode == 2 and words in process.stderr and len(process.stderr.splitlines()) == 1
+    assert not (tmp_path / "map.pgm").exists()
+
+
+def test_the_page_has_the_options_of_the_row():
+    row = re.search(r"STEREO_ROW\(own_96, (.*?)\);", (EXAMPLE / "own_rows.hpp").read_text(), re.DOTALL)[1]
+    page = (EXAMPLE / "README.md").read_text()
+    for option, value in re.findall(r"(?<!\w)(disparities|window_px|cost) = (?:Cost::)?(\w+)", row):
+        assert f"--set {option}={value}" in page
