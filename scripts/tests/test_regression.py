@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -16,7 +17,7 @@ from flow.base import committed
 from flow.base.errors import FlowError
 from flow.base.farm import Farm
 from flow.base.tools import ROOT, find_stereo_hls
-from flow.cosim import regression
+from flow.cosim import overview, regression
 from flow_commands import altered_rtl, call, cosim, random_pair, refused, report
 
 WINNER = (r"(slice2_best_index_0_0 <= )slice1_best_index_0_0;", r"\g<1>slice1_best_index_0_0 / 2;")
@@ -114,6 +115,30 @@ def test_every_outcome_is_told(stand_ins, capsys):
     assert "20 of 20 outputs compared, 1 mismatches" in lines[-1] and lines[-1].startswith(
         "FAIL: 1 pass, 1 FAIL, 3 ERR"
     )
+
+
+def test_the_page_shows_every_run(stand_ins):
+    run(stand_ins, "good0", "wrong1", "missing3")
+    (stand_ins / "wrong1-ghdl" / "failure.html").touch()
+    _, summary, _ = run(stand_ins, "good0", "wrong1", "missing3")
+    text = (stand_ins / "summary.html").read_text()
+    rows = {row: re.sub(r"<[^>]*>", " ", row).split() for row in re.findall(r"<tr>\n<td>.*?</tr>", text, re.DOTALL)}
+    shown = {words[0]: (row, words) for row, words in rows.items()}
+    assert shown.keys() == {"good0", "wrong1", "missing3"}
+    assert shown["good0"][1][2:6] == ["pass", "10", "10", "0"]
+    assert shown["wrong1"][1][2] == "FAIL" and "clock 3" in shown["wrong1"][0]
+    assert 'href="wrong1-ghdl/failure.html"' in shown["wrong1"][0] and "failure.html" not in shown["good0"][0]
+    assert "the tool said no" in shown["missing3"][0] and 'class="badge fail"' in text
+
+
+def test_without_jinja_there_is_no_page(stand_ins, monkeypatch, capsys):
+    def missing(*_, **__):
+        raise ModuleNotFoundError(name="jinja2")
+
+    monkeypatch.setattr(overview.page, "render", missing)
+    assert run(stand_ins, "good0")[0] == 0
+    assert "no summary.html: the Python package jinja2 is missing" in capsys.readouterr().out
+    assert not (stand_ins / "summary.html").exists()
 
 
 @pytest.mark.parametrize(

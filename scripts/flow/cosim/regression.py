@@ -21,7 +21,7 @@ from ..base import committed, facts, farm, files, json_files, locks, rtl
 from ..base.configurations import designs
 from ..base.errors import EXIT_INTERRUPTED, EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_stereo_hls
-from . import report
+from . import overview, report
 from .simulators import BENCH, SIMULATORS
 
 FORMAT = "stereo-hls regression 1"
@@ -87,7 +87,7 @@ class Regression:
     def _run(self) -> int:
         started = time.monotonic()
         earlier = self._earlier() if self.only_changed else {}
-        for name in ("summary.json", "junit.xml"):
+        for name in ("summary.json", "junit.xml", overview.NAME):
             (self.out / name).unlink(missing_ok=True)
         entries = [Entry(config) for config in self.configs]
         lock = threading.Lock()
@@ -200,7 +200,10 @@ class Regression:
         }
         files.write(self.out / "summary.json", json.dumps(summary, indent=2) + "\n")
         files.write(self.out / "junit.xml", report.junit([self._case(entry) for entry in entries]))
+        missing = overview.write(self.out, summary)
         print(_table(entries))
+        if missing:
+            print(missing)
         said = ", ".join(f"{count} {outcome}" for outcome, count in counts.items() if count)
         outputs = f"{summary['compared']:,} of {summary['expected']:,} outputs compared"
         outputs += f", {summary['mismatches']:,} mismatches"
