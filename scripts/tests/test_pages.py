@@ -2,13 +2,15 @@
 """README.md and the pages: their links lead somewhere, the front page knows all of them, and commands that they show
 are there."""
 
+import functools
 import re
 import shlex
+import subprocess
 
 import pytest
 
 from flow.base.errors import FlowError
-from flow.base.tools import ROOT
+from flow.base.tools import ROOT, find_stereo_hls
 from flow.pages import links, products, quality
 
 PAGES = links.pages()
@@ -26,6 +28,31 @@ def unknown_files(text):
     words = [word for line in shown_commands(text) for word in shlex.split(line, comments=True)]
     named = {word.removeprefix("./") for word in words if re.match(r"(\./)?scripts/[\w.]+$", word)}
     return {name for name in named if not (ROOT / name).is_file()}
+
+
+@functools.cache
+def help_of(program, *command):
+    words = [find_stereo_hls(), *command] if program == "stereo_hls" else [ROOT / "scripts" / program]
+    process = subprocess.run([*words, "--help"], capture_output=True, text=True)
+    assert process.returncode == 0, f"{program} {command}: {process.stderr}"
+    return process.stdout
+
+
+def unknown_options(text):
+    """Options that a page shows and that their command does not know."""
+    found = set()
+    for line in shown_commands(text):
+        words = shlex.split(line, comments=True)
+        places = [i for i, word in enumerate(words) if re.search(r"(^|/)(stereo_hls|scripts/\w+\.(py|sh))$", word)]
+        for place in places[:1]:
+            program = words[place].rpartition("/")[2]
+            if program == "try_distribution.sh":  # whose last words are commands
+                continue
+            command = words[place + 1 : place + 2] if program == "stereo_hls" else []
+            options = {word.partition("=")[0] for word in words[place + 1 :] if re.match(r"--[a-z]", word)}
+            shown = re.findall(r"--[a-z][\w-]*", help_of(program, *command))
+            found |= {f"{program} {option}" for option in options - set(shown)}
+    return found
 
 
 def test_pages_are_found():
@@ -83,6 +110,17 @@ def test_every_command_has_a_place_in_the_pages():
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
 def test_commands_that_a_page_shows_are_there(page):
     assert unknown_files(page.read_text()) == set()
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_options_that_a_page_shows_are_known(page):
+    assert unknown_options(page.read_text()) == set()
+
+
+def test_an_option_that_is_gone_is_noticed():
+    lines = ["```sh", "BAMBU=x scripts/cosim.py --config tiny --gone 3 \\", "   --rows=8"]
+    text = "\n".join([*lines, "build/release/stereo_hls match --gone2", "```", ""])
+    assert unknown_options(text) == {"cosim.py --gone", "stereo_hls --gone2"}
 
 
 def test_a_command_that_is_gone_is_noticed():
