@@ -6,9 +6,9 @@
 
 namespace stereo::semi_global {
 
-/// What a row path knows of the reliefs on its way, where P2 falls (docs/algorithm.md, S2). With r(i) the relief between
-/// the columns i-1 and i, r = 0 at i = 0, the path holds K(i) + r(i+1), so that a fresh start is 0 in every column, and
-/// the loop of K and A is that of a P2 that never falls.
+/// What a row path knows of the reliefs on its way, where P2 falls (docs/algorithm.md, S2). With r(i) the relief
+/// between the columns i-1 and i, r = 0 at i = 0, the path holds K(i) + r(i+1), so that a fresh start is 0 in every
+/// column, and the loop of K and A is that of a P2 that never falls.
 template <const Config& C>
 struct PathRelief {
    static constexpr int kBias = C.row_path_bias();
@@ -22,15 +22,17 @@ struct PathRelief {
    Value next[kHeld];          ///< [j]: r(i+1) of the column i of move j+1
    Value past[kLookBack - 1];  ///< [j]: r(i-1-j), i the column that comes in
    // The largest r of the columns that the definition looks back over, in steps of a move.
-   Value pairs[2];              ///< [j]: of the columns i-1-j and i-2-j
-   Value fours[kFours];         ///< [j]: of i-1-j ... i-4-j
-   Value older;                 ///< of i-1 ... i-kLookBack+3
-   Value recent;                ///< of i ... i-kLookBack+2
-   Value largest;               ///< of i ... i-kLookBack+1
-   Value beyond;                ///< less r(i-kLookBack+1)
-   // How far the fresh start of column i may rise, with the bias: less `largest`, less r(i-kLookBack+1); and what column
-   // i adds to the latter for column i+1.
-   uint16_t reach, reach_of_best, leaves;
+   Value pairs[2];       ///< [j]: of the columns i-1-j and i-2-j
+   Value fours[kFours];  ///< [j]: of i-1-j ... i-4-j
+   Value older;          ///< of i-1 ... i-kLookBack+3
+   Value recent;         ///< of i ... i-kLookBack+2
+   Value largest;        ///< of i ... i-kLookBack+1
+   Value beyond;         ///< less r(i-kLookBack+1)
+   // What the path's room becomes, with the bias. It is known a move before, so that the path adds only once.
+   uint16_t reach_of_best;  ///< the room less r(i-kLookBack+1)
+   uint16_t leaves;         ///< what makes of the room the reach_of_best of column i+1
+   uint16_t room_of_best;  ///< what makes of the best path's cost the room of column i+1, where that path's start rises
+   uint16_t reach_again;   ///< the same for its reach_of_best
 
    HLS_INLINE PathRelief() { start(*this); }
 
@@ -44,9 +46,10 @@ struct PathRelief {
       visit("recent", recent);
       visit("largest", largest);
       visit("beyond", beyond);
-      visit("reach", reach);
       visit("reach_of_best", reach_of_best);
       visit("leaves", leaves);
+      visit("room_of_best", room_of_best);
+      visit("reach_again", reach_again);
    }
 
    /// r(i) of the column that comes in.
@@ -56,17 +59,17 @@ struct PathRelief {
    /// r(i+1) of the column whose K is there.
    HLS_INLINE Value shown() const { return next[kHeld - 1]; }
 
-   /// next_in: r(i+1). rest: P2 less the q of the last kLookBack-1 columns and of this one. leaves_now, leaves_next: the
-   /// q that the sum of column i+1, and of i+2, has no more.
-   HLS_INLINE void clock(bool move, bool first, Value next_in, uint32_t rest, uint32_t leaves_now,
-                         uint32_t leaves_next) {
+   /// next_in: r(i+1). reach_after: reach_of_best of column i+1. leaves_next: the q that the sum of column i+2 has no
+   /// more.
+   HLS_INLINE void clock(bool move, bool first, Value next_in, uint32_t reach_after, uint32_t leaves_next) {
       const Value now = here(first), most = larger_of(next_in, recent);
-      const uint32_t reach_now = rest + (leaves_now + kBias - most);
-      reach = select<uint16_t>(move, select<uint16_t>(first, 0, uint16_t(reach_now) & kReachMask), reach);
-      const uint16_t best_now = uint16_t(rest + leaves) & kReachMask;
-      reach_of_best = select<uint16_t>(move, select<uint16_t>(first, 0, best_now), reach_of_best);
-      const uint32_t leaves_then = select<uint32_t>(first, 0, leaves_next) + kBias - past[kLookBack - 4];
-      leaves = select<uint16_t>(move, uint16_t(leaves_then) & kReachMask, leaves);
+      reach_of_best =
+          select<uint16_t>(move, select<uint16_t>(first, 0, uint16_t(reach_after) & kReachMask), reach_of_best);
+      const uint32_t leaves_then = select<uint32_t>(first, 0, leaves_next) + kBias;
+      const uint32_t room_then = leaves_then + past[kLookBack - 3];
+      leaves = select<uint16_t>(move, uint16_t(leaves_then - past[kLookBack - 4]) & kReachMask, leaves);
+      room_of_best = select<uint16_t>(move, uint16_t(room_then) & kReachMask, room_of_best);
+      reach_again = select<uint16_t>(move, uint16_t(room_then + kBias - past[kLookBack - 4]) & kReachMask, reach_again);
       beyond = select<Value>(move, Value(most - past[kLookBack - 3]) & kMask, beyond);
       largest = select<Value>(move, most, largest);
       recent = select<Value>(move, larger_of(larger_of(next_in, now), older), recent);

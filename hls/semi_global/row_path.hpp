@@ -76,7 +76,8 @@ struct RowPath {
       visit("arrived", arrived);
    }
 
-   /// smallest_in, first_in: of a column, whose costs are costs_in two moves later. next_relief: of the column behind it.
+   /// smallest_in, first_in: of a column, whose costs are costs_in two moves later. next_relief: of the column behind
+   /// it.
    template <class Move>
    HLS_INLINE void clock(const Move& moves, PathCost<C> smallest_in, bool first_in,
                          const PathCost<C> (&costs_in)[kCount], Relief<C> next_relief = 0) {
@@ -148,29 +149,39 @@ struct RowPath {
       }
    }
 
-   /// The same where P2 falls: a column's fresh start may rise until it is P2 above the best path of then, and above the
-   /// cheapest fresh start since then.
+   /// The same where P2 falls: a column's fresh start may rise until it is P2 above the best path of then, and above
+   /// the cheapest fresh start since then. Each way has its own sums, made beside the comparisons that choose among
+   /// them.
    HLS_INLINE void find_start(bool move, Value lowest, bool first_in, Relief<C> next_relief) {
       const bool lost = lowest >= kBias;  // the best path is no better than the fresh start was
       const uint32_t below = uint32_t(lowest & (kBias - 1));
       const bool by_start = lost | (relief.beyond + below >= uint32_t(kBias));
-      const bool start_rises = relief.reach >= kBias;
+      const bool start_rises = room >= relief.largest;
       const uint32_t reached = relief.reach_of_best + below;  // with twice the bias
       const bool best_rises = reached >= 2u * kBias;
-      const Start q_start = select<Start>(start_rises, Start(relief.reach - kBias) & kStartMask, 0);
+      const Start q_start = select<Start>(start_rises, Start(room - relief.largest) & kStartMask, 0);
       const Start q_best = select<Start>(best_rises, Start(reached - 2 * kBias) & kStartMask, 0);
-      const Start rest_start = select<Start>(start_rises, relief.largest, room);  // room - q
-      const Start rest_best =
-          select<Start>(best_rises, Start(kBias + relief.looked_back() - below) & kStartMask, room);
       const Start q = select<Start>(first_in, p2.get(), select<Start>(by_start, q_start, q_best));
-      const Start rest = select<Start>(by_start, rest_start, rest_best);
-      const Start room_after = Start((rest + start_cost[kLookBack - 2]) & kStartMask);
-      relief.clock(move, first_in, next_relief, rest, start_cost[kLookBack - 2], start_cost[kLookBack - 3]);
+      // What is left of P2 behind this column: the room, and how far the best path may rise before the start does.
+      const uint32_t leaves = start_cost[kLookBack - 2];
+      const Start room_after = Start(chosen(by_start, start_rises, relief.largest + leaves, best_rises,
+                                            relief.room_of_best - below, room + leaves) &
+                                     kStartMask);
+      const uint32_t reach_after = chosen(by_start, start_rises, relief.largest + relief.leaves, best_rises,
+                                          relief.reach_again - below, room + relief.leaves);
+      relief.clock(move, first_in, next_relief, reach_after, start_cost[kLookBack - 3]);
       room = select<Start>(move, select<Start>(first_in, 0, room_after), room);
       HLS_UNROLL
       for (int j = kLookBack - 2; j > 0; --j)
          start_cost[j] = select<Start>(move, select<Start>(first_in, 0, start_cost[j - 1]), start_cost[j]);
       start_cost[0] = select<Start>(move, q, start_cost[0]);
+   }
+
+   /// What follows from the fresh start where it rises or not, else from the best path.
+   static HLS_INLINE uint32_t chosen(bool by_start, bool start_rises, uint32_t risen_start, bool best_rises,
+                                     uint32_t risen_best, uint32_t neither) {
+      return select<uint32_t>(by_start, select<uint32_t>(start_rises, risen_start, neither),
+                              select<uint32_t>(best_rises, risen_best, neither));
    }
 
    /// q. Until the tree shows a column of this row, `room` is 0, and so is q.

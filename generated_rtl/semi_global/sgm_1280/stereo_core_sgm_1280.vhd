@@ -864,78 +864,80 @@ architecture rtl of stereo_core_sgm_1280 is
   signal forward_left_room, forward_left_relief_next_0, forward_left_relief_past_0 : natural range 0 to 63;
   signal forward_left_relief_past_1, forward_left_relief_past_2, forward_left_relief_past_3 : natural range 0 to 63;
   signal forward_left_relief_past_4, forward_left_relief_past_5, forward_left_relief_past_6 : natural range 0 to 63;
-  signal forward_left_relief_past_7, forward_left_relief_past_8, forward_left_relief_pairs_0 : natural range 0 to 63;
-  signal forward_left_relief_pairs_1, forward_left_relief_fours_0, forward_left_relief_fours_1 : natural range 0 to 63;
-  signal forward_left_relief_fours_2, forward_left_relief_older, forward_left_relief_recent : natural range 0 to 63;
-  signal forward_left_relief_largest, forward_left_relief_beyond, forward_above_cost_0 : natural range 0 to 63;
-  signal forward_above_cost_1, forward_above_cost_2, forward_above_cost_3, forward_above_cost_4 : natural range 0 to 63;
-  signal forward_above_cost_5, forward_above_cost_6, forward_above_cost_7, forward_above_cost_8 : natural range 0 to 63;
-  signal forward_above_cost_9, forward_above_cost_10, forward_above_cost_11 : natural range 0 to 63;
-  signal forward_above_cost_12, forward_above_cost_13, forward_above_cost_14 : natural range 0 to 63;
-  signal forward_above_cost_15, forward_above_cost_16, forward_above_cost_17 : natural range 0 to 63;
-  signal forward_above_cost_18, forward_above_cost_19, forward_above_cost_20 : natural range 0 to 63;
-  signal forward_above_cost_21, forward_above_cost_22, forward_above_cost_23 : natural range 0 to 63;
-  signal forward_above_cost_24, forward_above_cost_25, forward_above_cost_26 : natural range 0 to 63;
-  signal forward_above_cost_27, forward_above_cost_28, forward_above_cost_29 : natural range 0 to 63;
-  signal forward_above_cost_30, forward_above_cost_31, forward_above_cost_32 : natural range 0 to 63;
-  signal forward_above_cost_33, forward_above_cost_34, forward_above_cost_35 : natural range 0 to 63;
-  signal forward_above_cost_36, forward_above_cost_37, forward_above_cost_38 : natural range 0 to 63;
-  signal forward_above_cost_39, forward_above_cost_40, forward_above_cost_41 : natural range 0 to 63;
-  signal forward_above_cost_42, forward_above_cost_43, forward_above_cost_44 : natural range 0 to 63;
-  signal forward_above_cost_45, forward_above_cost_46, forward_above_cost_47 : natural range 0 to 63;
-  signal forward_above_cost_48, forward_above_cost_49, forward_above_cost_50 : natural range 0 to 63;
-  signal forward_above_cost_51, forward_above_cost_52, forward_above_cost_53 : natural range 0 to 63;
-  signal forward_above_cost_54, forward_above_cost_55, forward_above_cost_56 : natural range 0 to 63;
-  signal forward_above_cost_57, forward_above_cost_58, forward_above_cost_59 : natural range 0 to 63;
-  signal forward_above_cost_60, forward_above_cost_61, forward_above_cost_62 : natural range 0 to 63;
-  signal forward_above_cost_63, forward_above_beside_0, forward_above_beside_1 : natural range 0 to 63;
-  signal forward_above_beside_2, forward_above_beside_3, forward_above_beside_4 : natural range 0 to 63;
-  signal forward_above_beside_5, forward_above_beside_6, forward_above_beside_7 : natural range 0 to 63;
-  signal forward_above_beside_8, forward_above_beside_9, forward_above_beside_10 : natural range 0 to 63;
-  signal forward_above_beside_11, forward_above_beside_12, forward_above_beside_13 : natural range 0 to 63;
-  signal forward_above_beside_14, forward_above_beside_15, forward_above_beside_16 : natural range 0 to 63;
-  signal forward_above_beside_17, forward_above_beside_18, forward_above_beside_19 : natural range 0 to 63;
-  signal forward_above_beside_20, forward_above_beside_21, forward_above_beside_22 : natural range 0 to 63;
-  signal forward_above_beside_23, forward_above_beside_24, forward_above_beside_25 : natural range 0 to 63;
-  signal forward_above_beside_26, forward_above_beside_27, forward_above_beside_28 : natural range 0 to 63;
-  signal forward_above_beside_29, forward_above_beside_30, forward_above_beside_31 : natural range 0 to 63;
-  signal forward_above_beside_32, forward_above_beside_33, forward_above_beside_34 : natural range 0 to 63;
-  signal forward_above_beside_35, forward_above_beside_36, forward_above_beside_37 : natural range 0 to 63;
-  signal forward_above_beside_38, forward_above_beside_39, forward_above_beside_40 : natural range 0 to 63;
-  signal forward_above_beside_41, forward_above_beside_42, forward_above_beside_43 : natural range 0 to 63;
-  signal forward_above_beside_44, forward_above_beside_45, forward_above_beside_46 : natural range 0 to 63;
-  signal forward_above_beside_47, forward_above_beside_48, forward_above_beside_49 : natural range 0 to 63;
-  signal forward_above_beside_50, forward_above_beside_51, forward_above_beside_52 : natural range 0 to 63;
-  signal forward_above_beside_53, forward_above_beside_54, forward_above_beside_55 : natural range 0 to 63;
-  signal forward_above_beside_56, forward_above_beside_57, forward_above_beside_58 : natural range 0 to 63;
-  signal forward_above_beside_59, forward_above_beside_60, forward_above_beside_61 : natural range 0 to 63;
-  signal forward_above_beside_62, forward_above_beside_63, forward_above_own_0 : natural range 0 to 63;
-  signal forward_above_own_2, forward_above_own_3, forward_above_own_4, forward_above_own_5 : natural range 0 to 63;
-  signal forward_above_own_6, forward_above_own_7, forward_above_own_8, forward_above_own_9 : natural range 0 to 63;
-  signal forward_above_own_10, forward_above_own_11, forward_above_own_12, forward_above_own_13 : natural range 0 to 63;
-  signal forward_above_own_14, forward_above_own_15, forward_above_own_16, forward_above_own_17 : natural range 0 to 63;
-  signal forward_above_own_18, forward_above_own_19, forward_above_own_20, forward_above_own_21 : natural range 0 to 63;
-  signal forward_above_own_22, forward_above_own_23, forward_above_own_24, forward_above_own_25 : natural range 0 to 63;
-  signal forward_above_own_26, forward_above_own_27, forward_above_own_28, forward_above_own_29 : natural range 0 to 63;
-  signal forward_above_own_30, forward_above_own_31, forward_above_own_32, forward_above_own_33 : natural range 0 to 63;
-  signal forward_above_own_34, forward_above_own_35, forward_above_own_36, forward_above_own_37 : natural range 0 to 63;
-  signal forward_above_own_38, forward_above_own_39, forward_above_own_40, forward_above_own_41 : natural range 0 to 63;
-  signal forward_above_own_42, forward_above_own_43, forward_above_own_44, forward_above_own_45 : natural range 0 to 63;
-  signal forward_above_own_46, forward_above_own_47, forward_above_own_48, forward_above_own_49 : natural range 0 to 63;
-  signal forward_above_own_50, forward_above_own_51, forward_above_own_52, forward_above_own_53 : natural range 0 to 63;
-  signal forward_above_own_54, forward_above_own_55, forward_above_own_56, forward_above_own_57 : natural range 0 to 63;
-  signal forward_above_own_58, forward_above_own_59, forward_above_own_60, forward_above_own_61 : natural range 0 to 63;
-  signal forward_above_own_63, forward_reliefs_moved_0, forward_reliefs_moved_1 : natural range 0 to 63;
-  signal forward_reliefs_moved_2, forward_reliefs_moved_3, forward_reliefs_moved_4 : natural range 0 to 63;
-  signal forward_reliefs_moved_5, forward_reliefs_moved_6, forward_reliefs_moved_7 : natural range 0 to 63;
-  signal forward_reliefs_moved_8, forward_reliefs_moved_9, forward_reliefs_moved_10 : natural range 0 to 63;
+  signal forward_left_relief_past_7, forward_left_relief_pairs_0, forward_left_relief_pairs_1 : natural range 0 to 63;
+  signal forward_left_relief_fours_0, forward_left_relief_fours_1, forward_left_relief_fours_2 : natural range 0 to 63;
+  signal forward_left_relief_older, forward_left_relief_recent, forward_left_relief_largest : natural range 0 to 63;
+  signal forward_left_relief_beyond, forward_above_cost_0, forward_above_cost_1 : natural range 0 to 63;
+  signal forward_above_cost_2, forward_above_cost_3, forward_above_cost_4, forward_above_cost_5 : natural range 0 to 63;
+  signal forward_above_cost_6, forward_above_cost_7, forward_above_cost_8, forward_above_cost_9 : natural range 0 to 63;
+  signal forward_above_cost_10, forward_above_cost_11, forward_above_cost_12 : natural range 0 to 63;
+  signal forward_above_cost_13, forward_above_cost_14, forward_above_cost_15 : natural range 0 to 63;
+  signal forward_above_cost_16, forward_above_cost_17, forward_above_cost_18 : natural range 0 to 63;
+  signal forward_above_cost_19, forward_above_cost_20, forward_above_cost_21 : natural range 0 to 63;
+  signal forward_above_cost_22, forward_above_cost_23, forward_above_cost_24 : natural range 0 to 63;
+  signal forward_above_cost_25, forward_above_cost_26, forward_above_cost_27 : natural range 0 to 63;
+  signal forward_above_cost_28, forward_above_cost_29, forward_above_cost_30 : natural range 0 to 63;
+  signal forward_above_cost_31, forward_above_cost_32, forward_above_cost_33 : natural range 0 to 63;
+  signal forward_above_cost_34, forward_above_cost_35, forward_above_cost_36 : natural range 0 to 63;
+  signal forward_above_cost_37, forward_above_cost_38, forward_above_cost_39 : natural range 0 to 63;
+  signal forward_above_cost_40, forward_above_cost_41, forward_above_cost_42 : natural range 0 to 63;
+  signal forward_above_cost_43, forward_above_cost_44, forward_above_cost_45 : natural range 0 to 63;
+  signal forward_above_cost_46, forward_above_cost_47, forward_above_cost_48 : natural range 0 to 63;
+  signal forward_above_cost_49, forward_above_cost_50, forward_above_cost_51 : natural range 0 to 63;
+  signal forward_above_cost_52, forward_above_cost_53, forward_above_cost_54 : natural range 0 to 63;
+  signal forward_above_cost_55, forward_above_cost_56, forward_above_cost_57 : natural range 0 to 63;
+  signal forward_above_cost_58, forward_above_cost_59, forward_above_cost_60 : natural range 0 to 63;
+  signal forward_above_cost_61, forward_above_cost_62, forward_above_cost_63 : natural range 0 to 63;
+  signal forward_above_beside_0, forward_above_beside_1, forward_above_beside_2 : natural range 0 to 63;
+  signal forward_above_beside_3, forward_above_beside_4, forward_above_beside_5 : natural range 0 to 63;
+  signal forward_above_beside_6, forward_above_beside_7, forward_above_beside_8 : natural range 0 to 63;
+  signal forward_above_beside_9, forward_above_beside_10, forward_above_beside_11 : natural range 0 to 63;
+  signal forward_above_beside_12, forward_above_beside_13, forward_above_beside_14 : natural range 0 to 63;
+  signal forward_above_beside_15, forward_above_beside_16, forward_above_beside_17 : natural range 0 to 63;
+  signal forward_above_beside_18, forward_above_beside_19, forward_above_beside_20 : natural range 0 to 63;
+  signal forward_above_beside_21, forward_above_beside_22, forward_above_beside_23 : natural range 0 to 63;
+  signal forward_above_beside_24, forward_above_beside_25, forward_above_beside_26 : natural range 0 to 63;
+  signal forward_above_beside_27, forward_above_beside_28, forward_above_beside_29 : natural range 0 to 63;
+  signal forward_above_beside_30, forward_above_beside_31, forward_above_beside_32 : natural range 0 to 63;
+  signal forward_above_beside_33, forward_above_beside_34, forward_above_beside_35 : natural range 0 to 63;
+  signal forward_above_beside_36, forward_above_beside_37, forward_above_beside_38 : natural range 0 to 63;
+  signal forward_above_beside_39, forward_above_beside_40, forward_above_beside_41 : natural range 0 to 63;
+  signal forward_above_beside_42, forward_above_beside_43, forward_above_beside_44 : natural range 0 to 63;
+  signal forward_above_beside_45, forward_above_beside_46, forward_above_beside_47 : natural range 0 to 63;
+  signal forward_above_beside_48, forward_above_beside_49, forward_above_beside_50 : natural range 0 to 63;
+  signal forward_above_beside_51, forward_above_beside_52, forward_above_beside_53 : natural range 0 to 63;
+  signal forward_above_beside_54, forward_above_beside_55, forward_above_beside_56 : natural range 0 to 63;
+  signal forward_above_beside_57, forward_above_beside_58, forward_above_beside_59 : natural range 0 to 63;
+  signal forward_above_beside_60, forward_above_beside_61, forward_above_beside_62 : natural range 0 to 63;
+  signal forward_above_beside_63, forward_above_own_0, forward_above_own_2, forward_above_own_3 : natural range 0 to 63;
+  signal forward_above_own_4, forward_above_own_5, forward_above_own_6, forward_above_own_7 : natural range 0 to 63;
+  signal forward_above_own_8, forward_above_own_9, forward_above_own_10, forward_above_own_11 : natural range 0 to 63;
+  signal forward_above_own_12, forward_above_own_13, forward_above_own_14, forward_above_own_15 : natural range 0 to 63;
+  signal forward_above_own_16, forward_above_own_17, forward_above_own_18, forward_above_own_19 : natural range 0 to 63;
+  signal forward_above_own_20, forward_above_own_21, forward_above_own_22, forward_above_own_23 : natural range 0 to 63;
+  signal forward_above_own_24, forward_above_own_25, forward_above_own_26, forward_above_own_27 : natural range 0 to 63;
+  signal forward_above_own_28, forward_above_own_29, forward_above_own_30, forward_above_own_31 : natural range 0 to 63;
+  signal forward_above_own_32, forward_above_own_33, forward_above_own_34, forward_above_own_35 : natural range 0 to 63;
+  signal forward_above_own_36, forward_above_own_37, forward_above_own_38, forward_above_own_39 : natural range 0 to 63;
+  signal forward_above_own_40, forward_above_own_41, forward_above_own_42, forward_above_own_43 : natural range 0 to 63;
+  signal forward_above_own_44, forward_above_own_45, forward_above_own_46, forward_above_own_47 : natural range 0 to 63;
+  signal forward_above_own_48, forward_above_own_49, forward_above_own_50, forward_above_own_51 : natural range 0 to 63;
+  signal forward_above_own_52, forward_above_own_53, forward_above_own_54, forward_above_own_55 : natural range 0 to 63;
+  signal forward_above_own_56, forward_above_own_57, forward_above_own_58, forward_above_own_59 : natural range 0 to 63;
+  signal forward_above_own_60, forward_above_own_61, forward_above_own_63 : natural range 0 to 63;
+  signal forward_reliefs_moved_0, forward_reliefs_moved_1, forward_reliefs_moved_2 : natural range 0 to 63;
+  signal forward_reliefs_moved_3, forward_reliefs_moved_4, forward_reliefs_moved_5 : natural range 0 to 63;
+  signal forward_reliefs_moved_6, forward_reliefs_moved_7, forward_reliefs_moved_8 : natural range 0 to 63;
+  signal forward_reliefs_moved_9, forward_reliefs_moved_10 : natural range 0 to 63;
   signal forward_left_first_0, forward_left_first_1, forward_left_first_2, forward_above_ready_top : boolean;
   signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
   signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
   signal forward_above_comes_8, forward_above_comes_9, forward_above_comes_10, forward_above_comes_11 : boolean;
   signal forward_above_writes_copy_0, forward_first_0, forward_first_1, forward_first_2, forward_first_3 : boolean;
   signal forward_first_4, forward_first_5 : boolean;
-  signal forward_left_relief_reach, forward_left_relief_reach_of_best : natural range 0 to 190;
+  signal forward_left_relief_reach_of_best : natural range 0 to 255;
+  signal forward_left_relief_room_of_best : natural range 0 to 190;
+  signal forward_left_relief_reach_again : natural range 0 to 254;
   signal forward_above_read_words_0, forward_above_read_words_1, forward_above_read_words_2 : unsigned(31 downto 0);
   signal forward_above_read_words_3, forward_above_read_words_4, forward_above_read_words_5 : unsigned(31 downto 0);
   signal forward_above_read_words_6, forward_above_read_words_7, forward_above_read_words_8 : unsigned(31 downto 0);
@@ -1240,26 +1242,26 @@ architecture rtl of stereo_core_sgm_1280 is
   signal sums_right_room, sums_right_relief_next_0, sums_right_relief_past_0 : natural range 0 to 63;
   signal sums_right_relief_past_1, sums_right_relief_past_2, sums_right_relief_past_3 : natural range 0 to 63;
   signal sums_right_relief_past_4, sums_right_relief_past_5, sums_right_relief_past_6 : natural range 0 to 63;
-  signal sums_right_relief_past_7, sums_right_relief_past_8, sums_right_relief_pairs_0 : natural range 0 to 63;
-  signal sums_right_relief_pairs_1, sums_right_relief_fours_0, sums_right_relief_fours_1 : natural range 0 to 63;
-  signal sums_right_relief_fours_2, sums_right_relief_older, sums_right_relief_recent : natural range 0 to 63;
-  signal sums_right_relief_largest, sums_right_relief_beyond : natural range 0 to 63;
-  signal sums_right_relief_reach : natural range 0 to 191;
-  signal sums_right_relief_reach_of_best : natural range 0 to 190;
+  signal sums_right_relief_past_7, sums_right_relief_pairs_0, sums_right_relief_pairs_1 : natural range 0 to 63;
+  signal sums_right_relief_fours_0, sums_right_relief_fours_1, sums_right_relief_fours_2 : natural range 0 to 63;
+  signal sums_right_relief_older, sums_right_relief_recent, sums_right_relief_largest : natural range 0 to 63;
+  signal sums_right_relief_beyond : natural range 0 to 63;
+  signal sums_right_relief_reach_of_best, sums_sum_0_0, sums_sum_0_1, sums_sum_0_2 : natural range 0 to 255;
+  signal sums_sum_0_3, sums_sum_0_4, sums_sum_0_5, sums_sum_0_6, sums_sum_0_7, sums_sum_0_8 : natural range 0 to 255;
+  signal sums_sum_0_9, sums_sum_0_10, sums_sum_0_11, sums_sum_0_12, sums_sum_0_13 : natural range 0 to 255;
+  signal sums_sum_0_14, sums_sum_0_15, sums_sum_0_16, sums_sum_0_17, sums_sum_0_18 : natural range 0 to 255;
+  signal sums_sum_0_19, sums_sum_0_20, sums_sum_0_21, sums_sum_0_22, sums_sum_0_23 : natural range 0 to 255;
+  signal sums_sum_0_24, sums_sum_0_25, sums_sum_0_26, sums_sum_0_27, sums_sum_0_28 : natural range 0 to 255;
+  signal sums_sum_0_29, sums_sum_0_30, sums_sum_0_31, sums_sum_0_32, sums_sum_0_33 : natural range 0 to 255;
+  signal sums_sum_0_34, sums_sum_0_35, sums_sum_0_36, sums_sum_0_37, sums_sum_0_38 : natural range 0 to 255;
+  signal sums_sum_0_39, sums_sum_0_40, sums_sum_0_41, sums_sum_0_42, sums_sum_0_43 : natural range 0 to 255;
+  signal sums_sum_0_44, sums_sum_0_45, sums_sum_0_46, sums_sum_0_47, sums_sum_0_48 : natural range 0 to 255;
+  signal sums_sum_0_49, sums_sum_0_50, sums_sum_0_51, sums_sum_0_52, sums_sum_0_53 : natural range 0 to 255;
+  signal sums_sum_0_54, sums_sum_0_55, sums_sum_0_56, sums_sum_0_57, sums_sum_0_58 : natural range 0 to 255;
+  signal sums_sum_0_59, sums_sum_0_60, sums_sum_0_61, sums_sum_0_62, sums_sum_0_63 : natural range 0 to 255;
+  signal sums_right_relief_room_of_best : natural range 0 to 190;
+  signal sums_right_relief_reach_again : natural range 0 to 254;
   signal sums_sum_delay_ring_read_address, sums_sum_delay_ring_write_address : natural range 0 to 3;
-  signal sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3, sums_sum_0_4, sums_sum_0_5 : natural range 0 to 255;
-  signal sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 255;
-  signal sums_sum_0_12, sums_sum_0_13, sums_sum_0_14, sums_sum_0_15, sums_sum_0_16 : natural range 0 to 255;
-  signal sums_sum_0_17, sums_sum_0_18, sums_sum_0_19, sums_sum_0_20, sums_sum_0_21 : natural range 0 to 255;
-  signal sums_sum_0_22, sums_sum_0_23, sums_sum_0_24, sums_sum_0_25, sums_sum_0_26 : natural range 0 to 255;
-  signal sums_sum_0_27, sums_sum_0_28, sums_sum_0_29, sums_sum_0_30, sums_sum_0_31 : natural range 0 to 255;
-  signal sums_sum_0_32, sums_sum_0_33, sums_sum_0_34, sums_sum_0_35, sums_sum_0_36 : natural range 0 to 255;
-  signal sums_sum_0_37, sums_sum_0_38, sums_sum_0_39, sums_sum_0_40, sums_sum_0_41 : natural range 0 to 255;
-  signal sums_sum_0_42, sums_sum_0_43, sums_sum_0_44, sums_sum_0_45, sums_sum_0_46 : natural range 0 to 255;
-  signal sums_sum_0_47, sums_sum_0_48, sums_sum_0_49, sums_sum_0_50, sums_sum_0_51 : natural range 0 to 255;
-  signal sums_sum_0_52, sums_sum_0_53, sums_sum_0_54, sums_sum_0_55, sums_sum_0_56 : natural range 0 to 255;
-  signal sums_sum_0_57, sums_sum_0_58, sums_sum_0_59, sums_sum_0_60, sums_sum_0_61 : natural range 0 to 255;
-  signal sums_sum_0_62, sums_sum_0_63 : natural range 0 to 255;
   -- winnerswinner1
   signal winnerswinner1_of_pair_0_0, winnerswinner1_of_pair_0_1, winnerswinner1_of_pair_0_2 : natural range 0 to 255;
   signal winnerswinner1_of_pair_0_3, winnerswinner1_of_pair_0_4, winnerswinner1_of_pair_0_5 : natural range 0 to 255;
@@ -2874,8 +2876,16 @@ begin
     variable slice3cost_pixels_first_0_0_count_6_value_2, slice3cost_pixels_first_0_0_count_6_value_3 : boolean;
     variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_any : boolean;
-    variable forward_left_start_cost_0_any_2, forward_left_start_cost_0_is_less, sums_right_start_cost_0_any : boolean;
-    variable sums_right_start_cost_0_any_2, sums_right_start_cost_0_is_less, sums_turn_writes_copy_0_choice : boolean;
+    variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : boolean;
+    variable forward_left_start_cost_0_value, forward_left_start_cost_0_choice_3 : boolean;
+    variable forward_left_start_cost_0_value_2, forward_left_start_cost_0_choice_4 : boolean;
+    variable forward_left_start_cost_0_value_3, forward_left_start_cost_0_choice_5 : boolean;
+    variable forward_left_start_cost_0_choice_6, forward_left_start_cost_0_is_less : boolean;
+    variable sums_right_start_cost_0_any, sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2 : boolean;
+    variable sums_right_start_cost_0_value, sums_right_start_cost_0_choice_3, sums_right_start_cost_0_value_2 : boolean;
+    variable sums_right_start_cost_0_choice_4, sums_right_start_cost_0_value_3 : boolean;
+    variable sums_right_start_cost_0_choice_5, sums_right_start_cost_0_choice_6 : boolean;
+    variable sums_right_start_cost_0_is_less, sums_turn_writes_copy_0_choice : boolean;
     variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
     variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
     variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
@@ -3684,18 +3694,18 @@ begin
     variable sums_right_arrived_60_choice, sums_right_arrived_60_choice_2 : natural range 0 to 127;
     variable sums_right_arrived_61_choice, sums_right_arrived_62_choice : natural range 0 to 127;
     variable sums_right_arrived_63_choice : natural range 0 to 127;
-    variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : natural range 0 to 63;
-    variable forward_left_start_cost_0_choice_3, forward_left_room_choice : natural range 0 to 63;
-    variable forward_left_room_choice_2, forward_left_room_choice_3 : natural range 0 to 63;
+    variable forward_left_start_cost_0_choice_7, forward_left_start_cost_0_choice_8 : natural range 0 to 63;
+    variable forward_left_start_cost_0_choice_9, forward_left_room_value : natural range 0 to 63;
+    variable forward_left_room_choice, forward_left_room_choice_2, forward_left_room_choice_3 : natural range 0 to 63;
     variable forward_left_smallest_choice, forward_left_relief_pairs_0_choice : natural range 0 to 63;
     variable forward_left_relief_older_choice, forward_left_relief_recent_choice : natural range 0 to 63;
-    variable forward_left_relief_largest_choice, sums_right_start_cost_0_choice : natural range 0 to 63;
-    variable sums_right_start_cost_0_choice_2, sums_right_start_cost_0_choice_3 : natural range 0 to 63;
-    variable sums_right_room_choice, sums_right_room_choice_2, sums_right_room_choice_3 : natural range 0 to 63;
-    variable sums_right_smallest_choice, sums_right_relief_pairs_0_choice : natural range 0 to 63;
-    variable sums_right_relief_older_choice, sums_right_relief_recent_choice : natural range 0 to 63;
-    variable sums_right_relief_largest_choice, map_sorted_low_0_choice : natural range 0 to 63;
-    variable map_sorted_low_0_choice_2, map_sorted_middle_0_choice : natural range 0 to 63;
+    variable forward_left_relief_largest_choice, sums_right_start_cost_0_choice_7 : natural range 0 to 63;
+    variable sums_right_start_cost_0_choice_8, sums_right_start_cost_0_choice_9 : natural range 0 to 63;
+    variable sums_right_room_value, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 63;
+    variable sums_right_room_choice_3, sums_right_smallest_choice : natural range 0 to 63;
+    variable sums_right_relief_pairs_0_choice, sums_right_relief_older_choice : natural range 0 to 63;
+    variable sums_right_relief_recent_choice, sums_right_relief_largest_choice : natural range 0 to 63;
+    variable map_sorted_low_0_choice, map_sorted_low_0_choice_2, map_sorted_middle_0_choice : natural range 0 to 63;
     variable map_sorted_middle_0_choice_2, map_sorted_high_0_choice, map_sorted_high_0_choice_2 : natural range 0 to 63;
     variable map_largest_low_0_choice, map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 63;
     variable map_median_middle_0_choice_2, map_median_middle_0_choice_3 : natural range 0 to 63;
@@ -3705,6 +3715,29 @@ begin
     variable map_out_disparity_0_choice_4, map_low_0_0_choice, map_middle_0_0_choice : natural range 0 to 63;
     variable map_high_0_0_choice, relief_newest_choice_17 : natural range 0 to 63;
     variable forward_left_smallest_difference : integer range -63 to 74;
+    variable forward_left_relief_reach_of_best_sum, forward_left_relief_reach_of_best_choice : natural range 0 to 190;
+    variable sums_right_relief_reach_of_best_sum, sums_right_relief_reach_of_best_choice : natural range 0 to 190;
+    variable other_0_choice_4, other_1_choice_4, other_2_choice_4, other_3_choice_4 : natural range 0 to 190;
+    variable other_4_choice_4, other_5_choice_4, other_6_choice_4, other_7_choice_4 : natural range 0 to 190;
+    variable other_8_choice_4, other_9_choice_4, other_10_choice_4, other_11_choice_4 : natural range 0 to 190;
+    variable other_12_choice_4, other_13_choice_4, other_14_choice_4, other_15_choice_4 : natural range 0 to 190;
+    variable forward_left_relief_reach_of_best_choice_2 : natural range 0 to 255;
+    variable forward_left_relief_reach_of_best_choice_3 : natural range 0 to 255;
+    variable sums_right_relief_reach_of_best_choice_2 : natural range 0 to 255;
+    variable sums_right_relief_reach_of_best_choice_3, relief_newest_value_6 : natural range 0 to 255;
+    variable relief_newest_value_7, other_0_choice, other_0_choice_2, other_0_choice_3 : natural range 0 to 255;
+    variable other_1_choice, other_1_choice_2, other_1_choice_3, other_2_choice : natural range 0 to 255;
+    variable other_2_choice_2, other_2_choice_3, other_3_choice, other_3_choice_2 : natural range 0 to 255;
+    variable other_3_choice_3, other_4_choice, other_4_choice_2, other_4_choice_3 : natural range 0 to 255;
+    variable other_5_choice, other_5_choice_2, other_5_choice_3, other_6_choice : natural range 0 to 255;
+    variable other_6_choice_2, other_6_choice_3, other_7_choice, other_7_choice_2 : natural range 0 to 255;
+    variable other_7_choice_3, other_8_choice, other_8_choice_2, other_8_choice_3 : natural range 0 to 255;
+    variable other_9_choice, other_9_choice_2, other_9_choice_3, other_10_choice : natural range 0 to 255;
+    variable other_10_choice_2, other_10_choice_3, other_11_choice, other_11_choice_2 : natural range 0 to 255;
+    variable other_11_choice_3, other_12_choice, other_12_choice_2, other_12_choice_3 : natural range 0 to 255;
+    variable other_13_choice, other_13_choice_2, other_13_choice_3, other_14_choice : natural range 0 to 255;
+    variable other_14_choice_2, other_14_choice_3, other_15_choice, other_15_choice_2 : natural range 0 to 255;
+    variable other_15_choice_3 : natural range 0 to 255;
     variable forward_left_relief_leaves_choice, sums_right_relief_leaves_choice : natural range 64 to 127;
     variable forward_above_total_0_choice, forward_above_total_1_choice : natural range 0 to 31;
     variable forward_above_total_2_choice, forward_above_total_3_choice : natural range 0 to 31;
@@ -3770,25 +3803,7 @@ begin
     variable forward_above_write_words_9_choice_5, forward_above_write_words_9_choice_6 : natural range 0 to 68;
     variable forward_above_write_words_10_choice, forward_above_write_words_10_choice_2 : natural range 0 to 68;
     variable forward_above_write_words_10_choice_3, forward_above_write_words_10_choice_4 : natural range 0 to 68;
-    variable sums_right_room_sum : natural range 0 to 126;
     variable sums_right_smallest_difference : integer range -63 to 63;
-    variable relief_newest_value_6, relief_newest_value_7, other_0_choice, other_0_choice_2 : natural range 0 to 255;
-    variable other_0_choice_3, other_1_choice, other_1_choice_2, other_1_choice_3 : natural range 0 to 255;
-    variable other_2_choice, other_2_choice_2, other_2_choice_3, other_3_choice : natural range 0 to 255;
-    variable other_3_choice_2, other_3_choice_3, other_4_choice, other_4_choice_2 : natural range 0 to 255;
-    variable other_4_choice_3, other_5_choice, other_5_choice_2, other_5_choice_3 : natural range 0 to 255;
-    variable other_6_choice, other_6_choice_2, other_6_choice_3, other_7_choice : natural range 0 to 255;
-    variable other_7_choice_2, other_7_choice_3, other_8_choice, other_8_choice_2 : natural range 0 to 255;
-    variable other_8_choice_3, other_9_choice, other_9_choice_2, other_9_choice_3 : natural range 0 to 255;
-    variable other_10_choice, other_10_choice_2, other_10_choice_3, other_11_choice : natural range 0 to 255;
-    variable other_11_choice_2, other_11_choice_3, other_12_choice, other_12_choice_2 : natural range 0 to 255;
-    variable other_12_choice_3, other_13_choice, other_13_choice_2, other_13_choice_3 : natural range 0 to 255;
-    variable other_14_choice, other_14_choice_2, other_14_choice_3, other_15_choice : natural range 0 to 255;
-    variable other_15_choice_2, other_15_choice_3 : natural range 0 to 255;
-    variable other_0_choice_4, other_1_choice_4, other_2_choice_4, other_3_choice_4 : natural range 0 to 190;
-    variable other_4_choice_4, other_5_choice_4, other_6_choice_4, other_7_choice_4 : natural range 0 to 190;
-    variable other_8_choice_4, other_9_choice_4, other_10_choice_4, other_11_choice_4 : natural range 0 to 190;
-    variable other_12_choice_4, other_13_choice_4, other_14_choice_4, other_15_choice_4 : natural range 0 to 190;
     variable other_20_choice, other_22_choice, other_24_choice, other_26_choice : natural range 0 to 11;
     variable other_28_choice, other_30_choice, other_32_choice, other_34_choice : natural range 0 to 11;
     variable other_36_choice, other_38_choice, other_40_choice, other_42_choice : natural range 0 to 11;
@@ -9918,36 +9933,78 @@ begin
       end if;
       forward_left_start_cost_0_any := ((((forward_left_tree_next_next_next_next_smallest_0 mod 64) +
         forward_left_relief_beyond) / 64) = 1) or ((forward_left_tree_next_next_next_next_smallest_0 / 64) = 1);
-      forward_left_start_cost_0_any_2 := ((forward_left_relief_reach / 128) = 1) or (((forward_left_relief_reach / 64)
-        mod 2) = 1);
-      if forward_left_start_cost_0_any_2 then
-        forward_left_start_cost_0_choice := forward_left_relief_reach mod 64;
+      if (forward_left_relief_largest mod 2) = 1 then
+        forward_left_start_cost_0_choice := (not (((forward_left_room / 2) mod 2) = 1)) or (not ((forward_left_room mod
+          2) = 1));
       else
-        forward_left_start_cost_0_choice := 0;
+        forward_left_start_cost_0_choice := not (((forward_left_room / 2) mod 2) = 1);
+      end if;
+      if ((forward_left_relief_largest / 2) mod 2) = 1 then
+        forward_left_start_cost_0_choice_2 := forward_left_start_cost_0_choice;
+      else
+        forward_left_start_cost_0_choice_2 := ((forward_left_relief_largest mod 2) = 1) and ((forward_left_room mod 4)
+          = 0);
+      end if;
+      forward_left_start_cost_0_value := ((forward_left_room / 4) mod 2) = 1;
+      if forward_left_start_cost_0_choice_2 then
+        forward_left_start_cost_0_choice_3 := (not (((forward_left_relief_largest / 4) mod 2) = 1)) and
+          forward_left_start_cost_0_value;
+      else
+        forward_left_start_cost_0_choice_3 := (not (((forward_left_relief_largest / 4) mod 2) = 1)) or
+          forward_left_start_cost_0_value;
+      end if;
+      forward_left_start_cost_0_value_2 := ((forward_left_room / 8) mod 2) = 1;
+      if forward_left_start_cost_0_choice_3 then
+        forward_left_start_cost_0_choice_4 := (not (((forward_left_relief_largest / 8) mod 2) = 1)) or
+          forward_left_start_cost_0_value_2;
+      else
+        forward_left_start_cost_0_choice_4 := (not (((forward_left_relief_largest / 8) mod 2) = 1)) and
+          forward_left_start_cost_0_value_2;
+      end if;
+      forward_left_start_cost_0_value_3 := ((forward_left_room / 16) mod 2) = 1;
+      if forward_left_start_cost_0_choice_4 then
+        forward_left_start_cost_0_choice_5 := (not (((forward_left_relief_largest / 16) mod 2) = 1)) or
+          forward_left_start_cost_0_value_3;
+      else
+        forward_left_start_cost_0_choice_5 := (not (((forward_left_relief_largest / 16) mod 2) = 1)) and
+          forward_left_start_cost_0_value_3;
+      end if;
+      if forward_left_start_cost_0_choice_5 then
+        forward_left_start_cost_0_choice_6 := ((forward_left_relief_largest / 32) = 1) and (not ((forward_left_room /
+          32) = 1));
+      else
+        forward_left_start_cost_0_choice_6 := ((forward_left_relief_largest / 32) = 1) or (not ((forward_left_room /
+          32) = 1));
+      end if;
+      if forward_left_start_cost_0_choice_6 then
+        forward_left_start_cost_0_choice_7 := 0;
+      else
+        forward_left_start_cost_0_choice_7 := (forward_left_room - forward_left_relief_largest) mod 64;
       end if;
       forward_left_start_cost_0_is_less := 127 < ((forward_left_tree_next_next_next_next_smallest_0 mod 64) +
         forward_left_relief_reach_of_best);
       if forward_left_start_cost_0_is_less then
-        forward_left_start_cost_0_choice_2 := (forward_left_tree_next_next_next_next_smallest_0 +
+        forward_left_start_cost_0_choice_8 := (forward_left_tree_next_next_next_next_smallest_0 +
           forward_left_relief_reach_of_best) mod 64;
       else
-        forward_left_start_cost_0_choice_2 := 0;
+        forward_left_start_cost_0_choice_8 := 0;
       end if;
       if forward_left_start_cost_0_any then
-        forward_left_start_cost_0_choice_3 := forward_left_start_cost_0_choice;
+        forward_left_start_cost_0_choice_9 := forward_left_start_cost_0_choice_7;
       else
-        forward_left_start_cost_0_choice_3 := forward_left_start_cost_0_choice_2;
+        forward_left_start_cost_0_choice_9 := forward_left_start_cost_0_choice_8;
       end if;
-      if forward_left_start_cost_0_any_2 then
-        forward_left_room_choice := forward_left_relief_largest;
+      forward_left_room_value := (forward_left_start_cost_8 + forward_left_room) mod 64;
+      if forward_left_start_cost_0_choice_6 then
+        forward_left_room_choice := forward_left_room_value;
       else
-        forward_left_room_choice := forward_left_room;
+        forward_left_room_choice := (forward_left_start_cost_8 + forward_left_relief_largest) mod 64;
       end if;
       if forward_left_start_cost_0_is_less then
-        forward_left_room_choice_2 := (forward_left_relief_past_8 - forward_left_tree_next_next_next_next_smallest_0)
-          mod 64;
+        forward_left_room_choice_2 := (forward_left_relief_room_of_best -
+          forward_left_tree_next_next_next_next_smallest_0) mod 64;
       else
-        forward_left_room_choice_2 := forward_left_room;
+        forward_left_room_choice_2 := forward_left_room_value;
       end if;
       if forward_left_start_cost_0_any then
         forward_left_room_choice_3 := forward_left_room_choice;
@@ -9980,6 +10037,23 @@ begin
         forward_left_relief_largest_choice := forward_left_relief_recent;
       else
         forward_left_relief_largest_choice := forward_reliefs_moved_4;
+      end if;
+      forward_left_relief_reach_of_best_sum := forward_left_room + forward_left_relief_leaves;
+      if forward_left_start_cost_0_choice_6 then
+        forward_left_relief_reach_of_best_choice := forward_left_relief_reach_of_best_sum;
+      else
+        forward_left_relief_reach_of_best_choice := forward_left_relief_largest + forward_left_relief_leaves;
+      end if;
+      if forward_left_start_cost_0_is_less then
+        forward_left_relief_reach_of_best_choice_2 := (forward_left_relief_reach_again -
+          (forward_left_tree_next_next_next_next_smallest_0 mod 64)) mod 256;
+      else
+        forward_left_relief_reach_of_best_choice_2 := forward_left_relief_reach_of_best_sum;
+      end if;
+      if forward_left_start_cost_0_any then
+        forward_left_relief_reach_of_best_choice_3 := forward_left_relief_reach_of_best_choice;
+      else
+        forward_left_relief_reach_of_best_choice_3 := forward_left_relief_reach_of_best_choice_2;
       end if;
       if forward_first_5 then
         forward_left_relief_leaves_choice := 64;
@@ -11466,7 +11540,6 @@ begin
         forward_left_relief_past_5 <= forward_left_relief_past_4;
         forward_left_relief_past_6 <= forward_left_relief_past_5;
         forward_left_relief_past_7 <= forward_left_relief_past_6;
-        forward_left_relief_past_8 <= forward_left_relief_past_7;
         forward_left_relief_pairs_0 <= forward_left_relief_pairs_0_choice;
         forward_left_relief_pairs_1 <= forward_left_relief_pairs_0;
         forward_left_relief_fours_1 <= forward_left_relief_fours_0;
@@ -11474,6 +11547,9 @@ begin
         forward_left_relief_largest <= forward_left_relief_largest_choice;
         forward_left_relief_beyond <= (forward_left_relief_largest_choice - forward_left_relief_past_7) mod 64;
         forward_left_relief_leaves <= forward_left_relief_leaves_choice - forward_left_relief_past_6;
+        forward_left_relief_room_of_best <= forward_left_relief_past_7 + forward_left_relief_leaves_choice;
+        forward_left_relief_reach_again <= (64 - forward_left_relief_past_6) + forward_left_relief_past_7 +
+          forward_left_relief_leaves_choice;
         forward_left_g_copy_0 <= forward_left_g_copy_0_value;
         forward_left_g_copy_1 <= forward_left_g_copy_0_value;
         forward_left_g_copy_2 <= forward_left_g_copy_0_value;
@@ -12914,10 +12990,9 @@ begin
           forward_left_start_cost_7 <= 0;
           forward_left_start_cost_8 <= 0;
           forward_left_room <= 0;
-          forward_left_relief_reach <= 0;
           forward_left_relief_reach_of_best <= 0;
         else
-          forward_left_start_cost_0 <= forward_left_start_cost_0_choice_3;
+          forward_left_start_cost_0 <= forward_left_start_cost_0_choice_9;
           forward_left_start_cost_1 <= forward_left_start_cost_0;
           forward_left_start_cost_2 <= forward_left_start_cost_1;
           forward_left_start_cost_3 <= forward_left_start_cost_2;
@@ -12926,10 +13001,8 @@ begin
           forward_left_start_cost_6 <= forward_left_start_cost_5;
           forward_left_start_cost_7 <= forward_left_start_cost_6;
           forward_left_start_cost_8 <= forward_left_start_cost_7;
-          forward_left_room <= (forward_left_room_choice_3 + forward_left_start_cost_8) mod 64;
-          forward_left_relief_reach <= (64 - forward_left_relief_largest_choice) + forward_left_room_choice_3 +
-            forward_left_start_cost_8;
-          forward_left_relief_reach_of_best <= forward_left_room_choice_3 + forward_left_relief_leaves;
+          forward_left_room <= forward_left_room_choice_3;
+          forward_left_relief_reach_of_best <= forward_left_relief_reach_of_best_choice_3;
         end if;
         if (forward_left_relief_pairs_0_choice - forward_left_relief_pairs_1) < 0 then
           forward_left_relief_fours_0 <= forward_left_relief_pairs_1;
@@ -14453,42 +14526,83 @@ begin
       end if;
       sums_right_start_cost_0_any := ((((sums_right_tree_next_next_next_next_smallest_0 mod 64) +
         sums_right_relief_beyond) / 64) = 1) or ((sums_right_tree_next_next_next_next_smallest_0 / 64) = 1);
-      sums_right_start_cost_0_any_2 := ((sums_right_relief_reach / 128) = 1) or (((sums_right_relief_reach / 64) mod 2)
-        = 1);
-      if sums_right_start_cost_0_any_2 then
-        sums_right_start_cost_0_choice := sums_right_relief_reach mod 64;
+      if (sums_right_relief_largest mod 2) = 1 then
+        sums_right_start_cost_0_choice := (not (((sums_right_room / 2) mod 2) = 1)) or (not ((sums_right_room mod 2) =
+          1));
       else
-        sums_right_start_cost_0_choice := 0;
+        sums_right_start_cost_0_choice := not (((sums_right_room / 2) mod 2) = 1);
+      end if;
+      if ((sums_right_relief_largest / 2) mod 2) = 1 then
+        sums_right_start_cost_0_choice_2 := sums_right_start_cost_0_choice;
+      else
+        sums_right_start_cost_0_choice_2 := ((sums_right_relief_largest mod 2) = 1) and ((sums_right_room mod 4) = 0);
+      end if;
+      sums_right_start_cost_0_value := ((sums_right_room / 4) mod 2) = 1;
+      if sums_right_start_cost_0_choice_2 then
+        sums_right_start_cost_0_choice_3 := (not (((sums_right_relief_largest / 4) mod 2) = 1)) and
+          sums_right_start_cost_0_value;
+      else
+        sums_right_start_cost_0_choice_3 := (not (((sums_right_relief_largest / 4) mod 2) = 1)) or
+          sums_right_start_cost_0_value;
+      end if;
+      sums_right_start_cost_0_value_2 := ((sums_right_room / 8) mod 2) = 1;
+      if sums_right_start_cost_0_choice_3 then
+        sums_right_start_cost_0_choice_4 := (not (((sums_right_relief_largest / 8) mod 2) = 1)) or
+          sums_right_start_cost_0_value_2;
+      else
+        sums_right_start_cost_0_choice_4 := (not (((sums_right_relief_largest / 8) mod 2) = 1)) and
+          sums_right_start_cost_0_value_2;
+      end if;
+      sums_right_start_cost_0_value_3 := ((sums_right_room / 16) mod 2) = 1;
+      if sums_right_start_cost_0_choice_4 then
+        sums_right_start_cost_0_choice_5 := (not (((sums_right_relief_largest / 16) mod 2) = 1)) or
+          sums_right_start_cost_0_value_3;
+      else
+        sums_right_start_cost_0_choice_5 := (not (((sums_right_relief_largest / 16) mod 2) = 1)) and
+          sums_right_start_cost_0_value_3;
+      end if;
+      if sums_right_start_cost_0_choice_5 then
+        sums_right_start_cost_0_choice_6 := ((sums_right_relief_largest / 32) = 1) and (not ((sums_right_room / 32) =
+          1));
+      else
+        sums_right_start_cost_0_choice_6 := ((sums_right_relief_largest / 32) = 1) or (not ((sums_right_room / 32) =
+          1));
+      end if;
+      if sums_right_start_cost_0_choice_6 then
+        sums_right_start_cost_0_choice_7 := 0;
+      else
+        sums_right_start_cost_0_choice_7 := (sums_right_room - sums_right_relief_largest) mod 64;
       end if;
       sums_right_start_cost_0_is_less := 127 < ((sums_right_tree_next_next_next_next_smallest_0 mod 64) +
         sums_right_relief_reach_of_best);
       if sums_right_start_cost_0_is_less then
-        sums_right_start_cost_0_choice_2 := (sums_right_tree_next_next_next_next_smallest_0 +
+        sums_right_start_cost_0_choice_8 := (sums_right_tree_next_next_next_next_smallest_0 +
           sums_right_relief_reach_of_best) mod 64;
       else
-        sums_right_start_cost_0_choice_2 := 0;
+        sums_right_start_cost_0_choice_8 := 0;
       end if;
       if sums_right_start_cost_0_any then
-        sums_right_start_cost_0_choice_3 := sums_right_start_cost_0_choice;
+        sums_right_start_cost_0_choice_9 := sums_right_start_cost_0_choice_7;
       else
-        sums_right_start_cost_0_choice_3 := sums_right_start_cost_0_choice_2;
+        sums_right_start_cost_0_choice_9 := sums_right_start_cost_0_choice_8;
       end if;
-      if sums_right_start_cost_0_any_2 then
-        sums_right_room_choice := sums_right_relief_largest;
+      sums_right_room_value := (sums_right_start_cost_8 + sums_right_room) mod 64;
+      if sums_right_start_cost_0_choice_6 then
+        sums_right_room_choice := sums_right_room_value;
       else
-        sums_right_room_choice := sums_right_room;
+        sums_right_room_choice := (sums_right_start_cost_8 + sums_right_relief_largest) mod 64;
       end if;
       if sums_right_start_cost_0_is_less then
-        sums_right_room_choice_2 := (sums_right_relief_past_8 - sums_right_tree_next_next_next_next_smallest_0) mod 64;
+        sums_right_room_choice_2 := (sums_right_relief_room_of_best - sums_right_tree_next_next_next_next_smallest_0)
+          mod 64;
       else
-        sums_right_room_choice_2 := sums_right_room;
+        sums_right_room_choice_2 := sums_right_room_value;
       end if;
       if sums_right_start_cost_0_any then
         sums_right_room_choice_3 := sums_right_room_choice;
       else
         sums_right_room_choice_3 := sums_right_room_choice_2;
       end if;
-      sums_right_room_sum := sums_right_room_choice_3 + sums_right_start_cost_8;
       if forward_first_0 then
         sums_right_smallest_choice := 0;
       else
@@ -14514,6 +14628,23 @@ begin
         sums_right_relief_largest_choice := sums_right_relief_recent;
       else
         sums_right_relief_largest_choice := sums_turn_ready_smallest_0 / 8;
+      end if;
+      sums_right_relief_reach_of_best_sum := sums_right_room + sums_right_relief_leaves;
+      if sums_right_start_cost_0_choice_6 then
+        sums_right_relief_reach_of_best_choice := sums_right_relief_reach_of_best_sum;
+      else
+        sums_right_relief_reach_of_best_choice := sums_right_relief_largest + sums_right_relief_leaves;
+      end if;
+      if sums_right_start_cost_0_is_less then
+        sums_right_relief_reach_of_best_choice_2 := (sums_right_relief_reach_again -
+          (sums_right_tree_next_next_next_next_smallest_0 mod 64)) mod 256;
+      else
+        sums_right_relief_reach_of_best_choice_2 := sums_right_relief_reach_of_best_sum;
+      end if;
+      if sums_right_start_cost_0_any then
+        sums_right_relief_reach_of_best_choice_3 := sums_right_relief_reach_of_best_choice;
+      else
+        sums_right_relief_reach_of_best_choice_3 := sums_right_relief_reach_of_best_choice_2;
       end if;
       if forward_first_0 then
         sums_right_relief_leaves_choice := 64;
@@ -15843,7 +15974,6 @@ begin
         sums_right_relief_past_5 <= sums_right_relief_past_4;
         sums_right_relief_past_6 <= sums_right_relief_past_5;
         sums_right_relief_past_7 <= sums_right_relief_past_6;
-        sums_right_relief_past_8 <= sums_right_relief_past_7;
         sums_right_relief_pairs_0 <= sums_right_relief_pairs_0_choice;
         sums_right_relief_pairs_1 <= sums_right_relief_pairs_0;
         sums_right_relief_fours_1 <= sums_right_relief_fours_0;
@@ -15851,6 +15981,9 @@ begin
         sums_right_relief_largest <= sums_right_relief_largest_choice;
         sums_right_relief_beyond <= (sums_right_relief_largest_choice - sums_right_relief_past_7) mod 64;
         sums_right_relief_leaves <= sums_right_relief_leaves_choice - sums_right_relief_past_6;
+        sums_right_relief_room_of_best <= sums_right_relief_past_7 + sums_right_relief_leaves_choice;
+        sums_right_relief_reach_again <= (64 - sums_right_relief_past_6) + sums_right_relief_past_7 +
+          sums_right_relief_leaves_choice;
         sums_right_g_copy_0 <= sums_right_g_copy_0_value;
         sums_right_g_copy_1 <= sums_right_g_copy_0_value;
         sums_right_g_copy_2 <= sums_right_g_copy_0_value;
@@ -16297,10 +16430,9 @@ begin
           sums_right_start_cost_7 <= 0;
           sums_right_start_cost_8 <= 0;
           sums_right_room <= 0;
-          sums_right_relief_reach <= 0;
           sums_right_relief_reach_of_best <= 0;
         else
-          sums_right_start_cost_0 <= sums_right_start_cost_0_choice_3;
+          sums_right_start_cost_0 <= sums_right_start_cost_0_choice_9;
           sums_right_start_cost_1 <= sums_right_start_cost_0;
           sums_right_start_cost_2 <= sums_right_start_cost_1;
           sums_right_start_cost_3 <= sums_right_start_cost_2;
@@ -16309,10 +16441,8 @@ begin
           sums_right_start_cost_6 <= sums_right_start_cost_5;
           sums_right_start_cost_7 <= sums_right_start_cost_6;
           sums_right_start_cost_8 <= sums_right_start_cost_7;
-          sums_right_room <= sums_right_room_sum mod 64;
-          sums_right_relief_reach <= ((((sums_right_room_sum / 64) + 1) * 64) + (sums_right_room_sum mod 64)) -
-            sums_right_relief_largest_choice;
-          sums_right_relief_reach_of_best <= sums_right_room_choice_3 + sums_right_relief_leaves;
+          sums_right_room <= sums_right_room_choice_3;
+          sums_right_relief_reach_of_best <= sums_right_relief_reach_of_best_choice_3;
         end if;
         if (sums_right_relief_pairs_0_choice - sums_right_relief_pairs_1) < 0 then
           sums_right_relief_fours_0 <= sums_right_relief_pairs_1;

@@ -65,7 +65,7 @@ begin
       latency_clocks => 47,
       flush_groups => 6409,
       gap_groups => 0,
-      core_id => x"7ae061f5",
+      core_id => x"c60bcc34",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

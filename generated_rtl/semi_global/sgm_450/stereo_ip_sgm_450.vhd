@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 2710,
       gap_groups => 0,
-      core_id => x"fd95e6d8",
+      core_id => x"c7c20db9",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -440,28 +440,30 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal forward_left_start_cost_6, forward_left_room, forward_left_relief_next_0 : natural range 0 to 63;
   signal forward_left_relief_past_0, forward_left_relief_past_1, forward_left_relief_past_2 : natural range 0 to 63;
   signal forward_left_relief_past_3, forward_left_relief_past_4, forward_left_relief_past_5 : natural range 0 to 63;
-  signal forward_left_relief_past_6, forward_left_relief_pairs_0, forward_left_relief_pairs_1 : natural range 0 to 63;
-  signal forward_left_relief_fours_0, forward_left_relief_older, forward_left_relief_recent : natural range 0 to 63;
-  signal forward_left_relief_largest, forward_left_relief_beyond, forward_above_cost_0 : natural range 0 to 63;
-  signal forward_above_cost_1, forward_above_cost_2, forward_above_cost_3, forward_above_cost_4 : natural range 0 to 63;
-  signal forward_above_cost_5, forward_above_cost_6, forward_above_cost_7, forward_above_cost_8 : natural range 0 to 63;
-  signal forward_above_cost_9, forward_above_cost_10, forward_above_cost_11 : natural range 0 to 63;
-  signal forward_above_beside_0, forward_above_beside_1, forward_above_beside_2 : natural range 0 to 63;
-  signal forward_above_beside_3, forward_above_beside_4, forward_above_beside_5 : natural range 0 to 63;
-  signal forward_above_beside_6, forward_above_beside_7, forward_above_beside_8 : natural range 0 to 63;
-  signal forward_above_beside_9, forward_above_beside_10, forward_above_beside_11 : natural range 0 to 63;
-  signal forward_above_own_0, forward_above_own_2, forward_above_own_3, forward_above_own_4 : natural range 0 to 63;
-  signal forward_above_own_5, forward_above_own_6, forward_above_own_7, forward_above_own_8 : natural range 0 to 63;
-  signal forward_above_own_9, forward_above_own_11, forward_reliefs_moved_0 : natural range 0 to 63;
-  signal forward_reliefs_moved_1, forward_reliefs_moved_2, forward_reliefs_moved_3 : natural range 0 to 63;
-  signal forward_reliefs_moved_4, forward_reliefs_moved_5, forward_reliefs_moved_6 : natural range 0 to 63;
-  signal forward_reliefs_moved_7, forward_reliefs_moved_8 : natural range 0 to 63;
+  signal forward_left_relief_pairs_0, forward_left_relief_pairs_1, forward_left_relief_fours_0 : natural range 0 to 63;
+  signal forward_left_relief_older, forward_left_relief_recent, forward_left_relief_largest : natural range 0 to 63;
+  signal forward_left_relief_beyond, forward_above_cost_0, forward_above_cost_1 : natural range 0 to 63;
+  signal forward_above_cost_2, forward_above_cost_3, forward_above_cost_4, forward_above_cost_5 : natural range 0 to 63;
+  signal forward_above_cost_6, forward_above_cost_7, forward_above_cost_8, forward_above_cost_9 : natural range 0 to 63;
+  signal forward_above_cost_10, forward_above_cost_11, forward_above_beside_0 : natural range 0 to 63;
+  signal forward_above_beside_1, forward_above_beside_2, forward_above_beside_3 : natural range 0 to 63;
+  signal forward_above_beside_4, forward_above_beside_5, forward_above_beside_6 : natural range 0 to 63;
+  signal forward_above_beside_7, forward_above_beside_8, forward_above_beside_9 : natural range 0 to 63;
+  signal forward_above_beside_10, forward_above_beside_11, forward_above_own_0 : natural range 0 to 63;
+  signal forward_above_own_2, forward_above_own_3, forward_above_own_4, forward_above_own_5 : natural range 0 to 63;
+  signal forward_above_own_6, forward_above_own_7, forward_above_own_8, forward_above_own_9 : natural range 0 to 63;
+  signal forward_above_own_11, forward_reliefs_moved_0, forward_reliefs_moved_1 : natural range 0 to 63;
+  signal forward_reliefs_moved_2, forward_reliefs_moved_3, forward_reliefs_moved_4 : natural range 0 to 63;
+  signal forward_reliefs_moved_5, forward_reliefs_moved_6, forward_reliefs_moved_7 : natural range 0 to 63;
+  signal forward_reliefs_moved_8 : natural range 0 to 63;
   signal forward_left_first_0, forward_left_first_1, forward_left_first_2, forward_above_ready_top : boolean;
   signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
   signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
   signal forward_above_comes_8, forward_above_comes_9, forward_above_writes_copy_0, forward_first_0 : boolean;
   signal forward_first_1, forward_first_2, forward_first_3 : boolean;
-  signal forward_left_relief_reach, forward_left_relief_reach_of_best : natural range 0 to 190;
+  signal forward_left_relief_reach_of_best : natural range 0 to 255;
+  signal forward_left_relief_room_of_best : natural range 0 to 190;
+  signal forward_left_relief_reach_again : natural range 0 to 254;
   signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 46;
   signal forward_above_total_3, forward_above_total_4, forward_above_total_5 : natural range 0 to 46;
   signal forward_above_total_6, forward_above_total_7, forward_above_total_8 : natural range 0 to 46;
@@ -500,10 +502,9 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal sums_right_start_cost_4, sums_right_start_cost_5, sums_right_start_cost_6 : natural range 0 to 63;
   signal sums_right_room, sums_right_relief_next_0, sums_right_relief_past_0 : natural range 0 to 63;
   signal sums_right_relief_past_1, sums_right_relief_past_2, sums_right_relief_past_3 : natural range 0 to 63;
-  signal sums_right_relief_past_4, sums_right_relief_past_5, sums_right_relief_past_6 : natural range 0 to 63;
-  signal sums_right_relief_pairs_0, sums_right_relief_pairs_1, sums_right_relief_fours_0 : natural range 0 to 63;
-  signal sums_right_relief_older, sums_right_relief_recent, sums_right_relief_largest : natural range 0 to 63;
-  signal sums_right_relief_beyond : natural range 0 to 63;
+  signal sums_right_relief_past_4, sums_right_relief_past_5, sums_right_relief_pairs_0 : natural range 0 to 63;
+  signal sums_right_relief_pairs_1, sums_right_relief_fours_0, sums_right_relief_older : natural range 0 to 63;
+  signal sums_right_relief_recent, sums_right_relief_largest, sums_right_relief_beyond : natural range 0 to 63;
   signal sums_turn_ready_smallest_0, sums_turn_write_smallest_0 : natural range 0 to 511;
   signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_right_first_0, sums_right_first_1 : boolean;
   signal sums_right_first_2, sums_tag_valid, sums_tag_map_column, sums_tag_output_column : boolean;
@@ -542,11 +543,12 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal sums_right_arrived_3, sums_right_arrived_4, sums_right_arrived_5 : natural range 0 to 127;
   signal sums_right_arrived_6, sums_right_arrived_7, sums_right_arrived_8 : natural range 0 to 127;
   signal sums_right_arrived_9, sums_right_arrived_10, sums_right_arrived_11 : natural range 0 to 127;
-  signal sums_right_relief_reach : natural range 0 to 191;
-  signal sums_right_relief_reach_of_best : natural range 0 to 190;
+  signal sums_right_relief_reach_of_best, sums_sum_0_0, sums_sum_0_1, sums_sum_0_2 : natural range 0 to 255;
+  signal sums_sum_0_3, sums_sum_0_4, sums_sum_0_5, sums_sum_0_6, sums_sum_0_7, sums_sum_0_8 : natural range 0 to 255;
+  signal sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 255;
+  signal sums_right_relief_room_of_best : natural range 0 to 190;
+  signal sums_right_relief_reach_again : natural range 0 to 254;
   signal sums_sum_delay_ring_read_address, sums_sum_delay_ring_write_address : natural range 0 to 3;
-  signal sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3, sums_sum_0_4, sums_sum_0_5 : natural range 0 to 255;
-  signal sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 255;
   -- winnerswinner1
   signal winnerswinner1_of_pair_0_0, winnerswinner1_of_pair_0_1, winnerswinner1_of_pair_0_2 : natural range 0 to 255;
   signal winnerswinner1_of_pair_0_3, winnerswinner1_of_pair_0_4, winnerswinner1_of_pair_0_5 : natural range 0 to 255;
@@ -1004,22 +1006,23 @@ begin
     variable transform_left_filter_feature_0_choice_18, transform_left_filter_feature_0_choice_19 : boolean;
     variable transform_left_filter_feature_0_choice_20, transform_left_filter_feature_0_choice_21 : boolean;
     variable transform_left_filter_feature_0_choice_22, transform_left_filter_feature_0_choice_23 : boolean;
-    variable transform_left_filter_feature_0_choice_24, transform_left_filter_feature_0_choice_25 : boolean;
-    variable transform_left_filter_feature_0_choice_26, transform_left_filter_feature_0_choice_27 : boolean;
-    variable transform_left_filter_feature_0_value_7, transform_left_filter_feature_0_choice_28 : boolean;
-    variable transform_left_filter_feature_0_value_8, transform_left_filter_feature_0_choice_29 : boolean;
-    variable transform_left_filter_feature_0_value_9, transform_left_filter_feature_0_choice_30 : boolean;
-    variable transform_left_filter_feature_0_value_10, transform_left_filter_feature_0_choice_31 : boolean;
-    variable transform_left_filter_feature_0_value_11, transform_left_filter_feature_0_choice_32 : boolean;
-    variable transform_left_filter_feature_0_choice_33, transform_left_filter_feature_0_choice_34 : boolean;
-    variable transform_left_filter_feature_0_choice_35, transform_left_filter_feature_0_choice_36 : boolean;
-    variable transform_left_filter_feature_0_choice_37, transform_left_filter_feature_0_choice_38 : boolean;
-    variable transform_left_filter_feature_0_choice_39, transform_left_filter_feature_0_choice_40 : boolean;
-    variable transform_left_filter_feature_0_choice_41, transform_left_filter_feature_0_choice_42 : boolean;
-    variable transform_left_filter_feature_0_choice_43, transform_left_filter_feature_0_choice_44 : boolean;
-    variable transform_left_filter_feature_0_choice_45, transform_left_filter_feature_0_choice_46 : boolean;
-    variable transform_left_filter_feature_0_choice_47, transform_left_filter_feature_0_choice_48 : boolean;
-    variable transform_left_filter_feature_0_choice_49, transform_left_filter_feature_0_choice_50 : boolean;
+    variable transform_left_filter_feature_0_choice_24, transform_left_filter_feature_0_all : boolean;
+    variable transform_left_filter_feature_0_choice_25, transform_left_filter_feature_0_choice_26 : boolean;
+    variable transform_left_filter_feature_0_choice_27, transform_left_filter_feature_0_choice_28 : boolean;
+    variable transform_left_filter_feature_0_value_7, transform_left_filter_feature_0_choice_29 : boolean;
+    variable transform_left_filter_feature_0_value_8, transform_left_filter_feature_0_choice_30 : boolean;
+    variable transform_left_filter_feature_0_value_9, transform_left_filter_feature_0_choice_31 : boolean;
+    variable transform_left_filter_feature_0_value_10, transform_left_filter_feature_0_choice_32 : boolean;
+    variable transform_left_filter_feature_0_value_11, transform_left_filter_feature_0_choice_33 : boolean;
+    variable transform_left_filter_feature_0_choice_34, transform_left_filter_feature_0_choice_35 : boolean;
+    variable transform_left_filter_feature_0_choice_36, transform_left_filter_feature_0_choice_37 : boolean;
+    variable transform_left_filter_feature_0_choice_38, transform_left_filter_feature_0_choice_39 : boolean;
+    variable transform_left_filter_feature_0_choice_40, transform_left_filter_feature_0_choice_41 : boolean;
+    variable transform_left_filter_feature_0_choice_42, transform_left_filter_feature_0_choice_43 : boolean;
+    variable transform_left_filter_feature_0_choice_44, transform_left_filter_feature_0_choice_45 : boolean;
+    variable transform_left_filter_feature_0_choice_46, transform_left_filter_feature_0_choice_47 : boolean;
+    variable transform_left_filter_feature_0_choice_48, transform_left_filter_feature_0_choice_49 : boolean;
+    variable transform_left_filter_feature_0_choice_50, transform_left_filter_feature_0_all_2 : boolean;
     variable transform_left_filter_feature_0_choice_51, transform_left_filter_feature_0_choice_52 : boolean;
     variable transform_left_filter_feature_0_choice_53, transform_left_filter_feature_0_choice_54 : boolean;
     variable transform_left_filter_feature_0_choice_55, transform_left_filter_feature_0_choice_56 : boolean;
@@ -1033,25 +1036,30 @@ begin
     variable transform_left_filter_feature_0_choice_71, transform_left_filter_feature_0_choice_72 : boolean;
     variable transform_left_filter_feature_0_choice_73, transform_left_filter_feature_0_choice_74 : boolean;
     variable transform_left_filter_feature_0_choice_75, transform_left_filter_feature_0_choice_76 : boolean;
-    variable transform_left_filter_feature_0_choice_77, transform_left_filter_feature_0_choice_78 : boolean;
-    variable transform_left_filter_feature_0_choice_79, transform_left_filter_feature_0_choice_80 : boolean;
-    variable transform_left_filter_feature_0_choice_81, transform_left_filter_feature_0_choice_82 : boolean;
-    variable transform_left_filter_feature_0_choice_83, transform_left_filter_feature_0_choice_84 : boolean;
-    variable transform_left_filter_feature_0_choice_85, transform_left_filter_feature_0_choice_86 : boolean;
-    variable transform_left_filter_feature_0_choice_87, transform_left_filter_feature_0_choice_88 : boolean;
-    variable transform_left_filter_feature_0_choice_89, transform_left_filter_feature_0_choice_90 : boolean;
-    variable transform_left_filter_feature_0_choice_91, transform_left_filter_feature_0_choice_92 : boolean;
-    variable transform_left_filter_feature_0_choice_93, transform_left_filter_feature_0_choice_94 : boolean;
-    variable transform_left_filter_feature_0_choice_95, transform_left_filter_feature_0_choice_96 : boolean;
-    variable transform_left_filter_feature_0_choice_97, transform_left_filter_feature_0_choice_98 : boolean;
-    variable transform_left_filter_feature_0_choice_99, transform_left_filter_feature_0_choice_100 : boolean;
-    variable transform_left_filter_feature_0_choice_101, transform_left_filter_feature_0_choice_102 : boolean;
+    variable transform_left_filter_feature_0_all_3, transform_left_filter_feature_0_choice_77 : boolean;
+    variable transform_left_filter_feature_0_choice_78, transform_left_filter_feature_0_choice_79 : boolean;
+    variable transform_left_filter_feature_0_choice_80, transform_left_filter_feature_0_choice_81 : boolean;
+    variable transform_left_filter_feature_0_choice_82, transform_left_filter_feature_0_choice_83 : boolean;
+    variable transform_left_filter_feature_0_choice_84, transform_left_filter_feature_0_choice_85 : boolean;
+    variable transform_left_filter_feature_0_choice_86, transform_left_filter_feature_0_choice_87 : boolean;
+    variable transform_left_filter_feature_0_choice_88, transform_left_filter_feature_0_choice_89 : boolean;
+    variable transform_left_filter_feature_0_choice_90, transform_left_filter_feature_0_choice_91 : boolean;
+    variable transform_left_filter_feature_0_choice_92, transform_left_filter_feature_0_choice_93 : boolean;
+    variable transform_left_filter_feature_0_choice_94, transform_left_filter_feature_0_choice_95 : boolean;
+    variable transform_left_filter_feature_0_choice_96, transform_left_filter_feature_0_choice_97 : boolean;
+    variable transform_left_filter_feature_0_choice_98, transform_left_filter_feature_0_choice_99 : boolean;
+    variable transform_left_filter_feature_0_choice_100, transform_left_filter_feature_0_choice_101 : boolean;
+    variable transform_left_filter_feature_0_choice_102, transform_left_filter_feature_0_all_4 : boolean;
     variable transform_left_filter_feature_0_choice_103, transform_left_filter_feature_0_choice_104 : boolean;
     variable transform_left_filter_feature_0_choice_105, transform_left_filter_feature_0_choice_106 : boolean;
     variable transform_left_filter_feature_0_choice_107, transform_left_filter_feature_0_choice_108 : boolean;
     variable transform_left_filter_feature_0_choice_109, transform_left_filter_feature_0_choice_110 : boolean;
     variable transform_left_filter_feature_0_choice_111, transform_left_filter_feature_0_choice_112 : boolean;
-    variable transform_left_filter_feature_0_choice_113, transform_right_filter_feature_0_value : boolean;
+    variable transform_left_filter_feature_0_choice_113, transform_left_filter_feature_0_choice_114 : boolean;
+    variable transform_left_filter_feature_0_choice_115, transform_left_filter_feature_0_choice_116 : boolean;
+    variable transform_left_filter_feature_0_choice_117, transform_left_filter_feature_0_choice_118 : boolean;
+    variable transform_left_filter_feature_0_choice_119, transform_left_filter_feature_0_choice_120 : boolean;
+    variable transform_left_filter_feature_0_choice_121, transform_right_filter_feature_0_value : boolean;
     variable transform_right_filter_feature_0_any, transform_right_filter_feature_0_choice : boolean;
     variable transform_right_filter_feature_0_is_equal, transform_right_filter_feature_0_choice_2 : boolean;
     variable transform_right_filter_feature_0_value_2, transform_right_filter_feature_0_choice_3 : boolean;
@@ -1067,22 +1075,23 @@ begin
     variable transform_right_filter_feature_0_choice_19, transform_right_filter_feature_0_choice_20 : boolean;
     variable transform_right_filter_feature_0_choice_21, transform_right_filter_feature_0_choice_22 : boolean;
     variable transform_right_filter_feature_0_choice_23, transform_right_filter_feature_0_choice_24 : boolean;
-    variable transform_right_filter_feature_0_choice_25, transform_right_filter_feature_0_choice_26 : boolean;
-    variable transform_right_filter_feature_0_choice_27, transform_right_filter_feature_0_value_7 : boolean;
-    variable transform_right_filter_feature_0_choice_28, transform_right_filter_feature_0_value_8 : boolean;
-    variable transform_right_filter_feature_0_choice_29, transform_right_filter_feature_0_value_9 : boolean;
-    variable transform_right_filter_feature_0_choice_30, transform_right_filter_feature_0_value_10 : boolean;
-    variable transform_right_filter_feature_0_choice_31, transform_right_filter_feature_0_value_11 : boolean;
-    variable transform_right_filter_feature_0_choice_32, transform_right_filter_feature_0_choice_33 : boolean;
-    variable transform_right_filter_feature_0_choice_34, transform_right_filter_feature_0_choice_35 : boolean;
-    variable transform_right_filter_feature_0_choice_36, transform_right_filter_feature_0_choice_37 : boolean;
-    variable transform_right_filter_feature_0_choice_38, transform_right_filter_feature_0_choice_39 : boolean;
-    variable transform_right_filter_feature_0_choice_40, transform_right_filter_feature_0_choice_41 : boolean;
-    variable transform_right_filter_feature_0_choice_42, transform_right_filter_feature_0_choice_43 : boolean;
-    variable transform_right_filter_feature_0_choice_44, transform_right_filter_feature_0_choice_45 : boolean;
-    variable transform_right_filter_feature_0_choice_46, transform_right_filter_feature_0_choice_47 : boolean;
-    variable transform_right_filter_feature_0_choice_48, transform_right_filter_feature_0_choice_49 : boolean;
-    variable transform_right_filter_feature_0_choice_50, transform_right_filter_feature_0_choice_51 : boolean;
+    variable transform_right_filter_feature_0_all, transform_right_filter_feature_0_choice_25 : boolean;
+    variable transform_right_filter_feature_0_choice_26, transform_right_filter_feature_0_choice_27 : boolean;
+    variable transform_right_filter_feature_0_choice_28, transform_right_filter_feature_0_value_7 : boolean;
+    variable transform_right_filter_feature_0_choice_29, transform_right_filter_feature_0_value_8 : boolean;
+    variable transform_right_filter_feature_0_choice_30, transform_right_filter_feature_0_value_9 : boolean;
+    variable transform_right_filter_feature_0_choice_31, transform_right_filter_feature_0_value_10 : boolean;
+    variable transform_right_filter_feature_0_choice_32, transform_right_filter_feature_0_value_11 : boolean;
+    variable transform_right_filter_feature_0_choice_33, transform_right_filter_feature_0_choice_34 : boolean;
+    variable transform_right_filter_feature_0_choice_35, transform_right_filter_feature_0_choice_36 : boolean;
+    variable transform_right_filter_feature_0_choice_37, transform_right_filter_feature_0_choice_38 : boolean;
+    variable transform_right_filter_feature_0_choice_39, transform_right_filter_feature_0_choice_40 : boolean;
+    variable transform_right_filter_feature_0_choice_41, transform_right_filter_feature_0_choice_42 : boolean;
+    variable transform_right_filter_feature_0_choice_43, transform_right_filter_feature_0_choice_44 : boolean;
+    variable transform_right_filter_feature_0_choice_45, transform_right_filter_feature_0_choice_46 : boolean;
+    variable transform_right_filter_feature_0_choice_47, transform_right_filter_feature_0_choice_48 : boolean;
+    variable transform_right_filter_feature_0_choice_49, transform_right_filter_feature_0_choice_50 : boolean;
+    variable transform_right_filter_feature_0_choice_51, transform_right_filter_feature_0_all_2 : boolean;
     variable transform_right_filter_feature_0_choice_52, transform_right_filter_feature_0_choice_53 : boolean;
     variable transform_right_filter_feature_0_choice_54, transform_right_filter_feature_0_choice_55 : boolean;
     variable transform_right_filter_feature_0_choice_56, transform_right_filter_feature_0_choice_57 : boolean;
@@ -1096,24 +1105,31 @@ begin
     variable transform_right_filter_feature_0_choice_72, transform_right_filter_feature_0_choice_73 : boolean;
     variable transform_right_filter_feature_0_choice_74, transform_right_filter_feature_0_choice_75 : boolean;
     variable transform_right_filter_feature_0_choice_76, transform_right_filter_feature_0_choice_77 : boolean;
-    variable transform_right_filter_feature_0_choice_78, transform_right_filter_feature_0_choice_79 : boolean;
-    variable transform_right_filter_feature_0_choice_80, transform_right_filter_feature_0_choice_81 : boolean;
-    variable transform_right_filter_feature_0_choice_82, transform_right_filter_feature_0_choice_83 : boolean;
-    variable transform_right_filter_feature_0_choice_84, transform_right_filter_feature_0_choice_85 : boolean;
-    variable transform_right_filter_feature_0_choice_86, transform_right_filter_feature_0_choice_87 : boolean;
-    variable transform_right_filter_feature_0_choice_88, transform_right_filter_feature_0_choice_89 : boolean;
-    variable transform_right_filter_feature_0_choice_90, transform_right_filter_feature_0_choice_91 : boolean;
-    variable transform_right_filter_feature_0_choice_92, transform_right_filter_feature_0_choice_93 : boolean;
-    variable transform_right_filter_feature_0_choice_94, transform_right_filter_feature_0_choice_95 : boolean;
-    variable transform_right_filter_feature_0_choice_96, transform_right_filter_feature_0_choice_97 : boolean;
-    variable transform_right_filter_feature_0_choice_98, transform_right_filter_feature_0_choice_99 : boolean;
-    variable transform_right_filter_feature_0_choice_100, transform_right_filter_feature_0_choice_101 : boolean;
-    variable transform_right_filter_feature_0_choice_102, transform_right_filter_feature_0_choice_103 : boolean;
-    variable transform_right_filter_feature_0_choice_104, transform_right_filter_feature_0_choice_105 : boolean;
+    variable transform_right_filter_feature_0_choice_78, transform_right_filter_feature_0_all_3 : boolean;
+    variable transform_right_filter_feature_0_choice_79, transform_right_filter_feature_0_choice_80 : boolean;
+    variable transform_right_filter_feature_0_choice_81, transform_right_filter_feature_0_choice_82 : boolean;
+    variable transform_right_filter_feature_0_choice_83, transform_right_filter_feature_0_choice_84 : boolean;
+    variable transform_right_filter_feature_0_choice_85, transform_right_filter_feature_0_choice_86 : boolean;
+    variable transform_right_filter_feature_0_choice_87, transform_right_filter_feature_0_choice_88 : boolean;
+    variable transform_right_filter_feature_0_choice_89, transform_right_filter_feature_0_choice_90 : boolean;
+    variable transform_right_filter_feature_0_choice_91, transform_right_filter_feature_0_choice_92 : boolean;
+    variable transform_right_filter_feature_0_choice_93, transform_right_filter_feature_0_choice_94 : boolean;
+    variable transform_right_filter_feature_0_choice_95, transform_right_filter_feature_0_choice_96 : boolean;
+    variable transform_right_filter_feature_0_choice_97, transform_right_filter_feature_0_choice_98 : boolean;
+    variable transform_right_filter_feature_0_choice_99, transform_right_filter_feature_0_choice_100 : boolean;
+    variable transform_right_filter_feature_0_choice_101, transform_right_filter_feature_0_choice_102 : boolean;
+    variable transform_right_filter_feature_0_choice_103, transform_right_filter_feature_0_choice_104 : boolean;
+    variable transform_right_filter_feature_0_choice_105, transform_right_filter_feature_0_all_4 : boolean;
     variable transform_right_filter_feature_0_choice_106, transform_right_filter_feature_0_choice_107 : boolean;
     variable transform_right_filter_feature_0_choice_108, transform_right_filter_feature_0_choice_109 : boolean;
     variable transform_right_filter_feature_0_choice_110, transform_right_filter_feature_0_choice_111 : boolean;
     variable transform_right_filter_feature_0_choice_112, transform_right_filter_feature_0_choice_113 : boolean;
+    variable transform_right_filter_feature_0_choice_114, transform_right_filter_feature_0_choice_115 : boolean;
+    variable transform_right_filter_feature_0_choice_116, transform_right_filter_feature_0_choice_117 : boolean;
+    variable transform_right_filter_feature_0_choice_118, transform_right_filter_feature_0_choice_119 : boolean;
+    variable transform_right_filter_feature_0_choice_120, transform_right_filter_feature_0_choice_121 : boolean;
+    variable transform_right_filter_feature_0_choice_122, transform_right_filter_feature_0_choice_123 : boolean;
+    variable transform_right_filter_feature_0_choice_124, transform_right_filter_feature_0_choice_125 : boolean;
     variable transform_counter_next_frame_choice, raster_place_group_is_equal, raster_place_group_is_equal_2 : boolean;
     variable raster_place_group_all, raster_place_group_is_equal_3, raster_place_group_choice_2 : boolean;
     variable raster_place_next_frame_choice, raster_place_next_frame_choice_2, delay_row_inside_1_is_not_less : boolean;
@@ -1170,8 +1186,16 @@ begin
     variable slice2cost_pixels_first_2_0_count_3_value_3, slice2cost_pixels_first_2_0_count_4_value : boolean;
     variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_any : boolean;
-    variable forward_left_start_cost_0_any_2, forward_left_start_cost_0_is_less, sums_right_start_cost_0_any : boolean;
-    variable sums_right_start_cost_0_any_2, sums_right_start_cost_0_is_less, sums_turn_writes_copy_0_choice : boolean;
+    variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : boolean;
+    variable forward_left_start_cost_0_value, forward_left_start_cost_0_choice_3 : boolean;
+    variable forward_left_start_cost_0_value_2, forward_left_start_cost_0_choice_4 : boolean;
+    variable forward_left_start_cost_0_value_3, forward_left_start_cost_0_choice_5 : boolean;
+    variable forward_left_start_cost_0_choice_6, forward_left_start_cost_0_is_less : boolean;
+    variable sums_right_start_cost_0_any, sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2 : boolean;
+    variable sums_right_start_cost_0_value, sums_right_start_cost_0_choice_3, sums_right_start_cost_0_value_2 : boolean;
+    variable sums_right_start_cost_0_choice_4, sums_right_start_cost_0_value_3 : boolean;
+    variable sums_right_start_cost_0_choice_5, sums_right_start_cost_0_choice_6 : boolean;
+    variable sums_right_start_cost_0_is_less, sums_turn_writes_copy_0_choice : boolean;
     variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
     variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
     variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
@@ -1249,19 +1273,22 @@ begin
     variable winnerswinner2_of_pair_0_0_value_5, winnerswinner2_of_pair_0_0_choice_7 : boolean;
     variable winnerswinner2_of_pair_0_0_choice_8, winnerswinner2_four_index_0_0_value : boolean;
     variable winnerswinner2_four_index_0_0_value_2, winnerswinner2_four_index_0_0_choice : boolean;
-    variable winnerswinner2_four_index_0_0_value_3, winnerswinner2_four_index_0_0_choice_2 : boolean;
-    variable winnerswinner2_four_index_0_0_value_4, winnerswinner2_four_index_0_0_choice_3 : boolean;
-    variable winnerswinner2_four_index_0_0_value_5, winnerswinner2_four_index_0_0_choice_4 : boolean;
-    variable winnerswinner2_four_index_0_0_value_6, winnerswinner2_four_index_0_0_choice_5 : boolean;
-    variable winnerswinner2_four_index_0_0_value_7, winnerswinner2_four_index_0_0_choice_6 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_7, turn_order_address_any, turn_order_address_any_2 : boolean;
-    variable turn_order_falls_all, turn_order_complete_all, turn_order_turned_output_column_choice : boolean;
-    variable relief_newest_choice, relief_newest_choice_2, relief_newest_value, relief_newest_choice_3 : boolean;
-    variable relief_newest_value_2, relief_newest_choice_4, relief_newest_value_3, relief_newest_choice_5 : boolean;
-    variable relief_newest_value_4, relief_newest_choice_6, relief_newest_value_5, relief_newest_choice_7 : boolean;
-    variable relief_newest_choice_8, relief_newest_choice_9, relief_newest_choice_10, relief_newest_choice_11 : boolean;
-    variable relief_newest_choice_12, relief_newest_choice_13, relief_newest_choice_14 : boolean;
-    variable relief_newest_choice_15, relief_newest_choice_16 : boolean;
+    variable winnerswinner2_four_index_0_0_value_3, winnerswinner2_four_index_0_0_value_4 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_2, winnerswinner2_four_index_0_0_value_5 : boolean;
+    variable winnerswinner2_four_index_0_0_value_6, winnerswinner2_four_index_0_0_choice_3 : boolean;
+    variable winnerswinner2_four_index_0_0_value_7, winnerswinner2_four_index_0_0_value_8 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_4, winnerswinner2_four_index_0_0_value_9 : boolean;
+    variable winnerswinner2_four_index_0_0_value_10, winnerswinner2_four_index_0_0_choice_5 : boolean;
+    variable winnerswinner2_four_index_0_0_value_11, winnerswinner2_four_index_0_0_value_12 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_6, winnerswinner2_four_index_0_0_choice_7 : boolean;
+    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
+    variable turn_order_turned_output_column_choice, relief_newest_choice, relief_newest_choice_2 : boolean;
+    variable relief_newest_value, relief_newest_choice_3, relief_newest_value_2, relief_newest_choice_4 : boolean;
+    variable relief_newest_value_3, relief_newest_choice_5, relief_newest_value_4, relief_newest_choice_6 : boolean;
+    variable relief_newest_value_5, relief_newest_choice_7, relief_newest_choice_8, relief_newest_choice_9 : boolean;
+    variable relief_newest_choice_10, relief_newest_choice_11, relief_newest_choice_12 : boolean;
+    variable relief_newest_choice_13, relief_newest_choice_14, relief_newest_choice_15 : boolean;
+    variable relief_newest_choice_16 : boolean;
     variable transform_counter_group_choice, transform_left_filter_feature_0_choice_17 : natural range 0 to 3;
     variable transform_right_filter_feature_0_choice_17, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
@@ -1310,17 +1337,27 @@ begin
     variable sums_right_arrived_8_choice, sums_right_arrived_8_choice_2 : natural range 0 to 127;
     variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 127;
     variable sums_right_arrived_11_choice : natural range 0 to 127;
-    variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : natural range 0 to 63;
-    variable forward_left_start_cost_0_choice_3, forward_left_room_choice : natural range 0 to 63;
-    variable forward_left_room_choice_2, forward_left_room_choice_3 : natural range 0 to 63;
+    variable forward_left_start_cost_0_choice_7, forward_left_start_cost_0_choice_8 : natural range 0 to 63;
+    variable forward_left_start_cost_0_choice_9, forward_left_room_value : natural range 0 to 63;
+    variable forward_left_room_choice, forward_left_room_choice_2, forward_left_room_choice_3 : natural range 0 to 63;
     variable forward_left_smallest_choice, forward_left_relief_pairs_0_choice : natural range 0 to 63;
     variable forward_left_relief_recent_choice, forward_left_relief_largest_choice : natural range 0 to 63;
-    variable sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2 : natural range 0 to 63;
-    variable sums_right_start_cost_0_choice_3, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 63;
-    variable sums_right_room_choice_3, sums_right_smallest_choice : natural range 0 to 63;
+    variable sums_right_start_cost_0_choice_7, sums_right_start_cost_0_choice_8 : natural range 0 to 63;
+    variable sums_right_start_cost_0_choice_9, sums_right_room_value, sums_right_room_choice : natural range 0 to 63;
+    variable sums_right_room_choice_2, sums_right_room_choice_3, sums_right_smallest_choice : natural range 0 to 63;
     variable sums_right_relief_pairs_0_choice, sums_right_relief_recent_choice : natural range 0 to 63;
     variable sums_right_relief_largest_choice, relief_newest_choice_17 : natural range 0 to 63;
     variable forward_left_smallest_difference : integer range -63 to 78;
+    variable forward_left_relief_reach_of_best_sum, forward_left_relief_reach_of_best_choice : natural range 0 to 190;
+    variable sums_right_relief_reach_of_best_sum, sums_right_relief_reach_of_best_choice : natural range 0 to 190;
+    variable other_0_choice_4, other_1_choice_4, other_2_choice_4 : natural range 0 to 190;
+    variable forward_left_relief_reach_of_best_choice_2 : natural range 0 to 255;
+    variable forward_left_relief_reach_of_best_choice_3 : natural range 0 to 255;
+    variable sums_right_relief_reach_of_best_choice_2 : natural range 0 to 255;
+    variable sums_right_relief_reach_of_best_choice_3, relief_newest_value_6 : natural range 0 to 255;
+    variable relief_newest_value_7, other_0_choice, other_0_choice_2, other_0_choice_3 : natural range 0 to 255;
+    variable other_1_choice, other_1_choice_2, other_1_choice_3, other_2_choice : natural range 0 to 255;
+    variable other_2_choice_2, other_2_choice_3 : natural range 0 to 255;
     variable forward_left_relief_leaves_choice, sums_right_relief_leaves_choice : natural range 64 to 127;
     variable forward_above_total_0_choice, forward_above_total_1_choice : natural range 0 to 31;
     variable forward_above_total_2_choice, forward_above_total_3_choice : natural range 0 to 31;
@@ -1334,12 +1371,7 @@ begin
     variable forward_above_write_words_1_choice, forward_above_write_words_1_choice_2 : natural range 0 to 68;
     variable forward_above_write_words_1_choice_3, forward_above_write_words_1_choice_4 : natural range 0 to 68;
     variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 68;
-    variable sums_right_room_sum : natural range 0 to 126;
     variable sums_right_smallest_difference : integer range -63 to 63;
-    variable relief_newest_value_6, relief_newest_value_7, other_0_choice, other_0_choice_2 : natural range 0 to 255;
-    variable other_0_choice_3, other_1_choice, other_1_choice_2, other_1_choice_3 : natural range 0 to 255;
-    variable other_2_choice, other_2_choice_2, other_2_choice_3 : natural range 0 to 255;
-    variable other_0_choice_4, other_1_choice_4, other_2_choice_4 : natural range 0 to 190;
   begin
     if rising_edge(clock) then
       -- transform
@@ -1540,599 +1572,639 @@ begin
         transform_left_filter_feature_0_choice_24 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and
           transform_left_filter_feature_0_value_6;
       end if;
+      transform_left_filter_feature_0_all := transform_filtering_0_column_inside_0 and (not
+        ((transform_left_filter_column_4_2 / 128) = 1));
+      if (transform_left_filter_column_0_2 / 128) = 1 then
+        transform_left_filter_feature_0_choice_25 := transform_filtering_0_column_inside_0;
+      else
+        transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_all;
+      end if;
       if transform_left_filter_feature_0_choice_24 then
-        transform_left_filter_feature_0_choice_25 := transform_filtering_0_column_inside_0 and
-          ((transform_left_filter_column_0_2 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_26 := ((transform_left_filter_column_0_2 / 128) = 1) and
+          transform_filtering_0_column_inside_0 and (not ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_25 := transform_filtering_0_column_inside_0 and
-          (((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25;
       end if;
-      if (transform_left_filter_column_4_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_26 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1);
+      if (transform_left_filter_column_0_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_27 := (transform_left_filter_column_4_2 mod 4) = 3;
       else
-        transform_left_filter_feature_0_choice_26 := (transform_left_filter_column_0_0 mod 4) = 0;
+        transform_left_filter_feature_0_choice_27 := transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_value then
-        transform_left_filter_feature_0_choice_27 := ((transform_left_filter_column_4_2 mod 2) = 1) or (not
-          (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1));
+      if ((transform_left_filter_column_0_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_28 := transform_left_filter_feature_0_choice_27;
       else
-        transform_left_filter_feature_0_choice_27 := transform_left_filter_feature_0_choice_26;
+        transform_left_filter_feature_0_choice_28 := (not ((transform_left_filter_column_0_0 mod 2) = 1)) or
+          transform_left_filter_feature_0_value or ((transform_left_filter_column_4_2 mod 2) = 1);
       end if;
       transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_27 then
-        transform_left_filter_feature_0_choice_28 := (not transform_left_filter_feature_0_value_2) and
-          transform_left_filter_feature_0_value_7;
+      if transform_left_filter_feature_0_choice_28 then
+        transform_left_filter_feature_0_choice_29 := transform_left_filter_feature_0_value_7 and (not
+          transform_left_filter_feature_0_value_2);
       else
-        transform_left_filter_feature_0_choice_28 := (not transform_left_filter_feature_0_value_2) or
-          transform_left_filter_feature_0_value_7;
+        transform_left_filter_feature_0_choice_29 := transform_left_filter_feature_0_value_7 or (not
+          transform_left_filter_feature_0_value_2);
       end if;
       transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_28 then
-        transform_left_filter_feature_0_choice_29 := (not transform_left_filter_feature_0_value_3) or
-          transform_left_filter_feature_0_value_8;
+      if transform_left_filter_feature_0_choice_29 then
+        transform_left_filter_feature_0_choice_30 := transform_left_filter_feature_0_value_8 or (not
+          transform_left_filter_feature_0_value_3);
       else
-        transform_left_filter_feature_0_choice_29 := (not transform_left_filter_feature_0_value_3) and
-          transform_left_filter_feature_0_value_8;
+        transform_left_filter_feature_0_choice_30 := transform_left_filter_feature_0_value_8 and (not
+          transform_left_filter_feature_0_value_3);
       end if;
       transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_29 then
-        transform_left_filter_feature_0_choice_30 := (not transform_left_filter_feature_0_value_4) or
-          transform_left_filter_feature_0_value_9;
+      if transform_left_filter_feature_0_choice_30 then
+        transform_left_filter_feature_0_choice_31 := transform_left_filter_feature_0_value_9 or (not
+          transform_left_filter_feature_0_value_4);
       else
-        transform_left_filter_feature_0_choice_30 := (not transform_left_filter_feature_0_value_4) and
-          transform_left_filter_feature_0_value_9;
+        transform_left_filter_feature_0_choice_31 := transform_left_filter_feature_0_value_9 and (not
+          transform_left_filter_feature_0_value_4);
       end if;
       transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_30 then
-        transform_left_filter_feature_0_choice_31 := (not transform_left_filter_feature_0_value_5) or
-          transform_left_filter_feature_0_value_10;
+      if transform_left_filter_feature_0_choice_31 then
+        transform_left_filter_feature_0_choice_32 := transform_left_filter_feature_0_value_10 or (not
+          transform_left_filter_feature_0_value_5);
       else
-        transform_left_filter_feature_0_choice_31 := (not transform_left_filter_feature_0_value_5) and
-          transform_left_filter_feature_0_value_10;
+        transform_left_filter_feature_0_choice_32 := transform_left_filter_feature_0_value_10 and (not
+          transform_left_filter_feature_0_value_5);
       end if;
       transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_31 then
-        transform_left_filter_feature_0_choice_32 := (not transform_left_filter_feature_0_value_6) or
-          transform_left_filter_feature_0_value_11;
-      else
-        transform_left_filter_feature_0_choice_32 := (not transform_left_filter_feature_0_value_6) and
-          transform_left_filter_feature_0_value_11;
-      end if;
       if transform_left_filter_feature_0_choice_32 then
-        transform_left_filter_feature_0_choice_33 := transform_filtering_0_column_inside_0 and ((not
-          ((transform_left_filter_column_4_2 / 128) = 1)) or ((transform_left_filter_column_0_0 / 128) = 1));
+        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_value_11 or (not
+          transform_left_filter_feature_0_value_6);
       else
-        transform_left_filter_feature_0_choice_33 := transform_filtering_0_column_inside_0 and (not
-          ((transform_left_filter_column_4_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
+        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_value_11 and (not
+          transform_left_filter_feature_0_value_6);
       end if;
-      if (transform_left_filter_column_0_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_any;
+      if (transform_left_filter_column_0_0 / 128) = 1 then
+        transform_left_filter_feature_0_choice_34 := transform_filtering_0_column_inside_0;
       else
-        transform_left_filter_feature_0_choice_34 := not transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_all;
       end if;
-      if ((transform_left_filter_column_0_4 / 2) mod 2) = 1 then
+      if transform_left_filter_feature_0_choice_33 then
         transform_left_filter_feature_0_choice_35 := transform_left_filter_feature_0_choice_34;
       else
-        transform_left_filter_feature_0_choice_35 := ((transform_left_filter_column_0_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_35 := ((transform_left_filter_column_0_0 / 128) = 1) and
+          transform_filtering_0_column_inside_0 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_36 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_36 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_37 := transform_left_filter_feature_0_choice_36;
+      else
+        transform_left_filter_feature_0_choice_37 := ((transform_left_filter_column_0_4 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_35 then
-        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_36 then
-        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
       if transform_left_filter_feature_0_choice_37 then
-        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_38 then
-        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_39 then
-        transform_left_filter_feature_0_choice_40 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
+        transform_left_filter_feature_0_choice_40 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_40 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
+        transform_left_filter_feature_0_choice_40 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_40 then
-        transform_left_filter_feature_0_choice_41 := transform_filtering_0_column_inside_0 and
+        transform_left_filter_feature_0_choice_41 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_41 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_41 then
+        transform_left_filter_feature_0_choice_42 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_42 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_42 then
+        transform_left_filter_feature_0_choice_43 := transform_filtering_0_column_inside_0 and
           ((transform_left_filter_column_0_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_41 := transform_filtering_0_column_inside_0 and
+        transform_left_filter_feature_0_choice_43 := transform_filtering_0_column_inside_0 and
           (((transform_left_filter_column_0_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
       end if;
       if (transform_left_filter_column_2_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_any;
+        transform_left_filter_feature_0_choice_44 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_42 := not transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_44 := not transform_left_filter_feature_0_value;
       end if;
       if ((transform_left_filter_column_2_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_43 := transform_left_filter_feature_0_choice_42;
+        transform_left_filter_feature_0_choice_45 := transform_left_filter_feature_0_choice_44;
       else
-        transform_left_filter_feature_0_choice_43 := ((transform_left_filter_column_2_2 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_45 := ((transform_left_filter_column_2_2 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_43 then
-        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_44 then
-        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_45 then
-        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_46 then
-        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_47 then
-        transform_left_filter_feature_0_choice_48 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
+        transform_left_filter_feature_0_choice_48 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_48 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
+        transform_left_filter_feature_0_choice_48 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_48 then
-        transform_left_filter_feature_0_choice_49 := transform_filtering_0_column_inside_2 and
-          ((transform_left_filter_column_2_2 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_49 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_49 := transform_filtering_0_column_inside_2 and
-          (((transform_left_filter_column_2_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+        transform_left_filter_feature_0_choice_49 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_49 then
+        transform_left_filter_feature_0_choice_50 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_50 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      transform_left_filter_feature_0_all_2 := transform_filtering_0_column_inside_2 and (not
+        ((transform_left_filter_column_4_2 / 128) = 1));
+      if (transform_left_filter_column_2_2 / 128) = 1 then
+        transform_left_filter_feature_0_choice_51 := transform_filtering_0_column_inside_2;
+      else
+        transform_left_filter_feature_0_choice_51 := transform_left_filter_feature_0_all_2;
+      end if;
+      if transform_left_filter_feature_0_choice_50 then
+        transform_left_filter_feature_0_choice_52 := ((transform_left_filter_column_2_2 / 128) = 1) and
+          transform_filtering_0_column_inside_2 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_52 := transform_left_filter_feature_0_choice_51;
       end if;
       if (transform_left_filter_column_2_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_any;
+        transform_left_filter_feature_0_choice_53 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_50 := not transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_53 := not transform_left_filter_feature_0_value;
       end if;
       if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_51 := transform_left_filter_feature_0_choice_50;
+        transform_left_filter_feature_0_choice_54 := transform_left_filter_feature_0_choice_53;
       else
-        transform_left_filter_feature_0_choice_51 := ((transform_left_filter_column_2_0 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_54 := ((transform_left_filter_column_2_0 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_51 then
-        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_52 then
-        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_53 then
-        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_54 then
-        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_55 then
-        transform_left_filter_feature_0_choice_56 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
+        transform_left_filter_feature_0_choice_56 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_56 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
+        transform_left_filter_feature_0_choice_56 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_56 then
-        transform_left_filter_feature_0_choice_57 := transform_filtering_0_column_inside_2 and
-          ((transform_left_filter_column_2_0 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_57 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_57 := transform_filtering_0_column_inside_2 and
-          (((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+        transform_left_filter_feature_0_choice_57 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      if (transform_left_filter_column_2_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_57 then
+        transform_left_filter_feature_0_choice_58 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_58 := not transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_58 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
-      if ((transform_left_filter_column_2_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_59 := transform_left_filter_feature_0_choice_58;
+      if transform_left_filter_feature_0_choice_58 then
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_59 := ((transform_left_filter_column_2_4 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if (transform_left_filter_column_2_0 / 128) = 1 then
+        transform_left_filter_feature_0_choice_60 := transform_filtering_0_column_inside_2;
+      else
+        transform_left_filter_feature_0_choice_60 := transform_left_filter_feature_0_all_2;
       end if;
       if transform_left_filter_feature_0_choice_59 then
-        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_61 := ((transform_left_filter_column_2_0 / 128) = 1) and
+          transform_filtering_0_column_inside_2 and (not ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_61 := transform_left_filter_feature_0_choice_60;
       end if;
-      if transform_left_filter_feature_0_choice_60 then
-        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      if (transform_left_filter_column_2_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_62 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_62 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_61 then
-        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if ((transform_left_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_63 := transform_left_filter_feature_0_choice_62;
       else
-        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_62 then
-        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_63 := ((transform_left_filter_column_2_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_63 then
-        transform_left_filter_feature_0_choice_64 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
+        transform_left_filter_feature_0_choice_64 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_64 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
+        transform_left_filter_feature_0_choice_64 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_64 then
-        transform_left_filter_feature_0_choice_65 := transform_filtering_0_column_inside_2 and
+        transform_left_filter_feature_0_choice_65 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_65 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_65 then
+        transform_left_filter_feature_0_choice_66 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_66 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_66 then
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_67 then
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_68 then
+        transform_left_filter_feature_0_choice_69 := transform_filtering_0_column_inside_2 and
           ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_65 := transform_filtering_0_column_inside_2 and
+        transform_left_filter_feature_0_choice_69 := transform_filtering_0_column_inside_2 and
           (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
       end if;
       if (transform_left_filter_column_6_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_any;
+        transform_left_filter_feature_0_choice_70 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_66 := not transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_70 := not transform_left_filter_feature_0_value;
       end if;
       if ((transform_left_filter_column_6_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_67 := transform_left_filter_feature_0_choice_66;
+        transform_left_filter_feature_0_choice_71 := transform_left_filter_feature_0_choice_70;
       else
-        transform_left_filter_feature_0_choice_67 := ((transform_left_filter_column_6_2 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_71 := ((transform_left_filter_column_6_2 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_67 then
-        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_68 then
-        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_69 then
-        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_70 then
-        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_71 then
-        transform_left_filter_feature_0_choice_72 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
+        transform_left_filter_feature_0_choice_72 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_72 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
+        transform_left_filter_feature_0_choice_72 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_72 then
-        transform_left_filter_feature_0_choice_73 := transform_filtering_0_column_inside_6 and
-          ((transform_left_filter_column_6_2 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_73 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_73 := transform_filtering_0_column_inside_6 and
-          (((transform_left_filter_column_6_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+        transform_left_filter_feature_0_choice_73 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      if (transform_left_filter_column_6_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_73 then
+        transform_left_filter_feature_0_choice_74 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_74 := not transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_74 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      if ((transform_left_filter_column_6_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_75 := transform_left_filter_feature_0_choice_74;
+      if transform_left_filter_feature_0_choice_74 then
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_75 := ((transform_left_filter_column_6_0 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_75 then
-        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      transform_left_filter_feature_0_all_3 := transform_filtering_0_column_inside_6 and (not
+        ((transform_left_filter_column_4_2 / 128) = 1));
+      if (transform_left_filter_column_6_2 / 128) = 1 then
+        transform_left_filter_feature_0_choice_77 := transform_filtering_0_column_inside_6;
+      else
+        transform_left_filter_feature_0_choice_77 := transform_left_filter_feature_0_all_3;
       end if;
       if transform_left_filter_feature_0_choice_76 then
-        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_78 := ((transform_left_filter_column_6_2 / 128) = 1) and
+          transform_filtering_0_column_inside_6 and (not ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_78 := transform_left_filter_feature_0_choice_77;
       end if;
-      if transform_left_filter_feature_0_choice_77 then
-        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if (transform_left_filter_column_6_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_79 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_79 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_78 then
-        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if ((transform_left_filter_column_6_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_80 := transform_left_filter_feature_0_choice_79;
       else
-        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_79 then
-        transform_left_filter_feature_0_choice_80 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_80 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_80 then
-        transform_left_filter_feature_0_choice_81 := transform_filtering_0_column_inside_6 and
-          ((transform_left_filter_column_6_0 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_81 := transform_filtering_0_column_inside_6 and
-          (((transform_left_filter_column_6_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
-      end if;
-      if (transform_left_filter_column_6_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_82 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_6_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_83 := transform_left_filter_feature_0_choice_82;
-      else
-        transform_left_filter_feature_0_choice_83 := ((transform_left_filter_column_6_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_6_0 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_83 then
-        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) and
+      if transform_left_filter_feature_0_choice_80 then
+        transform_left_filter_feature_0_choice_81 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
           transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_81 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or
           transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_81 then
+        transform_left_filter_feature_0_choice_82 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_82 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_82 then
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_83 then
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_84 then
-        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if (transform_left_filter_column_6_0 / 128) = 1 then
+        transform_left_filter_feature_0_choice_86 := transform_filtering_0_column_inside_6;
+      else
+        transform_left_filter_feature_0_choice_86 := transform_left_filter_feature_0_all_3;
       end if;
       if transform_left_filter_feature_0_choice_85 then
-        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_87 := ((transform_left_filter_column_6_0 / 128) = 1) and
+          transform_filtering_0_column_inside_6 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_87 := transform_left_filter_feature_0_choice_86;
+      end if;
+      if (transform_left_filter_column_6_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_88 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_88 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_choice_88;
+      else
+        transform_left_filter_feature_0_choice_89 := ((transform_left_filter_column_6_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_89 then
+        transform_left_filter_feature_0_choice_90 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_90 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_90 then
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_91 then
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) or
           transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) and
           transform_left_filter_feature_0_value_4;
       end if;
-      if transform_left_filter_feature_0_choice_86 then
-        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) or
+      if transform_left_filter_feature_0_choice_92 then
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) or
           transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) and
           transform_left_filter_feature_0_value_5;
       end if;
-      if transform_left_filter_feature_0_choice_87 then
-        transform_left_filter_feature_0_choice_88 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) or
+      if transform_left_filter_feature_0_choice_93 then
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) or
           transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_88 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) and
           transform_left_filter_feature_0_value_6;
       end if;
-      if transform_left_filter_feature_0_choice_88 then
-        transform_left_filter_feature_0_choice_89 := transform_filtering_0_column_inside_6 and
+      if transform_left_filter_feature_0_choice_94 then
+        transform_left_filter_feature_0_choice_95 := transform_filtering_0_column_inside_6 and
           ((transform_left_filter_column_6_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_89 := transform_filtering_0_column_inside_6 and
+        transform_left_filter_feature_0_choice_95 := transform_filtering_0_column_inside_6 and
           (((transform_left_filter_column_6_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
       end if;
       if (transform_left_filter_column_8_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_any;
+        transform_left_filter_feature_0_choice_96 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_90 := not transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_96 := not transform_left_filter_feature_0_value;
       end if;
       if ((transform_left_filter_column_8_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_91 := transform_left_filter_feature_0_choice_90;
+        transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_choice_96;
       else
-        transform_left_filter_feature_0_choice_91 := ((transform_left_filter_column_8_2 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_97 := ((transform_left_filter_column_8_2 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_91 then
-        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) and
+      if transform_left_filter_feature_0_choice_97 then
+        transform_left_filter_feature_0_choice_98 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) and
           transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_98 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) or
           transform_left_filter_feature_0_value_2;
       end if;
-      if transform_left_filter_feature_0_choice_92 then
-        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) or
+      if transform_left_filter_feature_0_choice_98 then
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) or
           transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) and
           transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_93 then
-        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_94 then
-        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_95 then
-        transform_left_filter_feature_0_choice_96 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_96 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_96 then
-        transform_left_filter_feature_0_choice_97 := transform_filtering_0_column_inside_8 and
-          ((transform_left_filter_column_8_2 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_97 := transform_filtering_0_column_inside_8 and
-          (((transform_left_filter_column_8_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
-      end if;
-      if (transform_left_filter_column_8_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_98 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_8_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_99 := transform_left_filter_feature_0_choice_98;
-      else
-        transform_left_filter_feature_0_choice_99 := ((transform_left_filter_column_8_0 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_99 then
-        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_100 then
-        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_101 then
-        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      transform_left_filter_feature_0_all_4 := transform_filtering_0_column_inside_8 and (not
+        ((transform_left_filter_column_4_2 / 128) = 1));
+      if (transform_left_filter_column_8_2 / 128) = 1 then
+        transform_left_filter_feature_0_choice_103 := transform_filtering_0_column_inside_8;
+      else
+        transform_left_filter_feature_0_choice_103 := transform_left_filter_feature_0_all_4;
       end if;
       if transform_left_filter_feature_0_choice_102 then
-        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_8_2 / 128) = 1) and
+          transform_filtering_0_column_inside_8 and (not ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_104 := transform_left_filter_feature_0_choice_103;
       end if;
-      if transform_left_filter_feature_0_choice_103 then
-        transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
+      if (transform_left_filter_column_8_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
+        transform_left_filter_feature_0_choice_105 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_104 then
-        transform_left_filter_feature_0_choice_105 := transform_filtering_0_column_inside_8 and
-          ((transform_left_filter_column_8_0 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      if ((transform_left_filter_column_8_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105;
       else
-        transform_left_filter_feature_0_choice_105 := transform_filtering_0_column_inside_8 and
-          (((transform_left_filter_column_8_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
-      end if;
-      if (transform_left_filter_column_8_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_106 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_8_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_107 := transform_left_filter_feature_0_choice_106;
-      else
-        transform_left_filter_feature_0_choice_107 := ((transform_left_filter_column_8_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_106 := ((transform_left_filter_column_8_0 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_107 then
-        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) and
+      if transform_left_filter_feature_0_choice_106 then
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) and
           transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) or
           transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_107 then
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_108 then
-        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_109 then
-        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_110 then
-        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if (transform_left_filter_column_8_0 / 128) = 1 then
+        transform_left_filter_feature_0_choice_112 := transform_filtering_0_column_inside_8;
+      else
+        transform_left_filter_feature_0_choice_112 := transform_left_filter_feature_0_all_4;
       end if;
       if transform_left_filter_feature_0_choice_111 then
-        transform_left_filter_feature_0_choice_112 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_113 := ((transform_left_filter_column_8_0 / 128) = 1) and
+          transform_filtering_0_column_inside_8 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_choice_112;
+      end if;
+      if (transform_left_filter_column_8_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_114 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_115 := transform_left_filter_feature_0_choice_114;
+      else
+        transform_left_filter_feature_0_choice_115 := ((transform_left_filter_column_8_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_115 then
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_116 then
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_117 then
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_118 then
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_119 then
+        transform_left_filter_feature_0_choice_120 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) or
           transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_112 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_120 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) and
           transform_left_filter_feature_0_value_6;
       end if;
-      if transform_left_filter_feature_0_choice_112 then
-        transform_left_filter_feature_0_choice_113 := transform_filtering_0_column_inside_8 and
+      if transform_left_filter_feature_0_choice_120 then
+        transform_left_filter_feature_0_choice_121 := transform_filtering_0_column_inside_8 and
           ((transform_left_filter_column_8_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_113 := transform_filtering_0_column_inside_8 and
+        transform_left_filter_feature_0_choice_121 := transform_filtering_0_column_inside_8 and
           (((transform_left_filter_column_8_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
       end if;
       transform_right_filter_feature_0_value := ((transform_right_filter_column_4_2 / 2) mod 2) = 1;
@@ -2302,601 +2374,656 @@ begin
         transform_right_filter_feature_0_choice_24 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and
           transform_right_filter_feature_0_value_6;
       end if;
+      transform_right_filter_feature_0_all := transform_filtering_0_column_inside_0 and (not
+        ((transform_right_filter_column_4_2 / 128) = 1));
+      if (transform_right_filter_column_0_2 / 128) = 1 then
+        transform_right_filter_feature_0_choice_25 := transform_filtering_0_column_inside_0;
+      else
+        transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_all;
+      end if;
       if transform_right_filter_feature_0_choice_24 then
-        transform_right_filter_feature_0_choice_25 := transform_filtering_0_column_inside_0 and
-          ((transform_right_filter_column_0_2 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+        transform_right_filter_feature_0_choice_26 := ((transform_right_filter_column_0_2 / 128) = 1) and
+          transform_filtering_0_column_inside_0 and (not ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_25 := transform_filtering_0_column_inside_0 and
-          (((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25;
       end if;
-      if (transform_right_filter_column_4_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_26 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1);
+      if (transform_right_filter_column_0_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_27 := (transform_right_filter_column_4_2 mod 4) = 3;
       else
-        transform_right_filter_feature_0_choice_26 := (transform_right_filter_column_0_0 mod 4) = 0;
+        transform_right_filter_feature_0_choice_27 := transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_value then
-        transform_right_filter_feature_0_choice_27 := ((transform_right_filter_column_4_2 mod 2) = 1) or (not
-          (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) =
-          1));
+      if ((transform_right_filter_column_0_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_28 := transform_right_filter_feature_0_choice_27;
       else
-        transform_right_filter_feature_0_choice_27 := transform_right_filter_feature_0_choice_26;
+        transform_right_filter_feature_0_choice_28 := (not ((transform_right_filter_column_0_0 mod 2) = 1)) or
+          transform_right_filter_feature_0_value or ((transform_right_filter_column_4_2 mod 2) = 1);
       end if;
       transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_27 then
-        transform_right_filter_feature_0_choice_28 := (not transform_right_filter_feature_0_value_2) and
-          transform_right_filter_feature_0_value_7;
+      if transform_right_filter_feature_0_choice_28 then
+        transform_right_filter_feature_0_choice_29 := transform_right_filter_feature_0_value_7 and (not
+          transform_right_filter_feature_0_value_2);
       else
-        transform_right_filter_feature_0_choice_28 := (not transform_right_filter_feature_0_value_2) or
-          transform_right_filter_feature_0_value_7;
+        transform_right_filter_feature_0_choice_29 := transform_right_filter_feature_0_value_7 or (not
+          transform_right_filter_feature_0_value_2);
       end if;
       transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_28 then
-        transform_right_filter_feature_0_choice_29 := (not transform_right_filter_feature_0_value_3) or
-          transform_right_filter_feature_0_value_8;
+      if transform_right_filter_feature_0_choice_29 then
+        transform_right_filter_feature_0_choice_30 := transform_right_filter_feature_0_value_8 or (not
+          transform_right_filter_feature_0_value_3);
       else
-        transform_right_filter_feature_0_choice_29 := (not transform_right_filter_feature_0_value_3) and
-          transform_right_filter_feature_0_value_8;
+        transform_right_filter_feature_0_choice_30 := transform_right_filter_feature_0_value_8 and (not
+          transform_right_filter_feature_0_value_3);
       end if;
       transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_29 then
-        transform_right_filter_feature_0_choice_30 := (not transform_right_filter_feature_0_value_4) or
-          transform_right_filter_feature_0_value_9;
+      if transform_right_filter_feature_0_choice_30 then
+        transform_right_filter_feature_0_choice_31 := transform_right_filter_feature_0_value_9 or (not
+          transform_right_filter_feature_0_value_4);
       else
-        transform_right_filter_feature_0_choice_30 := (not transform_right_filter_feature_0_value_4) and
-          transform_right_filter_feature_0_value_9;
+        transform_right_filter_feature_0_choice_31 := transform_right_filter_feature_0_value_9 and (not
+          transform_right_filter_feature_0_value_4);
       end if;
       transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_30 then
-        transform_right_filter_feature_0_choice_31 := (not transform_right_filter_feature_0_value_5) or
-          transform_right_filter_feature_0_value_10;
+      if transform_right_filter_feature_0_choice_31 then
+        transform_right_filter_feature_0_choice_32 := transform_right_filter_feature_0_value_10 or (not
+          transform_right_filter_feature_0_value_5);
       else
-        transform_right_filter_feature_0_choice_31 := (not transform_right_filter_feature_0_value_5) and
-          transform_right_filter_feature_0_value_10;
+        transform_right_filter_feature_0_choice_32 := transform_right_filter_feature_0_value_10 and (not
+          transform_right_filter_feature_0_value_5);
       end if;
       transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_31 then
-        transform_right_filter_feature_0_choice_32 := (not transform_right_filter_feature_0_value_6) or
-          transform_right_filter_feature_0_value_11;
-      else
-        transform_right_filter_feature_0_choice_32 := (not transform_right_filter_feature_0_value_6) and
-          transform_right_filter_feature_0_value_11;
-      end if;
       if transform_right_filter_feature_0_choice_32 then
-        transform_right_filter_feature_0_choice_33 := transform_filtering_0_column_inside_0 and ((not
-          ((transform_right_filter_column_4_2 / 128) = 1)) or ((transform_right_filter_column_0_0 / 128) = 1));
+        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_value_11 or (not
+          transform_right_filter_feature_0_value_6);
       else
-        transform_right_filter_feature_0_choice_33 := transform_filtering_0_column_inside_0 and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
+        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_value_11 and (not
+          transform_right_filter_feature_0_value_6);
       end if;
-      if (transform_right_filter_column_0_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_any;
+      if (transform_right_filter_column_0_0 / 128) = 1 then
+        transform_right_filter_feature_0_choice_34 := transform_filtering_0_column_inside_0;
       else
-        transform_right_filter_feature_0_choice_34 := not transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_all;
       end if;
-      if ((transform_right_filter_column_0_4 / 2) mod 2) = 1 then
+      if transform_right_filter_feature_0_choice_33 then
         transform_right_filter_feature_0_choice_35 := transform_right_filter_feature_0_choice_34;
       else
-        transform_right_filter_feature_0_choice_35 := ((transform_right_filter_column_0_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_35 := ((transform_right_filter_column_0_0 / 128) = 1) and
+          transform_filtering_0_column_inside_0 and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_36 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_36 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_37 := transform_right_filter_feature_0_choice_36;
+      else
+        transform_right_filter_feature_0_choice_37 := ((transform_right_filter_column_0_4 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_35 then
-        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_36 then
-        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_37 then
-        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_38 then
-        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_39 then
-        transform_right_filter_feature_0_choice_40 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_40 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_40 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_40 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_40 then
-        transform_right_filter_feature_0_choice_41 := transform_filtering_0_column_inside_0 and
-          ((transform_right_filter_column_0_4 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+        transform_right_filter_feature_0_choice_41 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_41 := transform_filtering_0_column_inside_0 and
-          (((transform_right_filter_column_0_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+        transform_right_filter_feature_0_choice_41 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_41 then
+        transform_right_filter_feature_0_choice_42 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_42 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if (transform_right_filter_column_0_4 / 128) = 1 then
+        transform_right_filter_feature_0_choice_43 := transform_filtering_0_column_inside_0;
+      else
+        transform_right_filter_feature_0_choice_43 := transform_right_filter_feature_0_all;
+      end if;
+      if transform_right_filter_feature_0_choice_42 then
+        transform_right_filter_feature_0_choice_44 := ((transform_right_filter_column_0_4 / 128) = 1) and
+          transform_filtering_0_column_inside_0 and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_44 := transform_right_filter_feature_0_choice_43;
       end if;
       if (transform_right_filter_column_2_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_any;
+        transform_right_filter_feature_0_choice_45 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_42 := not transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_45 := not transform_right_filter_feature_0_value;
       end if;
       if ((transform_right_filter_column_2_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_43 := transform_right_filter_feature_0_choice_42;
+        transform_right_filter_feature_0_choice_46 := transform_right_filter_feature_0_choice_45;
       else
-        transform_right_filter_feature_0_choice_43 := ((transform_right_filter_column_2_2 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_46 := ((transform_right_filter_column_2_2 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_43 then
-        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_44 then
-        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_45 then
-        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_46 then
-        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_47 then
-        transform_right_filter_feature_0_choice_48 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_48 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_48 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_48 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_48 then
-        transform_right_filter_feature_0_choice_49 := transform_filtering_0_column_inside_2 and
-          ((transform_right_filter_column_2_2 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+        transform_right_filter_feature_0_choice_49 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_49 := transform_filtering_0_column_inside_2 and
-          (((transform_right_filter_column_2_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+        transform_right_filter_feature_0_choice_49 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
-      if (transform_right_filter_column_2_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_49 then
+        transform_right_filter_feature_0_choice_50 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_50 := not transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_50 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
-      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_51 := transform_right_filter_feature_0_choice_50;
+      if transform_right_filter_feature_0_choice_50 then
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_51 := ((transform_right_filter_column_2_0 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      transform_right_filter_feature_0_all_2 := transform_filtering_0_column_inside_2 and (not
+        ((transform_right_filter_column_4_2 / 128) = 1));
+      if (transform_right_filter_column_2_2 / 128) = 1 then
+        transform_right_filter_feature_0_choice_52 := transform_filtering_0_column_inside_2;
+      else
+        transform_right_filter_feature_0_choice_52 := transform_right_filter_feature_0_all_2;
       end if;
       if transform_right_filter_feature_0_choice_51 then
-        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_53 := ((transform_right_filter_column_2_2 / 128) = 1) and
+          transform_filtering_0_column_inside_2 and (not ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_53 := transform_right_filter_feature_0_choice_52;
       end if;
-      if transform_right_filter_feature_0_choice_52 then
-        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      if (transform_right_filter_column_2_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_54 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_54 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_53 then
-        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_55 := transform_right_filter_feature_0_choice_54;
       else
-        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_54 then
-        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_55 := ((transform_right_filter_column_2_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_55 then
-        transform_right_filter_feature_0_choice_56 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_56 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_56 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_56 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_56 then
-        transform_right_filter_feature_0_choice_57 := transform_filtering_0_column_inside_2 and
-          ((transform_right_filter_column_2_0 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+        transform_right_filter_feature_0_choice_57 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_57 := transform_filtering_0_column_inside_2 and
-          (((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+        transform_right_filter_feature_0_choice_57 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
-      if (transform_right_filter_column_2_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_57 then
+        transform_right_filter_feature_0_choice_58 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_58 := not transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_58 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
-      if ((transform_right_filter_column_2_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_59 := transform_right_filter_feature_0_choice_58;
+      if transform_right_filter_feature_0_choice_58 then
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_59 := ((transform_right_filter_column_2_4 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_59 then
-        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if (transform_right_filter_column_2_0 / 128) = 1 then
+        transform_right_filter_feature_0_choice_61 := transform_filtering_0_column_inside_2;
+      else
+        transform_right_filter_feature_0_choice_61 := transform_right_filter_feature_0_all_2;
       end if;
       if transform_right_filter_feature_0_choice_60 then
-        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_62 := ((transform_right_filter_column_2_0 / 128) = 1) and
+          transform_filtering_0_column_inside_2 and (not ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_62 := transform_right_filter_feature_0_choice_61;
       end if;
-      if transform_right_filter_feature_0_choice_61 then
-        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if (transform_right_filter_column_2_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_63 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_63 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_62 then
-        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if ((transform_right_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_64 := transform_right_filter_feature_0_choice_63;
       else
-        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_63 then
-        transform_right_filter_feature_0_choice_64 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_64 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_2_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_64 then
-        transform_right_filter_feature_0_choice_65 := transform_filtering_0_column_inside_2 and
-          ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+        transform_right_filter_feature_0_choice_65 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_65 := transform_filtering_0_column_inside_2 and
-          (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+        transform_right_filter_feature_0_choice_65 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
-      if (transform_right_filter_column_6_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_65 then
+        transform_right_filter_feature_0_choice_66 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_66 := not transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_66 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
-      if ((transform_right_filter_column_6_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_67 := transform_right_filter_feature_0_choice_66;
+      if transform_right_filter_feature_0_choice_66 then
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_67 := ((transform_right_filter_column_6_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_67 then
-        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_68 then
-        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if (transform_right_filter_column_2_4 / 128) = 1 then
+        transform_right_filter_feature_0_choice_70 := transform_filtering_0_column_inside_2;
+      else
+        transform_right_filter_feature_0_choice_70 := transform_right_filter_feature_0_all_2;
       end if;
       if transform_right_filter_feature_0_choice_69 then
-        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_71 := ((transform_right_filter_column_2_4 / 128) = 1) and
+          transform_filtering_0_column_inside_2 and (not ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_71 := transform_right_filter_feature_0_choice_70;
       end if;
-      if transform_right_filter_feature_0_choice_70 then
-        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if (transform_right_filter_column_6_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_72 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_72 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_71 then
-        transform_right_filter_feature_0_choice_72 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+      if ((transform_right_filter_column_6_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_choice_72;
       else
-        transform_right_filter_feature_0_choice_72 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_72 then
-        transform_right_filter_feature_0_choice_73 := transform_filtering_0_column_inside_6 and
-          ((transform_right_filter_column_6_2 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_73 := transform_filtering_0_column_inside_6 and
-          (((transform_right_filter_column_6_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
-      end if;
-      if (transform_right_filter_column_6_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_74 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_6_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_75 := transform_right_filter_feature_0_choice_74;
-      else
-        transform_right_filter_feature_0_choice_75 := ((transform_right_filter_column_6_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_73 := ((transform_right_filter_column_6_2 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_73 then
+        transform_right_filter_feature_0_choice_74 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_74 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_74 then
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_75 then
-        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_76 then
-        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_77 then
-        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      transform_right_filter_feature_0_all_3 := transform_filtering_0_column_inside_6 and (not
+        ((transform_right_filter_column_4_2 / 128) = 1));
+      if (transform_right_filter_column_6_2 / 128) = 1 then
+        transform_right_filter_feature_0_choice_79 := transform_filtering_0_column_inside_6;
+      else
+        transform_right_filter_feature_0_choice_79 := transform_right_filter_feature_0_all_3;
       end if;
       if transform_right_filter_feature_0_choice_78 then
-        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_6_2 / 128) = 1) and
+          transform_filtering_0_column_inside_6 and (not ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_80 := transform_right_filter_feature_0_choice_79;
       end if;
-      if transform_right_filter_feature_0_choice_79 then
-        transform_right_filter_feature_0_choice_80 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+      if (transform_right_filter_column_6_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_80 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_81 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_80 then
-        transform_right_filter_feature_0_choice_81 := transform_filtering_0_column_inside_6 and
-          ((transform_right_filter_column_6_0 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      if ((transform_right_filter_column_6_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81;
       else
-        transform_right_filter_feature_0_choice_81 := transform_filtering_0_column_inside_6 and
-          (((transform_right_filter_column_6_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
-      end if;
-      if (transform_right_filter_column_6_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_82 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_6_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_83 := transform_right_filter_feature_0_choice_82;
-      else
-        transform_right_filter_feature_0_choice_83 := ((transform_right_filter_column_6_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_82 := ((transform_right_filter_column_6_0 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_83 then
-        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) and
+      if transform_right_filter_feature_0_choice_82 then
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
           transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or
           transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_83 then
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_84 then
-        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_85 then
-        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_86 then
-        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if (transform_right_filter_column_6_0 / 128) = 1 then
+        transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_6;
+      else
+        transform_right_filter_feature_0_choice_88 := transform_right_filter_feature_0_all_3;
       end if;
       if transform_right_filter_feature_0_choice_87 then
-        transform_right_filter_feature_0_choice_88 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_89 := ((transform_right_filter_column_6_0 / 128) = 1) and
+          transform_filtering_0_column_inside_6 and (not ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_88 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_choice_88;
       end if;
-      if transform_right_filter_feature_0_choice_88 then
-        transform_right_filter_feature_0_choice_89 := transform_filtering_0_column_inside_6 and
-          ((transform_right_filter_column_6_4 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_89 := transform_filtering_0_column_inside_6 and
-          (((transform_right_filter_column_6_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
-      end if;
-      if (transform_right_filter_column_8_2 mod 2) = 1 then
+      if (transform_right_filter_column_6_4 mod 2) = 1 then
         transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_any;
       else
         transform_right_filter_feature_0_choice_90 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_8_2 / 2) mod 2) = 1 then
+      if ((transform_right_filter_column_6_4 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_91 := transform_right_filter_feature_0_choice_90;
       else
-        transform_right_filter_feature_0_choice_91 := ((transform_right_filter_column_8_2 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_91 := ((transform_right_filter_column_6_4 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_91 then
-        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) and
           transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) or
           transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_92 then
-        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) or
           transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) and
           transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_93 then
-        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) or
           transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) and
           transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_94 then
-        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) or
           transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) and
           transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_95 then
-        transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) or
           transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) and
           transform_right_filter_feature_0_value_6;
+      end if;
+      if (transform_right_filter_column_6_4 / 128) = 1 then
+        transform_right_filter_feature_0_choice_97 := transform_filtering_0_column_inside_6;
+      else
+        transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_all_3;
       end if;
       if transform_right_filter_feature_0_choice_96 then
-        transform_right_filter_feature_0_choice_97 := transform_filtering_0_column_inside_8 and
-          ((transform_right_filter_column_8_2 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+        transform_right_filter_feature_0_choice_98 := ((transform_right_filter_column_6_4 / 128) = 1) and
+          transform_filtering_0_column_inside_6 and (not ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_97 := transform_filtering_0_column_inside_8 and
-          (((transform_right_filter_column_8_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97;
       end if;
-      if (transform_right_filter_column_8_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_any;
+      if (transform_right_filter_column_8_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_99 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_98 := not transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_99 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_8_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_99 := transform_right_filter_feature_0_choice_98;
+      if ((transform_right_filter_column_8_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_100 := transform_right_filter_feature_0_choice_99;
       else
-        transform_right_filter_feature_0_choice_99 := ((transform_right_filter_column_8_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_100 := ((transform_right_filter_column_8_2 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_99 then
-        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_100 then
-        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_101 then
-        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_102 then
-        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_103 then
-        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_104 then
-        transform_right_filter_feature_0_choice_105 := transform_filtering_0_column_inside_8 and
-          ((transform_right_filter_column_8_0 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+        transform_right_filter_feature_0_choice_105 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_105 := transform_filtering_0_column_inside_8 and
-          (((transform_right_filter_column_8_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+        transform_right_filter_feature_0_choice_105 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
-      if (transform_right_filter_column_8_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_any;
+      transform_right_filter_feature_0_all_4 := transform_filtering_0_column_inside_8 and (not
+        ((transform_right_filter_column_4_2 / 128) = 1));
+      if (transform_right_filter_column_8_2 / 128) = 1 then
+        transform_right_filter_feature_0_choice_106 := transform_filtering_0_column_inside_8;
       else
-        transform_right_filter_feature_0_choice_106 := not transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_all_4;
       end if;
-      if ((transform_right_filter_column_8_4 / 2) mod 2) = 1 then
+      if transform_right_filter_feature_0_choice_105 then
+        transform_right_filter_feature_0_choice_107 := ((transform_right_filter_column_8_2 / 128) = 1) and
+          transform_filtering_0_column_inside_8 and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
         transform_right_filter_feature_0_choice_107 := transform_right_filter_feature_0_choice_106;
+      end if;
+      if (transform_right_filter_column_8_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_108 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_107 := ((transform_right_filter_column_8_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_108 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_109 := transform_right_filter_feature_0_choice_108;
+      else
+        transform_right_filter_feature_0_choice_109 := ((transform_right_filter_column_8_0 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_107 then
-        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_108 then
-        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
       if transform_right_filter_feature_0_choice_109 then
-        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_110 then
-        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_111 then
-        transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
+        transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_112 then
-        transform_right_filter_feature_0_choice_113 := transform_filtering_0_column_inside_8 and
-          ((transform_right_filter_column_8_4 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1));
+        transform_right_filter_feature_0_choice_113 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_113 := transform_filtering_0_column_inside_8 and
-          (((transform_right_filter_column_8_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+        transform_right_filter_feature_0_choice_113 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_113 then
+        transform_right_filter_feature_0_choice_114 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_114 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if (transform_right_filter_column_8_0 / 128) = 1 then
+        transform_right_filter_feature_0_choice_115 := transform_filtering_0_column_inside_8;
+      else
+        transform_right_filter_feature_0_choice_115 := transform_right_filter_feature_0_all_4;
+      end if;
+      if transform_right_filter_feature_0_choice_114 then
+        transform_right_filter_feature_0_choice_116 := ((transform_right_filter_column_8_0 / 128) = 1) and
+          transform_filtering_0_column_inside_8 and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_116 := transform_right_filter_feature_0_choice_115;
+      end if;
+      if (transform_right_filter_column_8_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_117 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_117 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_118 := transform_right_filter_feature_0_choice_117;
+      else
+        transform_right_filter_feature_0_choice_118 := ((transform_right_filter_column_8_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_118 then
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_119 then
+        transform_right_filter_feature_0_choice_120 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_120 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_120 then
+        transform_right_filter_feature_0_choice_121 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_121 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_121 then
+        transform_right_filter_feature_0_choice_122 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_122 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_122 then
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if (transform_right_filter_column_8_4 / 128) = 1 then
+        transform_right_filter_feature_0_choice_124 := transform_filtering_0_column_inside_8;
+      else
+        transform_right_filter_feature_0_choice_124 := transform_right_filter_feature_0_all_4;
+      end if;
+      if transform_right_filter_feature_0_choice_123 then
+        transform_right_filter_feature_0_choice_125 := ((transform_right_filter_column_8_4 / 128) = 1) and
+          transform_filtering_0_column_inside_8 and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_125 := transform_right_filter_feature_0_choice_124;
       end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
@@ -2949,29 +3076,29 @@ begin
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
       transform_left_filter_feature_0 <= (transform_left_filter_feature_0_choice_17 * 64) +
-        (as_number(transform_left_filter_feature_0_choice_25) * 2) +
-        as_number(transform_left_filter_feature_0_choice_33) + (as_number(transform_left_filter_feature_0_choice_41) *
-        4) + (as_number(transform_left_filter_feature_0_choice_49) * 16) +
-        (as_number(transform_left_filter_feature_0_choice_57) * 8) +
-        (as_number(transform_left_filter_feature_0_choice_65) * 32) +
-        (as_number(transform_left_filter_feature_0_choice_73) * 512) +
-        (as_number(transform_left_filter_feature_0_choice_81) * 256) +
-        (as_number(transform_left_filter_feature_0_choice_89) * 1024) +
-        (as_number(transform_left_filter_feature_0_choice_97) * 4096) +
-        (as_number(transform_left_filter_feature_0_choice_105) * 2048) +
-        (as_number(transform_left_filter_feature_0_choice_113) * 8192);
+        (as_number(transform_left_filter_feature_0_choice_26) * 2) +
+        as_number(transform_left_filter_feature_0_choice_35) + (as_number(transform_left_filter_feature_0_choice_43) *
+        4) + (as_number(transform_left_filter_feature_0_choice_52) * 16) +
+        (as_number(transform_left_filter_feature_0_choice_61) * 8) +
+        (as_number(transform_left_filter_feature_0_choice_69) * 32) +
+        (as_number(transform_left_filter_feature_0_choice_78) * 512) +
+        (as_number(transform_left_filter_feature_0_choice_87) * 256) +
+        (as_number(transform_left_filter_feature_0_choice_95) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice_104) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice_113) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice_121) * 8192);
       transform_right_filter_feature_0 <= (transform_right_filter_feature_0_choice_17 * 64) +
-        (as_number(transform_right_filter_feature_0_choice_25) * 2) +
-        as_number(transform_right_filter_feature_0_choice_33) + (as_number(transform_right_filter_feature_0_choice_41)
-        * 4) + (as_number(transform_right_filter_feature_0_choice_49) * 16) +
-        (as_number(transform_right_filter_feature_0_choice_57) * 8) +
-        (as_number(transform_right_filter_feature_0_choice_65) * 32) +
-        (as_number(transform_right_filter_feature_0_choice_73) * 512) +
-        (as_number(transform_right_filter_feature_0_choice_81) * 256) +
-        (as_number(transform_right_filter_feature_0_choice_89) * 1024) +
-        (as_number(transform_right_filter_feature_0_choice_97) * 4096) +
-        (as_number(transform_right_filter_feature_0_choice_105) * 2048) +
-        (as_number(transform_right_filter_feature_0_choice_113) * 8192);
+        (as_number(transform_right_filter_feature_0_choice_26) * 2) +
+        as_number(transform_right_filter_feature_0_choice_35) + (as_number(transform_right_filter_feature_0_choice_44)
+        * 4) + (as_number(transform_right_filter_feature_0_choice_53) * 16) +
+        (as_number(transform_right_filter_feature_0_choice_62) * 8) +
+        (as_number(transform_right_filter_feature_0_choice_71) * 32) +
+        (as_number(transform_right_filter_feature_0_choice_80) * 512) +
+        (as_number(transform_right_filter_feature_0_choice_89) * 256) +
+        (as_number(transform_right_filter_feature_0_choice_98) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice_107) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice_116) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice_125) * 8192);
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
@@ -2981,7 +3108,7 @@ begin
       transform_filtering_0_valid <= transform_columns_valid;
       transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
       transform_filtering_1_valid <= transform_filtering_0_valid;
-      if in_start_of_frame and in_valid then
+      if in_valid and in_start_of_frame then
         transform_counter_group <= transform_counter_group_choice * 4;
       else
         transform_counter_group <= transform_counter_group_choice_3;
@@ -4535,35 +4662,78 @@ begin
       end if;
       forward_left_start_cost_0_any := ((((forward_left_tree_next_next_smallest_0 mod 64) + forward_left_relief_beyond)
         / 64) = 1) or ((forward_left_tree_next_next_smallest_0 / 64) = 1);
-      forward_left_start_cost_0_any_2 := ((forward_left_relief_reach / 128) = 1) or (((forward_left_relief_reach / 64)
-        mod 2) = 1);
-      if forward_left_start_cost_0_any_2 then
-        forward_left_start_cost_0_choice := forward_left_relief_reach mod 64;
+      if (forward_left_relief_largest mod 2) = 1 then
+        forward_left_start_cost_0_choice := (not (((forward_left_room / 2) mod 2) = 1)) or (not ((forward_left_room mod
+          2) = 1));
       else
-        forward_left_start_cost_0_choice := 0;
+        forward_left_start_cost_0_choice := not (((forward_left_room / 2) mod 2) = 1);
+      end if;
+      if ((forward_left_relief_largest / 2) mod 2) = 1 then
+        forward_left_start_cost_0_choice_2 := forward_left_start_cost_0_choice;
+      else
+        forward_left_start_cost_0_choice_2 := ((forward_left_relief_largest mod 2) = 1) and ((forward_left_room mod 4)
+          = 0);
+      end if;
+      forward_left_start_cost_0_value := ((forward_left_room / 4) mod 2) = 1;
+      if forward_left_start_cost_0_choice_2 then
+        forward_left_start_cost_0_choice_3 := (not (((forward_left_relief_largest / 4) mod 2) = 1)) and
+          forward_left_start_cost_0_value;
+      else
+        forward_left_start_cost_0_choice_3 := (not (((forward_left_relief_largest / 4) mod 2) = 1)) or
+          forward_left_start_cost_0_value;
+      end if;
+      forward_left_start_cost_0_value_2 := ((forward_left_room / 8) mod 2) = 1;
+      if forward_left_start_cost_0_choice_3 then
+        forward_left_start_cost_0_choice_4 := (not (((forward_left_relief_largest / 8) mod 2) = 1)) or
+          forward_left_start_cost_0_value_2;
+      else
+        forward_left_start_cost_0_choice_4 := (not (((forward_left_relief_largest / 8) mod 2) = 1)) and
+          forward_left_start_cost_0_value_2;
+      end if;
+      forward_left_start_cost_0_value_3 := ((forward_left_room / 16) mod 2) = 1;
+      if forward_left_start_cost_0_choice_4 then
+        forward_left_start_cost_0_choice_5 := (not (((forward_left_relief_largest / 16) mod 2) = 1)) or
+          forward_left_start_cost_0_value_3;
+      else
+        forward_left_start_cost_0_choice_5 := (not (((forward_left_relief_largest / 16) mod 2) = 1)) and
+          forward_left_start_cost_0_value_3;
+      end if;
+      if forward_left_start_cost_0_choice_5 then
+        forward_left_start_cost_0_choice_6 := ((forward_left_relief_largest / 32) = 1) and (not ((forward_left_room /
+          32) = 1));
+      else
+        forward_left_start_cost_0_choice_6 := ((forward_left_relief_largest / 32) = 1) or (not ((forward_left_room /
+          32) = 1));
+      end if;
+      if forward_left_start_cost_0_choice_6 then
+        forward_left_start_cost_0_choice_7 := 0;
+      else
+        forward_left_start_cost_0_choice_7 := (forward_left_room - forward_left_relief_largest) mod 64;
       end if;
       forward_left_start_cost_0_is_less := 127 < ((forward_left_tree_next_next_smallest_0 mod 64) +
         forward_left_relief_reach_of_best);
       if forward_left_start_cost_0_is_less then
-        forward_left_start_cost_0_choice_2 := (forward_left_tree_next_next_smallest_0 +
+        forward_left_start_cost_0_choice_8 := (forward_left_tree_next_next_smallest_0 +
           forward_left_relief_reach_of_best) mod 64;
       else
-        forward_left_start_cost_0_choice_2 := 0;
+        forward_left_start_cost_0_choice_8 := 0;
       end if;
       if forward_left_start_cost_0_any then
-        forward_left_start_cost_0_choice_3 := forward_left_start_cost_0_choice;
+        forward_left_start_cost_0_choice_9 := forward_left_start_cost_0_choice_7;
       else
-        forward_left_start_cost_0_choice_3 := forward_left_start_cost_0_choice_2;
+        forward_left_start_cost_0_choice_9 := forward_left_start_cost_0_choice_8;
       end if;
-      if forward_left_start_cost_0_any_2 then
-        forward_left_room_choice := forward_left_relief_largest;
+      forward_left_room_value := (forward_left_start_cost_6 + forward_left_room) mod 64;
+      if forward_left_start_cost_0_choice_6 then
+        forward_left_room_choice := forward_left_room_value;
       else
-        forward_left_room_choice := forward_left_room;
+        forward_left_room_choice := (forward_left_start_cost_6 + forward_left_relief_largest) mod 64;
       end if;
       if forward_left_start_cost_0_is_less then
-        forward_left_room_choice_2 := (forward_left_relief_past_6 - forward_left_tree_next_next_smallest_0) mod 64;
+        forward_left_room_choice_2 := (forward_left_relief_room_of_best - forward_left_tree_next_next_smallest_0) mod
+          64;
       else
-        forward_left_room_choice_2 := forward_left_room;
+        forward_left_room_choice_2 := forward_left_room_value;
       end if;
       if forward_left_start_cost_0_any then
         forward_left_room_choice_3 := forward_left_room_choice;
@@ -4591,6 +4761,23 @@ begin
         forward_left_relief_largest_choice := forward_left_relief_recent;
       else
         forward_left_relief_largest_choice := forward_reliefs_moved_2;
+      end if;
+      forward_left_relief_reach_of_best_sum := forward_left_room + forward_left_relief_leaves;
+      if forward_left_start_cost_0_choice_6 then
+        forward_left_relief_reach_of_best_choice := forward_left_relief_reach_of_best_sum;
+      else
+        forward_left_relief_reach_of_best_choice := forward_left_relief_largest + forward_left_relief_leaves;
+      end if;
+      if forward_left_start_cost_0_is_less then
+        forward_left_relief_reach_of_best_choice_2 := (forward_left_relief_reach_again -
+          (forward_left_tree_next_next_smallest_0 mod 64)) mod 256;
+      else
+        forward_left_relief_reach_of_best_choice_2 := forward_left_relief_reach_of_best_sum;
+      end if;
+      if forward_left_start_cost_0_any then
+        forward_left_relief_reach_of_best_choice_3 := forward_left_relief_reach_of_best_choice;
+      else
+        forward_left_relief_reach_of_best_choice_3 := forward_left_relief_reach_of_best_choice_2;
       end if;
       if sums_right_first_2 then
         forward_left_relief_leaves_choice := 64;
@@ -4879,12 +5066,14 @@ begin
         forward_left_relief_past_3 <= forward_left_relief_past_2;
         forward_left_relief_past_4 <= forward_left_relief_past_3;
         forward_left_relief_past_5 <= forward_left_relief_past_4;
-        forward_left_relief_past_6 <= forward_left_relief_past_5;
         forward_left_relief_pairs_0 <= forward_left_relief_pairs_0_choice;
         forward_left_relief_pairs_1 <= forward_left_relief_pairs_0;
         forward_left_relief_largest <= forward_left_relief_largest_choice;
         forward_left_relief_beyond <= (forward_left_relief_largest_choice - forward_left_relief_past_5) mod 64;
         forward_left_relief_leaves <= forward_left_relief_leaves_choice - forward_left_relief_past_4;
+        forward_left_relief_room_of_best <= forward_left_relief_past_5 + forward_left_relief_leaves_choice;
+        forward_left_relief_reach_again <= (64 - forward_left_relief_past_4) + forward_left_relief_past_5 +
+          forward_left_relief_leaves_choice;
         forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 128;
         forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 128;
         forward_left_stay_change_0 <= (forward_cost_0_0 - forward_left_g_copy_0) mod 128;
@@ -5190,20 +5379,17 @@ begin
           forward_left_start_cost_5 <= 0;
           forward_left_start_cost_6 <= 0;
           forward_left_room <= 0;
-          forward_left_relief_reach <= 0;
           forward_left_relief_reach_of_best <= 0;
         else
-          forward_left_start_cost_0 <= forward_left_start_cost_0_choice_3;
+          forward_left_start_cost_0 <= forward_left_start_cost_0_choice_9;
           forward_left_start_cost_1 <= forward_left_start_cost_0;
           forward_left_start_cost_2 <= forward_left_start_cost_1;
           forward_left_start_cost_3 <= forward_left_start_cost_2;
           forward_left_start_cost_4 <= forward_left_start_cost_3;
           forward_left_start_cost_5 <= forward_left_start_cost_4;
           forward_left_start_cost_6 <= forward_left_start_cost_5;
-          forward_left_room <= (forward_left_room_choice_3 + forward_left_start_cost_6) mod 64;
-          forward_left_relief_reach <= (64 - forward_left_relief_largest_choice) + forward_left_room_choice_3 +
-            forward_left_start_cost_6;
-          forward_left_relief_reach_of_best <= forward_left_room_choice_3 + forward_left_relief_leaves;
+          forward_left_room <= forward_left_room_choice_3;
+          forward_left_relief_reach_of_best <= forward_left_relief_reach_of_best_choice_3;
         end if;
         if (forward_left_relief_pairs_0_choice - forward_left_relief_pairs_1) < 0 then
           forward_left_relief_fours_0 <= forward_left_relief_pairs_1;
@@ -5504,42 +5690,82 @@ begin
       end if;
       sums_right_start_cost_0_any := ((((sums_right_tree_next_next_smallest_0 mod 64) + sums_right_relief_beyond) / 64)
         = 1) or ((sums_right_tree_next_next_smallest_0 / 64) = 1);
-      sums_right_start_cost_0_any_2 := ((sums_right_relief_reach / 128) = 1) or (((sums_right_relief_reach / 64) mod 2)
-        = 1);
-      if sums_right_start_cost_0_any_2 then
-        sums_right_start_cost_0_choice := sums_right_relief_reach mod 64;
+      if (sums_right_relief_largest mod 2) = 1 then
+        sums_right_start_cost_0_choice := (not (((sums_right_room / 2) mod 2) = 1)) or (not ((sums_right_room mod 2) =
+          1));
       else
-        sums_right_start_cost_0_choice := 0;
+        sums_right_start_cost_0_choice := not (((sums_right_room / 2) mod 2) = 1);
+      end if;
+      if ((sums_right_relief_largest / 2) mod 2) = 1 then
+        sums_right_start_cost_0_choice_2 := sums_right_start_cost_0_choice;
+      else
+        sums_right_start_cost_0_choice_2 := ((sums_right_relief_largest mod 2) = 1) and ((sums_right_room mod 4) = 0);
+      end if;
+      sums_right_start_cost_0_value := ((sums_right_room / 4) mod 2) = 1;
+      if sums_right_start_cost_0_choice_2 then
+        sums_right_start_cost_0_choice_3 := (not (((sums_right_relief_largest / 4) mod 2) = 1)) and
+          sums_right_start_cost_0_value;
+      else
+        sums_right_start_cost_0_choice_3 := (not (((sums_right_relief_largest / 4) mod 2) = 1)) or
+          sums_right_start_cost_0_value;
+      end if;
+      sums_right_start_cost_0_value_2 := ((sums_right_room / 8) mod 2) = 1;
+      if sums_right_start_cost_0_choice_3 then
+        sums_right_start_cost_0_choice_4 := (not (((sums_right_relief_largest / 8) mod 2) = 1)) or
+          sums_right_start_cost_0_value_2;
+      else
+        sums_right_start_cost_0_choice_4 := (not (((sums_right_relief_largest / 8) mod 2) = 1)) and
+          sums_right_start_cost_0_value_2;
+      end if;
+      sums_right_start_cost_0_value_3 := ((sums_right_room / 16) mod 2) = 1;
+      if sums_right_start_cost_0_choice_4 then
+        sums_right_start_cost_0_choice_5 := (not (((sums_right_relief_largest / 16) mod 2) = 1)) or
+          sums_right_start_cost_0_value_3;
+      else
+        sums_right_start_cost_0_choice_5 := (not (((sums_right_relief_largest / 16) mod 2) = 1)) and
+          sums_right_start_cost_0_value_3;
+      end if;
+      if sums_right_start_cost_0_choice_5 then
+        sums_right_start_cost_0_choice_6 := ((sums_right_relief_largest / 32) = 1) and (not ((sums_right_room / 32) =
+          1));
+      else
+        sums_right_start_cost_0_choice_6 := ((sums_right_relief_largest / 32) = 1) or (not ((sums_right_room / 32) =
+          1));
+      end if;
+      if sums_right_start_cost_0_choice_6 then
+        sums_right_start_cost_0_choice_7 := 0;
+      else
+        sums_right_start_cost_0_choice_7 := (sums_right_room - sums_right_relief_largest) mod 64;
       end if;
       sums_right_start_cost_0_is_less := 127 < ((sums_right_tree_next_next_smallest_0 mod 64) +
         sums_right_relief_reach_of_best);
       if sums_right_start_cost_0_is_less then
-        sums_right_start_cost_0_choice_2 := (sums_right_tree_next_next_smallest_0 + sums_right_relief_reach_of_best)
+        sums_right_start_cost_0_choice_8 := (sums_right_tree_next_next_smallest_0 + sums_right_relief_reach_of_best)
           mod 64;
       else
-        sums_right_start_cost_0_choice_2 := 0;
+        sums_right_start_cost_0_choice_8 := 0;
       end if;
       if sums_right_start_cost_0_any then
-        sums_right_start_cost_0_choice_3 := sums_right_start_cost_0_choice;
+        sums_right_start_cost_0_choice_9 := sums_right_start_cost_0_choice_7;
       else
-        sums_right_start_cost_0_choice_3 := sums_right_start_cost_0_choice_2;
+        sums_right_start_cost_0_choice_9 := sums_right_start_cost_0_choice_8;
       end if;
-      if sums_right_start_cost_0_any_2 then
-        sums_right_room_choice := sums_right_relief_largest;
+      sums_right_room_value := (sums_right_start_cost_6 + sums_right_room) mod 64;
+      if sums_right_start_cost_0_choice_6 then
+        sums_right_room_choice := sums_right_room_value;
       else
-        sums_right_room_choice := sums_right_room;
+        sums_right_room_choice := (sums_right_start_cost_6 + sums_right_relief_largest) mod 64;
       end if;
       if sums_right_start_cost_0_is_less then
-        sums_right_room_choice_2 := (sums_right_relief_past_6 - sums_right_tree_next_next_smallest_0) mod 64;
+        sums_right_room_choice_2 := (sums_right_relief_room_of_best - sums_right_tree_next_next_smallest_0) mod 64;
       else
-        sums_right_room_choice_2 := sums_right_room;
+        sums_right_room_choice_2 := sums_right_room_value;
       end if;
       if sums_right_start_cost_0_any then
         sums_right_room_choice_3 := sums_right_room_choice;
       else
         sums_right_room_choice_3 := sums_right_room_choice_2;
       end if;
-      sums_right_room_sum := sums_right_room_choice_3 + sums_right_start_cost_6;
       if forward_first_0 then
         sums_right_smallest_choice := 0;
       else
@@ -5560,6 +5786,23 @@ begin
         sums_right_relief_largest_choice := sums_right_relief_recent;
       else
         sums_right_relief_largest_choice := sums_turn_ready_smallest_0 / 8;
+      end if;
+      sums_right_relief_reach_of_best_sum := sums_right_room + sums_right_relief_leaves;
+      if sums_right_start_cost_0_choice_6 then
+        sums_right_relief_reach_of_best_choice := sums_right_relief_reach_of_best_sum;
+      else
+        sums_right_relief_reach_of_best_choice := sums_right_relief_largest + sums_right_relief_leaves;
+      end if;
+      if sums_right_start_cost_0_is_less then
+        sums_right_relief_reach_of_best_choice_2 := (sums_right_relief_reach_again -
+          (sums_right_tree_next_next_smallest_0 mod 64)) mod 256;
+      else
+        sums_right_relief_reach_of_best_choice_2 := sums_right_relief_reach_of_best_sum;
+      end if;
+      if sums_right_start_cost_0_any then
+        sums_right_relief_reach_of_best_choice_3 := sums_right_relief_reach_of_best_choice;
+      else
+        sums_right_relief_reach_of_best_choice_3 := sums_right_relief_reach_of_best_choice_2;
       end if;
       if forward_first_0 then
         sums_right_relief_leaves_choice := 64;
@@ -5826,12 +6069,14 @@ begin
         sums_right_relief_past_3 <= sums_right_relief_past_2;
         sums_right_relief_past_4 <= sums_right_relief_past_3;
         sums_right_relief_past_5 <= sums_right_relief_past_4;
-        sums_right_relief_past_6 <= sums_right_relief_past_5;
         sums_right_relief_pairs_0 <= sums_right_relief_pairs_0_choice;
         sums_right_relief_pairs_1 <= sums_right_relief_pairs_0;
         sums_right_relief_largest <= sums_right_relief_largest_choice;
         sums_right_relief_beyond <= (sums_right_relief_largest_choice - sums_right_relief_past_5) mod 64;
         sums_right_relief_leaves <= sums_right_relief_leaves_choice - sums_right_relief_past_4;
+        sums_right_relief_room_of_best <= sums_right_relief_past_5 + sums_right_relief_leaves_choice;
+        sums_right_relief_reach_again <= (64 - sums_right_relief_past_4) + sums_right_relief_past_5 +
+          sums_right_relief_leaves_choice;
         sums_right_g_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest) mod 128;
         sums_right_g_less_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest_less) mod 128;
         sums_right_stay_change_0 <= (sums_cost_1_0 - sums_right_g_copy_0) mod 128;
@@ -5932,20 +6177,17 @@ begin
           sums_right_start_cost_5 <= 0;
           sums_right_start_cost_6 <= 0;
           sums_right_room <= 0;
-          sums_right_relief_reach <= 0;
           sums_right_relief_reach_of_best <= 0;
         else
-          sums_right_start_cost_0 <= sums_right_start_cost_0_choice_3;
+          sums_right_start_cost_0 <= sums_right_start_cost_0_choice_9;
           sums_right_start_cost_1 <= sums_right_start_cost_0;
           sums_right_start_cost_2 <= sums_right_start_cost_1;
           sums_right_start_cost_3 <= sums_right_start_cost_2;
           sums_right_start_cost_4 <= sums_right_start_cost_3;
           sums_right_start_cost_5 <= sums_right_start_cost_4;
           sums_right_start_cost_6 <= sums_right_start_cost_5;
-          sums_right_room <= sums_right_room_sum mod 64;
-          sums_right_relief_reach <= ((((sums_right_room_sum / 64) + 1) * 64) + (sums_right_room_sum mod 64)) -
-            sums_right_relief_largest_choice;
-          sums_right_relief_reach_of_best <= sums_right_room_choice_3 + sums_right_relief_leaves;
+          sums_right_room <= sums_right_room_choice_3;
+          sums_right_relief_reach_of_best <= sums_right_relief_reach_of_best_choice_3;
         end if;
         if (sums_right_relief_pairs_0_choice - sums_right_relief_pairs_1) < 0 then
           sums_right_relief_fours_0 <= sums_right_relief_pairs_1;
@@ -6768,52 +7010,57 @@ begin
         winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
           (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
       end if;
-      winnerswinner2_four_index_0_0_value_3 := ((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_3 := ((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_4 := ((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1;
       if winnerswinner2_four_index_0_0_choice then
-        winnerswinner2_four_index_0_0_choice_2 := winnerswinner2_four_index_0_0_value_3 and (not
-          (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1));
+        winnerswinner2_four_index_0_0_choice_2 := (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4;
       else
-        winnerswinner2_four_index_0_0_choice_2 := winnerswinner2_four_index_0_0_value_3 or ((not
-          (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1)));
+        winnerswinner2_four_index_0_0_choice_2 := (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4);
       end if;
-      winnerswinner2_four_index_0_0_value_4 := ((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_5 := ((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_6 := ((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1;
       if winnerswinner2_four_index_0_0_choice_2 then
-        winnerswinner2_four_index_0_0_choice_3 := winnerswinner2_four_index_0_0_value_4 or ((not
-          (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1)));
+        winnerswinner2_four_index_0_0_choice_3 := (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6;
       else
-        winnerswinner2_four_index_0_0_choice_3 := winnerswinner2_four_index_0_0_value_4 and (not
-          (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1));
+        winnerswinner2_four_index_0_0_choice_3 := (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6);
       end if;
-      winnerswinner2_four_index_0_0_value_5 := ((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_7 := ((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_8 := ((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1;
       if winnerswinner2_four_index_0_0_choice_3 then
-        winnerswinner2_four_index_0_0_choice_4 := winnerswinner2_four_index_0_0_value_5 or ((not
-          (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1)));
+        winnerswinner2_four_index_0_0_choice_4 := (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8;
       else
-        winnerswinner2_four_index_0_0_choice_4 := winnerswinner2_four_index_0_0_value_5 and (not
-          (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1));
+        winnerswinner2_four_index_0_0_choice_4 := (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8);
       end if;
-      winnerswinner2_four_index_0_0_value_6 := ((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_9 := ((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_10 := ((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1;
       if winnerswinner2_four_index_0_0_choice_4 then
-        winnerswinner2_four_index_0_0_choice_5 := winnerswinner2_four_index_0_0_value_6 or ((not
-          (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1)));
+        winnerswinner2_four_index_0_0_choice_5 := (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10;
       else
-        winnerswinner2_four_index_0_0_choice_5 := winnerswinner2_four_index_0_0_value_6 and (not
-          (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1));
+        winnerswinner2_four_index_0_0_choice_5 := (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10);
       end if;
-      winnerswinner2_four_index_0_0_value_7 := ((winnerswinner2_of_pair_0_2 / 64) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_11 := ((winnerswinner2_of_pair_0_1 / 64) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_12 := ((winnerswinner2_of_pair_0_0 / 64) mod 2) = 1;
       if winnerswinner2_four_index_0_0_choice_5 then
-        winnerswinner2_four_index_0_0_choice_6 := winnerswinner2_four_index_0_0_value_7 or ((not
-          (((winnerswinner2_of_pair_0_1 / 64) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 64) mod 2) = 1)));
+        winnerswinner2_four_index_0_0_choice_6 := (not (((winnerswinner2_of_pair_0_2 / 64) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_11 or winnerswinner2_four_index_0_0_value_12;
       else
-        winnerswinner2_four_index_0_0_choice_6 := winnerswinner2_four_index_0_0_value_7 and (not
-          (((winnerswinner2_of_pair_0_1 / 64) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 64) mod 2) = 1));
+        winnerswinner2_four_index_0_0_choice_6 := (not (((winnerswinner2_of_pair_0_2 / 64) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_11 or winnerswinner2_four_index_0_0_value_12);
       end if;
       if winnerswinner2_four_index_0_0_choice_6 then
-        winnerswinner2_four_index_0_0_choice_7 := (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) and
-          (((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1));
-      else
         winnerswinner2_four_index_0_0_choice_7 := (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) or
           ((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1);
+      else
+        winnerswinner2_four_index_0_0_choice_7 := (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) and
+          (((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1));
       end if;
       winnerswinner2_of_pair_0_2 <= winnerswinner1_best_cost_0_2;
       winnerswinner2_pair_index_0_1 <= winnerswinner1_best_index_0_2;

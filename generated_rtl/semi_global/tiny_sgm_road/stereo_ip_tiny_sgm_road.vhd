@@ -65,7 +65,7 @@ begin
       latency_clocks => 34,
       flush_groups => 209,
       gap_groups => 0,
-      core_id => x"bff22230",
+      core_id => x"86a45aba",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
