@@ -59,7 +59,8 @@ struct Config : Image, Matching, Structure {
    static constexpr int kMostMemoryBits = 96000;
    /// Of the code of a pixel.
    constexpr int code_bytes() const {
-      const int bits = codes == Codes::phase ? 6 * phase_scales : census_bits(census_width_px, census_height_px, census_pattern);
+      const int bits =
+          codes == Codes::phase ? 6 * phase_scales : census_bits(census_width_px, census_height_px, census_pattern);
       return bits <= 8 ? 1 : bits <= 16 ? 2 : bits <= 32 ? 4 : 8;
    }
    /// Neighbouring searched pixels that can be read at once.

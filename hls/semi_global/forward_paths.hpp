@@ -72,7 +72,8 @@ struct ForwardPaths {
    bool first[kMoves];
    [[no_unique_address]] std::conditional_t<C.run_time_settings, FrameStarts<kPathMoves>, NoSettings> starts;
    [[no_unique_address]] std::conditional_t<C.has_relief(), ReliefMoves<C, (C.path_right ? kMoves : kLevels - 1)>,
-                                            NoSettings> reliefs;
+                                            NoSettings>
+       reliefs;
    PathCost<C> cost[kCostMoves][kCount];
    PathCost<C> smallest_cost[kMoves - kLevels];
 

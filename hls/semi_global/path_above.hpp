@@ -47,7 +47,7 @@ struct PathAbove {
    // move kMoves
    Value cost[kCount];  ///< K
    // then what the row below gets
-   Value beside[kCount], own[kCount];         ///< the smaller of the neighbours' K; K
+   Value beside[kCount], own[kCount];              ///< the smaller of the neighbours' K; K
    [[no_unique_address]] FirstPenaltyAbove<C> p1;  ///< of the column there
    [[no_unique_address]] SecondPenaltyAbove<C> p2;
    Passed step[kCount];

@@ -162,8 +162,7 @@ struct TurnedSums {
       if constexpr (Turn::kWaits > 0) frame_follows = tags.held[Turn::kWaits - 1].start_of_frame;
       tags.clock(move, entry.turned);
       const auto& moves = entry.moves_right;
-      if constexpr (C.has_relief())
-         right.clock(moves, turn.smallest_cost(), turn.ready_first, cost[1], turn.relief());
+      if constexpr (C.has_relief()) right.clock(moves, turn.smallest_cost(), turn.ready_first, cost[1], turn.relief());
       else right.clock(moves, turn.ready_smallest[0], turn.ready_first, cost[1]);
       if constexpr (C.run_time_settings) right.take(move & frame_follows, settings);
       if constexpr (kHasSums) {

@@ -74,10 +74,10 @@ struct ReliefStream {
    Pixel<C> before;  ///< grey value of the last pixel
    Value newest;     ///< beside the raster's features
    Delay delay;
-   Value delayed[1];         ///< beside the pair delay
-   Rows rows;                // beside the line buffer's clocks 1 and 2
-   Value shown[kShown];      ///< [kShown - 1]: beside its columns
-   Value column[kOlder];     ///< [age]: of the windows' columns before the newest
+   Value delayed[1];             ///< beside the pair delay
+   Rows rows;                    // beside the line buffer's clocks 1 and 2
+   Value shown[kShown];          ///< [kShown - 1]: beside its columns
+   Value column[kOlder];         ///< [age]: of the windows' columns before the newest
    Value waiting[kSliceClocks];  ///< [kSliceClocks - 1]: beside the slices' costs
    [[no_unique_address]] NumberHere<C.run_time_settings, C.largest_relief()> largest;
    Value entering;  ///< beside the entry's clock 1

@@ -30,10 +30,14 @@ enum class CensusPattern : uint8_t {
 constexpr bool has_census_bit(CensusPattern pattern, int dx, int dy) {
    if (dx == 0 && dy == 0) return false;
    switch (pattern) {
-      case CensusPattern::even_columns: return dx % 2 == 0;
-      case CensusPattern::checkerboard: return (dx + dy) % 2 == 0;
-      case CensusPattern::sparse: return dx % 2 == 0 && dy % 2 == 0;
-      default: return true;
+      case CensusPattern::even_columns:
+         return dx % 2 == 0;
+      case CensusPattern::checkerboard:
+         return (dx + dy) % 2 == 0;
+      case CensusPattern::sparse:
+         return dx % 2 == 0 && dy % 2 == 0;
+      default:
+         return true;
    }
 }
 constexpr int census_bits(int width_px, int height_px, CensusPattern pattern) {

@@ -37,7 +37,8 @@ RasterImage<Pixel> filtered_pixels(const RasterImage<Pixel>& image, int cap) {
 }
 
 template <class Pixel>
-CensusImage transforms(const RasterImage<Pixel>& image, int census_width_px, int census_height_px, CensusPattern pattern) {
+CensusImage transforms(const RasterImage<Pixel>& image, int census_width_px, int census_height_px,
+                       CensusPattern pattern) {
    const auto is_compared = [pattern](int dx, int dy) {
       if (pattern == CensusPattern::even_columns) return dx % 2 == 0;
       if (pattern == CensusPattern::sparse) return dx % 2 == 0 && dy % 2 == 0;

@@ -77,6 +77,16 @@ def test_truth_is_read_in_pixels_with_its_first_row_on_top(tmp_path):
     assert numpy.array_equal(error_picture.read_truth(pair), rows / 2)
 
 
+@pytest.mark.parametrize("name", ["truth.pfm", "truth.npy", "truth.png"])
+def test_a_truth_that_cannot_be_drawn_is_named(name, tmp_path):
+    pytest.importorskip("numpy")
+    pytest.importorskip("PIL")
+    (tmp_path / name).write_bytes(b"PF\n2 2\n-1.0\n")
+    pair = Pair("a", "A", tmp_path / "left.png", tmp_path / "right.png", tmp_path / name, 1.0, 16)
+    with pytest.raises(FlowError, match=f"{name} cannot be drawn"):
+        error_picture.read_truth(pair)
+
+
 BROKEN = {
     "no list": ({}, "must be a list of pairs"),
     "an empty list": ([], "must be a list of pairs"),

@@ -24,7 +24,7 @@ void check_pair(const RasterImage<Pixel>& left, const RasterImage<Pixel>& right)
 }  // namespace
 
 int largest_pixel_cost(const Matching& matching) {
-   if (matching.cost == Cost::census) 
+   if (matching.cost == Cost::census)
       return census_bits(matching.census_width_px, matching.census_height_px, matching.census_pattern);
    const int largest_difference =
        matching.prefilter == Prefilter::xsobel ? 2 * matching.prefilter_cap : (1 << matching.pixel_bits) - 1;

@@ -41,9 +41,9 @@ Track follow(const CensusImage& left, const CensusImage& right, const Blocks<int
 
 template <class Image>
 CensusImage any_codes(const Image& image, const Matching& matching) {
-   return matching.codes == Codes::phase ? phase_correlation::phase_codes(image, matching.phase_scales)
-                                         : census_transform(image, matching.census_width_px, matching.census_height_px,
-                                                                    matching.census_pattern);
+   return matching.codes == Codes::phase
+              ? phase_correlation::phase_codes(image, matching.phase_scales)
+              : census_transform(image, matching.census_width_px, matching.census_height_px, matching.census_pattern);
 }
 
 template <class Image>

@@ -117,7 +117,8 @@ CostVolume path_costs(const DeepImage& left, const DeepImage& right, const Match
    return costs_of(left, right, matching);
 }
 
-CostVolume row_path(const CostVolume& costs, const DeepImage& relief, RowDirection direction, const Matching& matching) {
+CostVolume row_path(const CostVolume& costs, const DeepImage& relief, RowDirection direction,
+                    const Matching& matching) {
    CostVolume path(costs.width, costs.height, costs.disparities);
    for (int y = 0; y < costs.height; ++y) {
       RowPath row(matching);

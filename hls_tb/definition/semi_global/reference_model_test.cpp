@@ -54,7 +54,8 @@ TEST(SemiGlobalReference, TheFreshStartMakesUpForWhatTheBestPathHasLost) {
    const Matching matching{DisparityCount{2}, semi_global::Paths{.p1 = 100, .p2 = 4}};
    std::vector<std::vector<int>> columns(8, {0, 9});
    columns[2] = {3, 0};  // the best path loses 3 here
-   const CostVolume path = semi_global::row_path(one_row(columns), flat(one_row(columns)), RowDirection::from_left, matching);
+   const CostVolume path =
+       semi_global::row_path(one_row(columns), flat(one_row(columns)), RowDirection::from_left, matching);
    std::vector<int> best;
    for (int x = 0; x < path.width; ++x) best.push_back(path.at(x, 0, 0));
    // Column 5: q = max(0, 4 - 4 - (0+0+0+0)) = 0. Column 6 sees column 1: -4: 0. Column 7 sees column 2: -1: q = 3.
@@ -81,8 +82,8 @@ TEST(SemiGlobalReference, P2FallsWithTheGreyDifferenceByHand) {
 
 TEST(SemiGlobalReference, AFreshStartKnowsTheReliefsThatItLooksBackOver) {
    // Disparity 0 costs nothing. D = 2, look back 5. Column 5 sees column 0, where the best path stands at -4, and the
-   // relief of any column since then is no deeper: q = 0. In column 7 the best path of column 2 has lost 3, but the fresh
-   // start of column 4 was cheaper by 2, so only 4 - 2 = 2 are left to rise by.
+   // relief of any column since then is no deeper: q = 0. In column 7 the best path of column 2 has lost 3, but the
+   // fresh start of column 4 was cheaper by 2, so only 4 - 2 = 2 are left to rise by.
    std::vector<std::vector<int>> columns(8, {0, 9});
    columns[2] = {3, 0};
    const CostVolume costs = one_row(columns);

@@ -256,7 +256,9 @@ void add_methods(CLI::App& command, Arguments& arguments) {
            "--opencv-disparities", arguments.opencv_disparities,
            "disparities of OpenCV's matchers; default: --set disparities, rounded up to a multiple of 16, else 48")
        ->check(CLI::PositiveNumber);
-   command.add_option("--opencv-block", arguments.opencv_block, "block of OpenCV's matchers; default 15 for bm, 3 for sgbm")
+   command
+       .add_option("--opencv-block", arguments.opencv_block,
+                   "block of OpenCV's matchers; default 15 for bm, 3 for sgbm")
        ->check(CLI::PositiveNumber);
    command
        .add_option("--disparity", arguments.disparities,

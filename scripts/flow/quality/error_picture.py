@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from ..base.errors import FlowError
 from ..base.tools import Word, find_stereo_hls, run
 from .pairs import Pair
 
@@ -38,13 +39,19 @@ def read_pfm(path: Path) -> Any:
 
 
 def read_truth(pair: Pair) -> Any:
-    """In pixels; not finite where it is unknown."""
+    """In pixels; not finite where it is unknown. A format that evaluate takes and this does not is refused."""
     import numpy
     from PIL import Image
 
-    if pair.truth_left.suffix == ".pfm":
-        return read_pfm(pair.truth_left) / pair.truth_scale
-    values = numpy.asarray(Image.open(pair.truth_left)).astype(float)
+    try:
+        if pair.truth_left.suffix == ".pfm":
+            return read_pfm(pair.truth_left) / pair.truth_scale
+        loaded = numpy.load(pair.truth_left) if pair.truth_left.suffix == ".npy" else Image.open(pair.truth_left)
+        values = numpy.asarray(loaded).astype(float)
+        if values.ndim != 2:
+            raise ValueError("it has more than one channel")
+    except (OSError, ValueError) as error:
+        raise FlowError(f"{pair.truth_left} cannot be drawn: {error}") from error
     return numpy.where(values > 0, values / pair.truth_scale, numpy.inf)
 
 

@@ -30,7 +30,8 @@ template <class Image>
 std::vector<uint64_t> weighted_codes(const Image& image, const Matching& matching) {
    return matching.codes == Codes::phase
               ? fast::weighted_phase_codes(image, matching.phase_scales)
-              : census_transform(image, matching.census_width_px, matching.census_height_px, matching.census_pattern).bits;
+              : census_transform(image, matching.census_width_px, matching.census_height_px, matching.census_pattern)
+                    .bits;
 }
 
 /// One search window, row by row.

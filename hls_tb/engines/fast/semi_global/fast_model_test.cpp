@@ -135,8 +135,8 @@ TEST(SemiGlobalFastModel, LargerGreyValuesOfMoreBitsChangeNothing) {
    }
 }
 
-/// But for a map of full width, where the cost of what is no candidate follows the range of the pixels, and for a P2 that
-/// falls, by a part of that range.
+/// But for a map of full width, where the cost of what is no candidate follows the range of the pixels, and for a P2
+/// that falls, by a part of that range.
 TEST(SemiGlobalFastModel, PixelsOf8BitsAreTakenAsTheyAre) {
    Random random(test_seed());
    for (int i = 0; i < 60; ++i) {

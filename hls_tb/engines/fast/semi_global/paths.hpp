@@ -50,8 +50,8 @@ class RowPathState {
       since_ = 0;
    }
 
-   /// Adds K + kBias of the next column, less `excess`, to the sums. relief: the fall of P2 on the way to it. The values of the column before are needed until
-   /// the next ones are complete, so the two take turns.
+   /// Adds K + kBias of the next column, less `excess`, to the sums. relief: the fall of P2 on the way to it. The
+   /// values of the column before are needed until the next ones are complete, so the two take turns.
    STEREO_INTO_CLONES void add_next(const Lane* __restrict costs, Lane smallest, int relief,
                                     const Lane* __restrict beyond, Lane excess, Lane* __restrict sums) {
       discount_[column_ % kHeld] = -relief;

@@ -39,9 +39,7 @@ PixelRows<Pixel>::PixelRows(const std::vector<Pixel>& left_planes, const std::ve
 
 template <class Image>
 PixelRows<uint8_t> census_rows(const Image& left, const Image& right, const Matching& matching, int room, int threads) {
-   const auto planes_of = [&](const Image& image) {
-      return fast::census_planes(image, matching, threads);
-   };
+   const auto planes_of = [&](const Image& image) { return fast::census_planes(image, matching, threads); };
    return {planes_of(left), planes_of(right), left.width, left.height, matching, room};
 }
 
