@@ -62,6 +62,7 @@ stereo_add_unit_tests(
   blocks/rectification/config_test.cpp
   blocks/rectification/core_test.cpp
   blocks/rectification/quad_memory_test.cpp
+  blocks/postprocessing/post_processor_test.cpp
   blocks/semi_global/config_test.cpp
   blocks/semi_global/cost_slice_test.cpp
   blocks/semi_global/path_above_test.cpp
@@ -105,6 +106,7 @@ stereo_add_unit_tests(
   definition/dynamic_range/search_windows_test.cpp
   definition/phase_correlation/reference_model_test.cpp
   definition/rectification/reference_model_test.cpp
+  definition/postprocessing_test.cpp
   definition/semi_global/reference_model_test.cpp
   definition/trellis/reference_model_test.cpp
   engines/fast/block_matching/fast_model_test.cpp

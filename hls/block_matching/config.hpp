@@ -2,6 +2,7 @@
 #pragma once
 
 #include "block_matching/matching.hpp"
+#include "postprocessing/limits.hpp"
 #include "support/image.hpp"
 #include "support/structure_groups.hpp"
 
@@ -66,8 +67,8 @@ struct Config : Image, Matching, Structure {
    }
    constexpr int largest_column_cost() const { return largest_pixel_cost() * window_px; }
    constexpr int largest_window_cost() const { return largest_column_cost() * window_px; }
-   /// Bits of one disparity in the hardware's output word.
-   constexpr int disparity_bits() const { return subpixel ? 16 : 8; }
+   /// Bits of one row in the hardware's output word (LaneLayout).
+   constexpr int disparity_bits() const { return (subpixel || fill_holes ? 16 : 8) + (confidence ? 8 : 0); }
    constexpr int steps_per_pixel() const { return subpixel ? 16 : 1; }
    /// Disparities of the first slice of so many: a rest of one joins the slice before it, as a tree compares at least
    /// two.
@@ -150,6 +151,7 @@ struct Config : Image, Matching, Structure {
       if (has_transform() && row_groups() <= transform_groups())
          return "the image must be higher than the rows that a transform waits for";
       if (median && row_groups() <= 1) return "the image must be higher than the row that a median waits for";
+      if (const Sentence sentence = post_processing_problem(*this); !sentence.empty()) return sentence;
       if (run_time_settings && !has_check()) return "run-time settings need a check or a map of full width";
       if (run_time_settings && !holds_settings())
          return "with run-time settings the image must be higher, for a frame's first disparity to leave before the "
@@ -164,6 +166,8 @@ struct Config : Image, Matching, Structure {
       if (int64_t(largest_column_cost()) * window_px >= 1 << 26) return "window costs must stay below 2^26";
       if (has_uniqueness_check() && largest_window_cost() >= 1 << 24)
          return "with a uniqueness check window costs must stay below 2^24";
+      if (has_confidence() && largest_window_cost() >= 1 << 24)
+         return "with a confidence window costs must stay below 2^24";
       return {};
    }
 

@@ -53,6 +53,9 @@ STEREO_ROW(census_450, system, Config(), width_px = 450, height_px = 375, dispar
            aggregation = Aggregation::recursive, slice_disparities = 16);
 
 STEREO_ROW(census_450_full, system, census_450, full_width = true);
+// The same as a depth map without holes: checked, filtered, with a confidence, filled.
+STEREO_ROW(census_450_dense, planned, census_450_full, left_right_threshold = 1, support_threshold = 10, confidence = true,
+           margin_shift = 3, margin_weight = 1, support_weight = 6, fill_holes = true);
 // For two cameras of 640x480 (examples/camera_system): the same with each check that says how far to trust a disparity.
 STEREO_ROW(vga_64, system, census_450, width_px = 640, height_px = 480, disparities = 64, census_height_px = 3,
            census_pattern = CensusPattern::all, left_right_threshold = 1, uniqueness_percent = 5);
@@ -186,6 +189,21 @@ STEREO_ROW(tiny_size_recursive, option, tiny_all_recursive, width_px = 40, heigh
 STEREO_ROW(tiny_size_full, option, tiny_full, run_time_size = true);
 STEREO_ROW(tiny_size_full_all, option, tiny_full_all, width_px = 40, height_px = 16, reference = Reference::left,
            run_time_settings = true, run_time_size = true);
+// The stages of the post-processing, alone and together.
+STEREO_ROW(tiny_support, option, tiny, left_right_threshold = 1, support_threshold = 6);
+STEREO_ROW(tiny_confidence, option, tiny, reference = Reference::left, support_threshold = 4, confidence = true,
+           margin_shift = 2, subpixel = true);
+STEREO_ROW(tiny_fill, option, tiny, left_right_threshold = 0, fill_holes = true);
+STEREO_ROW(tiny_dense, option, tiny, reference = Reference::left, full_width = true, subpixel = true, median = true,
+           left_right_threshold = 1, uniqueness_percent = 5, support_threshold = 5, confidence = true, margin_shift = 3,
+           margin_weight = 1, support_weight = 6, fill_holes = true);
+STEREO_ROW(tiny_dense_p2, option, tiny_p2, left_right_threshold = 1, subpixel = true, median = true,
+           support_threshold = 4, confidence = true, margin_shift = 4, fill_holes = true);
+STEREO_ROW(tiny_dense_p4, option, tiny_p4, reference = Reference::left, left_right_threshold = 1, support_threshold = 4,
+           subpixel = true, fill_holes = true);
+STEREO_ROW(tiny_confidence_p4, option, tiny_p4, left_right_threshold = 1, support_threshold = 4, confidence = true,
+           margin_shift = 4, median = true);
+STEREO_ROW(tiny_dense_size, option, tiny_dense, height_px = 20, run_time_settings = true, run_time_size = true);
 // clang-format on
 
 }  // namespace stereo::block_matching::configurations

@@ -10,6 +10,7 @@
 #include "frontend/pair_delay.hpp"
 #include "frontend/raster.hpp"
 #include "frontend/transform.hpp"
+#include "postprocessing/post_processor.hpp"
 #include "support/blocks.hpp"
 #include "support/optional_block.hpp"
 #include "support/pixel_bits.hpp"
@@ -35,8 +36,9 @@ struct Core {
 
    using Slices = DisparitySlice<C>;
    /// What makes the map of the winners. Whole disparities without a median are ready as they are.
-   using MapBlock = std::conditional_t<C.median, Median<C>, Optional<C.subpixel, MapRegister<C>>>;
-   static constexpr bool kHasMapBlock = C.median || C.subpixel;
+   using MapBlock = std::conditional_t<C.has_post_processing(), PostProcessor<C>,
+                                       std::conditional_t<C.median, Median<C>, Optional<C.subpixel, MapRegister<C>>>>;
+   static constexpr bool kHasMapBlock = C.median || C.subpixel || C.has_post_processing();
    using Settings =
        std::conditional_t<C.run_time_size, SizedSettings<block_matching::Settings>, block_matching::Settings>;
    using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
@@ -53,7 +55,7 @@ struct Core {
    //              |        /                          .
    //            refinement                0, 4, 12    uniqueness, subpixel
    //            leftright                 4 or none   also from the slices, ahead of the refinement
-   //            map                       11, 1, none median or register
+   //            map                       11, 1, none median or register; or PostProcessor::kClocks
    //                 |
    //            P disparities
 #define STEREO_BLOCKS(BLOCK, BESIDE, PORTS)                                                                          \
@@ -72,11 +74,11 @@ struct Core {
 #undef STEREO_BLOCKS
 
    static constexpr Schedule kSchedule = window_schedule(C, C, kBlocks.all());
-   static_assert(!C.run_time_settings || kSchedule.latency_clocks < C.clocks_to_last_check(),
+   static_assert(!C.run_time_settings || kBlocks.before(map_number).clocks < C.clocks_to_last_check(),
                  "the bound in Config is too low");
 
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE StereoOutput output() const { return shown(shown_group()); }
+   HLS_INLINE auto output() const { return shown(shown_group()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
@@ -105,7 +107,7 @@ struct Core {
 
   private:
    HLS_INLINE void clock_map() {
-      if constexpr (C.median) map.clock(checked(), size);
+      if constexpr (C.median || C.has_post_processing()) map.clock(checked(), size);
       else map.clock(checked());
    }
 
@@ -123,7 +125,8 @@ struct Core {
    }
 
    HLS_INLINE MapGroup<C> shown_group() const {
-      if constexpr (kHasMapBlock) return map.out;
+      if constexpr (C.has_post_processing()) return map.group();
+      else if constexpr (kHasMapBlock) return map.out;
       else return map_group<C>(checked());
    }
 };

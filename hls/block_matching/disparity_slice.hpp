@@ -29,7 +29,7 @@ struct DisparitySlice {
    static constexpr int kFirst = kFalls ? kRest : C.disparities - Disparities;  ///< lowest disparity here
    static constexpr bool kIsLast = kRest == 0;
    static constexpr bool kIsNone = false;
-   static constexpr bool kHasSecond = C.has_uniqueness_check();
+   static constexpr bool kHasSecond = WindowCandidate<C>::kHasSecond;
    using Next = DisparitySlice<C, kRest, Number + 1>;
    using Shift = DisparityShift<C, kCount>;
    using Column = ColumnBlock<C, kCount>;

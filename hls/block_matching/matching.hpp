@@ -36,12 +36,13 @@ struct TextureThreshold {
 /// What block matching computes: docs/algorithm.md defines each option. Models take it with images of any size.
 struct Matching : OptionGroups<DisparityCount, MatchingWindow, SmallestDisparity, PixelFormat, ReferenceImage,
                                Comparison, CensusWindow, Prefiltering, TieRule, LeftRightThreshold, UniquenessPercent,
-                               TextureThreshold, SubpixelSteps, MedianFilter, FullWidth> {
+                               TextureThreshold, SubpixelSteps, MedianFilter, FullWidth, PostProcessing> {
    using OptionGroups::OptionGroups;
 
    /// Any of them: without one every pixel is valid.
    constexpr bool has_check() const {
-      return has_left_right_check() || has_uniqueness_check() || has_texture_check() || has_lost_pixels();
+      return has_left_right_check() || has_uniqueness_check() || has_texture_check() || has_lost_pixels() ||
+             has_support_filter();
    }
    /// With full_width: some pixels at an end of a row have no candidate in the other image.
    constexpr bool has_lost_pixels() const {

@@ -102,6 +102,10 @@ template <const auto& C>
 struct RunTimeSize : std::conditional_t<kFullWidth<C>, FullWidthColumns<C>, NoFullWidthColumns> {
    static constexpr bool kFixed = false;
    static constexpr int kColumnsLeftOut = C.width_px - C.output_width_px();
+   static constexpr bool kHasMap = [] {
+      if constexpr (requires { C.has_post_processing(); }) return C.median || C.has_post_processing();
+      else return C.median;
+   }();
 
    RunTimeRaster<C.width_px, C.row_groups(), C.delay_groups()> windows;
    RunTimeRaster<C.output_width_px(), C.row_groups(), 1> map;
@@ -113,7 +117,7 @@ struct RunTimeSize : std::conditional_t<kFullWidth<C>, FullWidthColumns<C>, NoFu
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit("windows", windows);
-      if constexpr (C.median) visit("map", map);
+      if constexpr (kHasMap) visit("map", map);
       if constexpr (C.has_transform()) visit("transform", transform);
       if constexpr (kFullWidth<C>) {
          FullWidthColumns<C>::registers(visit);
@@ -125,7 +129,7 @@ struct RunTimeSize : std::conditional_t<kFullWidth<C>, FullWidthColumns<C>, NoFu
    HLS_INLINE void clock(uint16_t width, uint16_t height) {
       const uint16_t row_groups = uint16_t(height / unsigned(C.pixels_per_clock));
       windows.clock(width, row_groups);
-      if constexpr (C.median) map.clock(uint16_t(width - unsigned(kColumnsLeftOut)), row_groups);
+      if constexpr (kHasMap) map.clock(uint16_t(width - unsigned(kColumnsLeftOut)), row_groups);
       if constexpr (C.has_transform()) transform.clock(width, row_groups);
       if constexpr (kFullWidth<C>) {
          FullWidthColumns<C>::clock(width);

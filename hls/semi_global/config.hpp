@@ -2,6 +2,7 @@
 #pragma once
 
 #include "block_matching/config.hpp"
+#include "postprocessing/limits.hpp"
 #include "semi_global/matching.hpp"
 #include "support/hls_support.hpp"
 #include "support/image.hpp"
@@ -38,7 +39,7 @@ struct Config : Image, Matching, Structure {
    constexpr WindowConfig windows() const { return {{Image(*this), window_costs(), Structure(*this)}}; }
 
    constexpr int output_width_px() const { return windows().output_width_px(); }
-   constexpr int disparity_bits() const { return subpixel ? 16 : 8; }
+   constexpr int disparity_bits() const { return (subpixel || fill_holes ? 16 : 8) + (confidence ? 8 : 0); }
    constexpr int steps_per_pixel() const { return subpixel ? 16 : 1; }
 
    /// Levels of a tree over all disparities.
@@ -117,6 +118,7 @@ struct Config : Image, Matching, Structure {
       if (sign_memory) return "a sign memory is for block matching";
       if (const Sentence sentence = Matching::problem(); !sentence.empty()) return sentence;
       if (const Sentence sentence = windows().problem(); !sentence.empty()) return sentence;
+      if (const Sentence sentence = post_processing_problem(*this); !sentence.empty()) return sentence;
       if (pixels_per_clock != 1) return "the semi-global core takes one pixel pair a clock";
       if (disparities < 8) return "the disparity range must be 8 ... 256";
       if (run_time_settings && groups_to_last_check() + clocks_to_last_check() >= row_groups() * width_px)

@@ -83,6 +83,24 @@ STEREO_ROW(tiny_sgm_size_all, option, tiny_sgm_all, height_px = 20, run_time_set
 STEREO_ROW(tiny_sgm_size_full, option, tiny_sgm_full_all, height_px = 20, run_time_settings = true,
            run_time_size = true);
 
+// A cost beside the border of the other image, and the post-processing.
+STEREO_ROW(tiny_sgm_border, option, tiny_sgm_full, border_cost = 3);
+STEREO_ROW(tiny_sgm_border_part, option, tiny_sgm_full_all, height_px = 20, p1 = 10, p2 = 40, border_cost = 2,
+           run_time_settings = true);
+STEREO_ROW(tiny_sgm_confidence, option, tiny_sgm, support_threshold = 5, confidence = true);
+STEREO_ROW(tiny_sgm_dense, option, tiny_sgm, reference = Reference::left, full_width = true, border_cost = 3,
+           left_right_threshold = 1, subpixel = true, median = true, support_threshold = 5, confidence = true,
+           fill_holes = true);
+STEREO_ROW(tiny_sgm_dense_forward, option, tiny_sgm, path_right = false, full_width = true, border_cost = 0,
+           left_right_threshold = 1, uniqueness_distance = 2, support_threshold = 3, fill_holes = true);
+STEREO_ROW(tiny_sgm_dense_size, option, tiny_sgm_dense, height_px = 20, run_time_settings = true, run_time_size = true);
+
+// sgm_450 as a depth map without holes: of full width, checked, in sixteenths, filtered, with a confidence, filled. A smaller
+// P2 for a room; docs/post_processing.md has its figures.
+STEREO_ROW(sgm_450_dense, planned, sgm_450, full_width = true, left_right_threshold = 1, subpixel = true, p2 = 40,
+           border_cost = 2, support_threshold = 10, confidence = true, margin_weight = 3, support_weight = 3,
+           fill_holes = true);
+
 // planned: its VHDL is not made yet. A row of KITTI, full width, and as many disparities as the memory of an LFE5U-85F holds
 // (docs/semi_global.md).
 STEREO_ROW(sgm_1242, planned, sgm_450, width_px = 1242, disparities = 96, full_width = true);

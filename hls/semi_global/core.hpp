@@ -7,6 +7,7 @@
 #include "frontend/raster.hpp"
 #include "frontend/single_row.hpp"
 #include "frontend/transform.hpp"
+#include "postprocessing/post_processor.hpp"
 #include "semi_global/config.hpp"
 #include "semi_global/cost_slice.hpp"
 #include "semi_global/forward_paths.hpp"
@@ -41,9 +42,10 @@ struct Core {
 
    using Refine = Refinement<kSumConfig<C>>;
    /// What makes the map of the winners. Whole disparities without a median are ready as they are.
-   using MapBlock =
-       std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>;
-   static constexpr bool kHasMapBlock = C.median || C.subpixel;
+   using MapBlock = std::conditional_t<
+       C.has_post_processing(), PostProcessor<C>,
+       std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>>;
+   static constexpr bool kHasMapBlock = C.median || C.subpixel || C.has_post_processing();
    static constexpr bool kTurnsRows = C.path_right;
    using Settings = std::conditional_t<C.run_time_size, SizedSettings<semi_global::Settings>, semi_global::Settings>;
    using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
@@ -65,7 +67,7 @@ struct Core {
    //            refinement                0, 4, 12    uniqueness, subpixel
    //            leftright                 4 or none   also from the winners, ahead of the refinement
    //            turn                      3 or none   rows turned back
-   //            map                       11, 1, none median or register
+   //            map                       11, 1, none median or register; or PostProcessor::kClocks
    //                 |
    //            a disparity
 #define STEREO_BLOCKS(BLOCK, BESIDE, PORTS)                                                                            \
@@ -90,7 +92,7 @@ struct Core {
 #undef STEREO_BLOCKS
 
    static constexpr Schedule kSchedule = window_schedule(C, kWindows, kBlocks.all());
-   static_assert(!C.run_time_settings || kSchedule.latency_clocks < C.clocks_to_last_check(),
+   static_assert(!C.run_time_settings || kBlocks.before(map_number).clocks < C.clocks_to_last_check(),
                  "the bound in Config is too low");
    static_assert(!C.run_time_settings ||
                      window_schedule(C, kWindows, kBlocks.before(turn_number)).groups_to_first_output <=
@@ -98,11 +100,11 @@ struct Core {
                  "the bound in Config is too low");
 
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE StereoOutput output() const { return shown(shown_group()); }
+   HLS_INLINE auto output() const { return shown(shown_group()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (C.median) map.clock(turned(), size);
+      if constexpr (C.median || C.has_post_processing()) map.clock(turned(), size);
       else if constexpr (kHasMapBlock) map.clock(turned());
       if constexpr (C.path_right) turn.clock(checked(), size);
       if constexpr (C.has_left_right_check()) check();
@@ -157,8 +159,9 @@ struct Core {
       else return checked();
    }
 
-   HLS_INLINE MapGroup<kSumConfig<C>> shown_group() const {
-      if constexpr (kHasMapBlock) return map.out;
+   HLS_INLINE auto shown_group() const {
+      if constexpr (C.has_post_processing()) return map.group();
+      else if constexpr (kHasMapBlock) return map.out;
       else return map_group<kSumConfig<C>>(turned());
    }
 };

@@ -116,7 +116,8 @@ struct CostSlice {
       HLS_UNROLL
       for (int i = 0; i < kCount; ++i) {
          Value seen = scaled(window.sum[0][i]);
-         if constexpr (C.full_width) seen = select<Value>(mask.has_candidate(i), seen, kLargest);
+         if constexpr (kHasBorderCost) seen = beside_border(seen, i);
+         else if constexpr (C.full_width) seen = select<Value>(mask.has_candidate(i), seen, kLargest);
          held[0][i] = seen;
       }
       tag[0] = window.tag;
@@ -127,6 +128,18 @@ struct CostSlice {
    }
 
   private:
+   static constexpr bool kHasBorderCost = [] {
+      if constexpr (requires { C.has_border_cost(); }) return C.has_border_cost();
+      else return false;
+   }();
+
+   /// What is searched and leads out of the other image has the border cost.
+   HLS_INLINE Value beside_border(Value seen, int i) const {
+      constexpr Value kBorder = C.border_cost < int(kLargest) ? Value(C.border_cost) : kLargest;
+      const Value inside = select<Value>(mask.inside[i], seen, kBorder);
+      return select<Value>(mask.is_searched(i), inside, kLargest);
+   }
+
    static constexpr bool kHasCap = (kWindows.largest_window_cost() >> C.cost_shift) > C.cost_cap;
 
    static HLS_INLINE Value scaled(WindowCost<kWindowConfig<C>> sum) {

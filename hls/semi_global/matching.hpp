@@ -59,14 +59,16 @@ struct UniquenessDistance {
 /// What semi-global matching computes: docs/algorithm.md defines each option. Models take it with images of any size.
 struct Matching : OptionGroups<DisparityCount, MatchingWindow, SmallestDisparity, PixelFormat, ReferenceImage,
                                Default<Comparison{Cost::census}>, CensusWindow, Prefiltering, CostScale, Paths, TieRule,
-                               LeftRightThreshold, UniquenessDistance, SubpixelSteps, MedianFilter, FullWidth> {
+                               LeftRightThreshold, UniquenessDistance, SubpixelSteps, MedianFilter, FullWidth,
+                               BorderCost, PostProcessing> {
    using OptionGroups::OptionGroups;
 
    static constexpr int kLeastDisparities = 2;
 
    /// Any of them: without one every pixel is valid.
    constexpr bool has_check() const {
-      return has_left_right_check() || has_uniqueness_check() || window_costs().has_lost_pixels();
+      return has_left_right_check() || has_uniqueness_check() || has_border_cost() || has_support_filter() ||
+             window_costs().has_lost_pixels();
    }
 
    /// P2 falls by the grey difference of two neighbours over 2^relief_shift().

@@ -9,14 +9,15 @@
 namespace stereo::semi_global {
 
 /// Turns the rows of winners back: they come from a row's last column to its first, and leave a row later in raster
-/// order. 3 clocks. Memory: map width x (9 bits, with subpixel 14).
+/// order. 3 clocks. Memory: map width x (9 bits, with subpixel 14, with a margin 6
+/// more).
 template <const Config& C>
 struct WinnerTurn {
    static constexpr int kWidth = C.output_width_px();
    static constexpr int kClocks = 3;
    static constexpr int kLagGroups = C.width_px;
    static constexpr int kFractionBits = C.subpixel ? 5 : 0;
-   using Word = uint_of_bits<9 + kFractionBits>;
+   using Word = uint_of_bits<9 + kFractionBits + (kHasMargin<C> ? kMarginBits : 0)>;
    using Memory = MemoryBank<Word, kWidth, 1>;
    static constexpr int kMemories = Memory::kMemories;
 
@@ -57,6 +58,8 @@ struct WinnerTurn {
       out.disparity[0] = uint8_t(ready);
       out.passed[0] = (ready >> 8 & 1) != 0;
       if constexpr (C.subpixel) out.fraction[0] = uint8_t(ready >> 9 & 31);
+      if constexpr (kHasMargin<C>)
+         out.margin.value[0] = uint8_t(ready >> (9 + kFractionBits)) & ((1 << kMarginBits) - 1);
       out.tag = ready_tag;
       return out;
    }
@@ -74,6 +77,7 @@ struct WinnerTurn {
       write_place = select<uint16_t>(comes, order.address, write_place);
       newest = Word(Word(in.disparity[0]) | Word(in.passed[0]) << 8);
       if constexpr (C.subpixel) newest |= Word(Word(in.fraction[0]) << 9);
+      if constexpr (kHasMargin<C>) newest |= Word(Word(in.margin.value[0]) << (9 + kFractionBits));
       comes = in.tag.valid && in.tag.map_column;
       order.clock(in.tag, size);
    }

@@ -216,4 +216,60 @@ struct FullWidth {
    }
 };
 
+/// Of families with a map of full width: what a disparity costs whose partner lies outside the other image.
+struct BorderCost {
+   int border_cost = -1;  ///< 0 ... 4095, and then all disparities are candidates; -1: they are masked
+
+   constexpr bool has_border_cost() const { return border_cost >= 0; }
+
+   template <class Self, class Visitor>
+   static constexpr void options(Self& self, Visitor& visit) {
+      visit("border_cost", self.border_cost, -1, self.full_width ? 4095 : -1, "the border cost");
+   }
+   template <class Self>
+   static constexpr Sentence missing(const Self& self) {
+      if (!self.full_width && self.has_border_cost()) return "border_cost needs a map of full width";
+      return {};
+   }
+};
+
+/// From a map with holes to a depth map: a filter, a number that says how sure a disparity is, and the filled holes.
+struct PostProcessing {
+   int support_threshold = 0;  ///< least neighbours of 35 with about the same disparity, itself one; 0: no filter
+   bool confidence = false;    ///< a number 0 ... 255 for each pixel; needs the filter
+   int margin_shift = 0;       ///< of it: the runner-up's distance is divided by 2^margin_shift, 0 ... 16
+   int margin_weight = 2;      ///< factor of that distance, of 63 at most, 0 ... 8
+   int support_weight = 4;     ///< factor of the neighbours, 0 ... 8
+   bool fill_holes = false;    ///< pixels that are not valid show what stands beside them
+
+   static constexpr int kMostNeighbours = 35;
+   static constexpr int kLargestMargin = 63;
+   static constexpr int kLargestConfidence = 255;
+
+   constexpr bool has_support_filter() const { return support_threshold > 0; }
+   constexpr bool has_confidence() const { return confidence; }
+   /// Any of its stages.
+   constexpr bool has_post_processing() const { return has_support_filter() || fill_holes; }
+   /// Of a pixel that is valid: neighbours, itself one of them, and the margin.
+   constexpr int confidence_of(int neighbours, int margin) const {
+      const int sum = margin_weight * margin + support_weight * neighbours;
+      return sum < kLargestConfidence ? sum : kLargestConfidence;
+   }
+
+   template <class Self, class Visitor>
+   static constexpr void options(Self& self, Visitor& visit) {
+      visit("support_threshold", self.support_threshold, 0, kMostNeighbours, "the support threshold");
+      visit("confidence", self.confidence);
+      visit("margin_shift", self.margin_shift, 0, 16, "the margin's shift");
+      visit("margin_weight", self.margin_weight, 0, 8, "the margin's weight");
+      visit("support_weight", self.support_weight, 0, 8, "the support's weight");
+      visit("fill_holes", self.fill_holes);
+   }
+   template <class Self>
+   static constexpr Sentence missing(const Self& self) {
+      if (self.confidence && !self.has_support_filter()) return "confidence needs a support threshold of 1 or more";
+      return {};
+   }
+};
+
 }  // namespace stereo

@@ -42,6 +42,12 @@ struct MemoryBank {
       words[address] = in[Count - 1];
       others.write(address, in);
    }
+   /// Each memory at its own address.
+   template <int N>
+   HLS_INLINE void write_each(const uint16_t (&addresses)[N], const Word (&in)[N]) {
+      words[addresses[Count - 1]] = in[Count - 1];
+      others.write_each(addresses, in);
+   }
 };
 
 template <class Word, int Depth>
@@ -56,6 +62,8 @@ struct MemoryBank<Word, Depth, 0> {
    HLS_INLINE void read_each(const uint16_t (&)[N], Word (&)[N]) const {}
    template <int N>
    HLS_INLINE void write(uint16_t, const Word (&)[N]) {}
+   template <int N>
+   HLS_INLINE void write_each(const uint16_t (&)[N], const Word (&)[N]) {}
 };
 
 }  // namespace stereo

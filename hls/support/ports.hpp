@@ -44,4 +44,24 @@ struct StereoOutput {
    bool valid = false;                    ///< false: no pixels leave in this clock
 };
 
+/// The same of a core with post-processing.
+struct PostOutput : StereoOutput {
+   uint8_t confidence[kMostPixels] = {};  ///< with `confidence`: 255 is the surest, 0 where not valid
+   bool filled[kMostPixels] = {};         ///< with `fill_holes`: not valid, shows what stands beside it
+};
+
+/// What the word of an output has for each row beside the disparity, which then has 15 bits or fewer: in bit 15 whether
+/// the pixel was filled, and in the 8 bits above 8 or 16 the confidence.
+struct LaneLayout {
+   int bits = 8;  ///< of a row: 8, 16 or 24
+   bool has_confidence = false, has_filled = false;
+
+   constexpr uint32_t lane(uint16_t disparity, uint8_t confidence, bool filled) const {
+      uint32_t word = disparity;
+      if (has_filled) word |= uint32_t(filled) << 15;
+      if (has_confidence) word |= uint32_t(confidence) << (bits - 8);
+      return word;
+   }
+};
+
 }  // namespace stereo

@@ -10,6 +10,7 @@
 
 #include STEREO_HEADER(STEREO_FAMILY)
 #include "support/pixel_bits.hpp"
+#include "winner/map_group.hpp"
 
 #ifdef STEREO_SETTINGS
 #define STEREO_LIST_OF(family) STEREO_LIST(family)
@@ -46,8 +47,9 @@ struct Memories {
 }  // namespace
 
 /// Pixels: pixel_bits bits each, row p of the group at bit pixel_bits * p. Disparities likewise, with
-/// kConfig.disparity_bits(). Bit p of pixel_valid belongs to row p. The tool takes no pragma from a macro, so the ports
-/// of settings have none: for what is only read that is the same.
+/// kConfig.disparity_bits(); what the post-processing gives stands above the disparity (LaneLayout). Bit p of
+/// pixel_valid belongs to row p. The tool takes no pragma from a macro, so the ports of settings have none: for what is
+/// only read that is the same.
 #pragma HLS interface port = left_pixel mode = none
 #pragma HLS interface port = right_pixel mode = none
 #pragma HLS interface port = start_of_frame mode = none
@@ -76,14 +78,14 @@ extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_
       Core::Settings settings;
       STEREO_ALL_SETTINGS(STEREO_READ)
 #endif
-      const stereo::StereoOutput out = core.output();
+      const auto out = core.output();
       Disparities word = 0;
       uint8_t pixels_valid = 0;
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          in.left[p] = stereo::pixel_of<kConfig>(left, p);
          in.right[p] = stereo::pixel_of<kConfig>(right, p);
-         word |= Disparities(Disparities(out.disparity[p]) << (kConfig.disparity_bits() * p));
+         word |= Disparities(stereo::output_lane<kConfig, Disparities>(out, p) << (kConfig.disparity_bits() * p));
          pixels_valid |= uint8_t(uint8_t(out.pixel_valid[p]) << p);
       }
       *disparity = word;

@@ -4,6 +4,7 @@
 #include "support/full_width.hpp"
 #include "support/matching_options.hpp"
 #include "support/registers.hpp"
+#include "winner/winners.hpp"
 
 namespace stereo {
 
@@ -21,7 +22,7 @@ template <const auto& C>
 inline constexpr CandidateKind kCandidateKind{.largest_cost = C.largest_window_cost(),
                                               .ties = C.ties,
                                               .has_neighbours = C.subpixel,
-                                              .has_second = C.has_uniqueness_check(),
+                                              .has_second = C.has_uniqueness_check() || kHasMargin<C>,
                                               .has_masked = kFullWidth<C>};
 
 template <CandidateKind Kind>

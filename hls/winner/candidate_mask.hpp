@@ -84,6 +84,24 @@ struct CandidateMask {
       else return inside[i] & (First + i >= C.first_disparity) & (First + i <= C.last_searched());
    }
 
+   /// Whether disparity First + i is searched, wherever it leads.
+   HLS_INLINE bool is_searched(int i) const {
+      if constexpr (kSetAtRunTime<C>) return searched.disparity[i];
+      else if constexpr (C.searches_all()) return true;
+      else return (First + i >= C.first_disparity) & (First + i <= C.last_searched());
+   }
+   /// The costs that are compared where all that is searched is a candidate.
+   template <int kPixels>
+   HLS_INLINE void hide_unsearched(const WindowCost<C> (&sum)[kPixels][Count],
+                                   WindowCost<C> (&shown)[kPixels][Count]) const {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         HLS_UNROLL
+         for (int i = 0; i < Count; ++i)
+            shown[p][i] = WindowCost<C>(sum[p][i] | select<WindowCost<C>>(is_searched(i), 0, kMaskedCost<C>));
+      }
+   }
+
    /// The costs that are compared: those of candidates, and one above all of them where there is none. There,
    /// remembered signs are those of other pixels, and the sum may have higher bits than any cost.
    template <int kPixels>

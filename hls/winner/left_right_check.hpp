@@ -10,8 +10,9 @@
 namespace stereo {
 
 /// Compares each winner with that of the other image's pixel that it points at. 4 clocks; winners come out D-1 columns
-/// later, when that pixel has met all disparities. Memory: D x P winners, and P x the next power of two above D+3 x 8
-/// bits for those of the other image. kAhead: clocks by which the other image's winners are ahead of the reference's.
+/// later, when that pixel has met all disparities. Memory: D x P winners, with their margins, and P x the next power of
+/// two above D+3 x 8 bits for those of the other image. kAhead: clocks by which the other image's winners are ahead of
+/// the reference's.
 template <const auto& C, int kAhead>
 struct LeftRightCheck {
    static constexpr int kPixels = C.pixels_per_clock;
@@ -24,7 +25,8 @@ struct LeftRightCheck {
    static constexpr int kLaneBits = 9 + kFractionBits;
    static constexpr int kTagBits = 4;
    using Word = uint_of_bits<kPixels * kLaneBits + kTagBits>;
-   using Delay = Ring<Word, kDelay + 1, 1>;
+   static constexpr int kWords = kHasMargin<C> ? 2 : 1;  ///< the second one holds the margins
+   using Delay = Ring<Word, kDelay + 1, kWords>;
    using Others = MemoryBank<uint8_t, kOtherPlaces, kPixels>;
    static constexpr int kMemories = Delay::kMemories + Others::kMemories;
 
@@ -34,7 +36,7 @@ struct LeftRightCheck {
    Others others;
    uint16_t position;  ///< where the other image's winner of this clock is kept
    // clock 1
-   Word held[1];
+   Word held[kWords];
    uint16_t held_position;
    bool held_valid;
    // clock 2
@@ -82,6 +84,10 @@ struct LeftRightCheck {
       answered = asking;
       asking = unpacked(held[0]);
       asking.tag.valid = held_valid;
+      if constexpr (kHasMargin<C>) {
+         HLS_UNROLL
+         for (int p = 0; p < kPixels; ++p) asking.margin.value[p] = uint8_t(held[1] >> (kMarginBits * p)) & kMarginMask;
+      }
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          const uint16_t d = asking.disparity[p];
@@ -96,7 +102,9 @@ struct LeftRightCheck {
       others.write(position, newest);
       const bool move = in.tag.valid;
       const bool held_is_new = holds_winners || ring.read_address == 0;  // place 0 is the first that is written
-      const Word words[1] = {packed(in)};
+      Word words[kWords];
+      words[0] = packed(in);
+      if constexpr (kHasMargin<C>) words[1] = packed_margins(in);
       ring.clock(words, move, held);
       held_position = position;
       held_valid = move && held_is_new;
@@ -111,6 +119,14 @@ struct LeftRightCheck {
    }
 
   private:
+   static constexpr uint8_t kMarginMask = (1 << kMarginBits) - 1;
+
+   static HLS_INLINE Word packed_margins(const Winners<C>& in) {
+      Word word = 0;
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) word |= Word(Word(in.margin.value[p]) << (kMarginBits * p));
+      return word;
+   }
    static HLS_INLINE Word packed(const Winners<C>& in) {
       Word word = Word(Word(in.tag.map_column) | Word(in.tag.output_column) << 1 | Word(in.tag.start_of_frame) << 2 |
                        Word(in.tag.end_of_line) << 3);

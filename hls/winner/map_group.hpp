@@ -8,11 +8,31 @@
 
 namespace stereo {
 
+/// Numbers and bits beside the disparities of a group, where the post-processing gives them.
+template <class Value, int Lanes>
+struct BesideDisparities {
+   Value value[Lanes];
+};
+template <class Value>
+struct NothingBeside {};
+template <const auto& C>
+using MapConfidence =
+    std::conditional_t<kHasMargin<C>, BesideDisparities<uint8_t, C.pixels_per_clock>, NothingBeside<uint8_t>>;
+template <const auto& C>
+inline constexpr bool kFillsHoles = [] {
+   if constexpr (requires { C.fill_holes; }) return C.fill_holes;
+   else return false;
+}();
+template <const auto& C>
+using MapFilled = std::conditional_t<kFillsHoles<C>, BesideDisparities<bool, C.pixels_per_clock>, NothingBeside<bool>>;
+
 /// One group of the disparity map.
 template <const auto& C>
 struct MapGroup {
    uint16_t disparity[C.pixels_per_clock];
    bool passed[C.pixels_per_clock];
+   [[no_unique_address]] MapConfidence<C> confidence;
+   [[no_unique_address]] MapFilled<C> filled;
    bool valid;
    bool start_of_frame;
    bool end_of_line;
@@ -23,6 +43,8 @@ struct MapGroup {
    HLS_INLINE void registers(Visitor& visit) {
       visit("disparity", disparity);
       visit("passed", passed);
+      if constexpr (kHasMargin<C>) visit("confidence", confidence.value);
+      if constexpr (kFillsHoles<C>) visit("filled", filled.value);
       visit("valid", valid);
       visit("start_of_frame", start_of_frame);
       visit("end_of_line", end_of_line);
@@ -64,17 +86,30 @@ struct MapRegister {
 
 /// What the ports show of a group.
 template <const auto& C>
-HLS_INLINE StereoOutput shown(const MapGroup<C>& group) {
-   StereoOutput out;
+using ShownOutput = std::conditional_t<kHasMargin<C> || kFillsHoles<C>, PostOutput, StereoOutput>;
+template <const auto& C>
+HLS_INLINE ShownOutput<C> shown(const MapGroup<C>& group) {
+   ShownOutput<C> out;
    HLS_UNROLL
    for (int p = 0; p < C.pixels_per_clock; ++p) {
       out.disparity[p] = group.disparity[p];
       out.pixel_valid[p] = group.passed[p];
+      if constexpr (kHasMargin<C>) out.confidence[p] = group.confidence.value[p];
+      if constexpr (kFillsHoles<C>) out.filled[p] = group.filled.value[p];
    }
    out.valid = group.valid;
    out.start_of_frame = group.start_of_frame;
    out.end_of_line = group.end_of_line;
    return out;
+}
+
+/// What the word of an output has for row `p` (LaneLayout), in its lowest bits.
+template <const auto& C, class Word, class Output>
+HLS_INLINE Word output_lane(const Output& out, int p) {
+   Word lane = Word(out.disparity[p]);
+   if constexpr (kFillsHoles<C>) lane |= Word(Word(out.filled[p]) << 15);
+   if constexpr (kHasMargin<C>) lane |= Word(Word(out.confidence[p]) << (C.disparity_bits() - 8));
+   return lane;
 }
 
 }  // namespace stereo

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "frontend/image_size.hpp"
+#include "support/optional_block.hpp"
 #include "support/raster_counter.hpp"
 #include "support/row_buffer.hpp"
 #include "winner/map_group.hpp"
@@ -11,7 +12,7 @@ namespace stereo {
 
 /// Median of the 3x3 disparities around each pixel of the map, whose border repeats beyond it. 11 clocks, as three
 /// numbers take two to be sorted; pixels come out a row of groups and a column later. Memory: map width x (P+1) x
-/// (kValueBits + 1).
+/// (kValueBits + 1), and map width x P x what else the post-processing gives.
 template <const auto& C>
 struct Median {
    static constexpr int kPixels = C.pixels_per_clock;
@@ -26,7 +27,12 @@ struct Median {
    using Rows = RowBuffer<kValueBits + 1, kPixels, kPixels + 1, kWidth>;
    using Lane = typename Rows::Lane;
    using Value = uint_of_bits<kValueBits>;
-   static constexpr int kMemories = Rows::kMemories;
+   /// Of the pixel itself: confidence, and whether it was filled.
+   static constexpr int kBesideBits = (kHasMargin<C> ? 8 : 0) + (kFillsHoles<C> ? 1 : 0);
+   static constexpr bool kHasBeside = kBesideBits > 0;
+   using BesideRows = RowBuffer<(kHasBeside ? kBesideBits : 1), kPixels, kPixels, kWidth>;
+   using BesideLane = typename BesideRows::Lane;
+   static constexpr int kMemories = Rows::kMemories + (kHasBeside ? BesideRows::kMemories : 0);
 
    /// What travels beside a column. The column behind a line's last one only brings out the last median.
    struct Place {
@@ -58,6 +64,28 @@ struct Median {
       }
    };
 
+   /// On its way beside `passed`.
+   struct Beside {
+      BesideRows rows;
+      BesideLane newest[kPixels];
+      BesideLane column[kPixels];
+      BesideLane of_column[2][kPixels], in_window[2][kPixels], waiting[3][kPixels];
+
+      template <class Source, int First>
+      HLS_INLINE Beside(Source& memories, MemoryId<First> number) : rows(memories, number) {
+         start(*this);
+      }
+      template <class Visitor>
+      HLS_INLINE void registers(Visitor& visit) {
+         visit("newest", newest);
+         visit("rows", rows);
+         visit("column", column);
+         visit("of_column", of_column);
+         visit("in_window", in_window);
+         visit("waiting", waiting);
+      }
+   };
+
    // clock 1
    Counter counter;
    Lane newest[kPixels];
@@ -85,10 +113,12 @@ struct Median {
    SortThree<Value> of_all[kPixels];
    Moment waiting[3];  ///< beside clocks 8 to 10
    bool waiting_passed[3][kPixels];
+   [[no_unique_address]] Optional<kHasBeside, Beside> beside;
    MapGroup<C> out;
 
    template <class Source, int First>
-   HLS_INLINE Median(Source& memories, MemoryId<First> number) : rows(memories, number) {
+   HLS_INLINE Median(Source& memories, MemoryId<First> number)
+       : rows(memories, number), beside(memories, MemoryId<First + Rows::kMemories>()) {
       start(*this);
    }
 
@@ -126,12 +156,15 @@ struct Median {
       visit("of_all", of_all);
       visit("waiting", waiting);
       visit("waiting_passed", waiting_passed);
+      if constexpr (kHasBeside) visit("beside", beside);
       visit("out", out);
    }
 
-   template <class Size = FixedSize<C>>
-   HLS_INLINE void clock(const Winners<C>& in, const Size& size = Size()) {
+   /// in: winners, or a column of the post-processing.
+   template <class In, class Size = FixedSize<C>>
+   HLS_INLINE void clock(const In& in, const Size& size = Size()) {
       finish();
+      if constexpr (kHasBeside) move_beside();
       sort_window();
       add_column();
       sort_column();
@@ -151,8 +184,8 @@ struct Median {
    }
 
   private:
-   template <class Size>
-   HLS_INLINE void take(const Winners<C>& in, const Size& size) {
+   template <class In, class Size>
+   HLS_INLINE void take(const In& in, const Size& size) {
       const MapGroup<C> group = map_group<C>(in);
       const bool comes = in.tag.valid && in.tag.map_column;
       counter.clock(comes, in.tag.start_of_frame, size.map);
@@ -161,6 +194,38 @@ struct Median {
       line_ended = select<bool>(in.tag.valid, in.tag.map_column && in.tag.end_of_line, line_ended);
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) newest[p] = Lane(Lane(group.disparity[p]) << 1 | Lane(group.passed[p]));
+      if constexpr (kHasBeside) take_beside(group);
+   }
+
+   HLS_INLINE void take_beside(const MapGroup<C>& group) {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         BesideLane lane = 0;
+         if constexpr (kFillsHoles<C>) lane = BesideLane(group.filled.value[p]);
+         if constexpr (kHasMargin<C>)
+            lane = BesideLane(lane | BesideLane(BesideLane(group.confidence.value[p]) << (kBesideBits - 8)));
+         beside.newest[p] = lane;
+      }
+   }
+
+   /// As `passed` moves; before the columns do.
+   HLS_INLINE void move_beside() {
+      const bool move = sorted.arrives | sorted.behind;
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         const BesideLane shown = beside.waiting[2][p];
+         if constexpr (kFillsHoles<C>) out.filled.value[p] = (shown & 1) != 0;
+         if constexpr (kHasMargin<C>) out.confidence.value[p] = uint8_t(shown >> (kBesideBits - 8));
+         beside.waiting[2][p] = beside.waiting[1][p];
+         beside.waiting[1][p] = beside.waiting[0][p];
+         beside.waiting[0][p] = beside.in_window[1][p];
+         beside.in_window[1][p] = select<BesideLane>(move, beside.in_window[0][p], beside.in_window[1][p]);
+         beside.in_window[0][p] = select<BesideLane>(sorted.arrives, beside.of_column[1][p], beside.in_window[0][p]);
+         beside.of_column[1][p] = beside.of_column[0][p];
+         beside.of_column[0][p] = beside.column[p];
+         beside.column[p] = beside.rows.row(p);
+      }
+      beside.rows.clock(beside.newest, counter.column, ready.arrives, write_column);
    }
 
    HLS_INLINE void sort_column() {

@@ -8,18 +8,23 @@
 
 namespace stereo {
 
-/// Uniqueness check and subpixel interpolation, both from the costs that came with the winner, and the result of the
-/// texture check. Subpixel: the distances to the costs beside the winner, kDistanceClocks; one bit of the quotient a
-/// clock; rounding. Uniqueness stands beside it.
+/// Margins of a group in `Stages` stages.
+template <int Stages, int Lanes>
+struct StagedMargins {
+   uint8_t value[Stages][Lanes];
+};
+
+/// Uniqueness check, margin and subpixel interpolation, all from the costs that came with the winner, and the result of
+/// the texture check. Subpixel: the distances to the costs beside the winner, kDistanceClocks; one bit of the quotient
+/// a clock; rounding. Uniqueness and margin stand beside it.
 template <const auto& C>
 struct Refinement {
    static constexpr int kPixels = C.pixels_per_clock;
    static constexpr int kDistanceClocks = 3;
    static constexpr int kQuotientBits = 8;
    static constexpr int kUniquenessClocks = 4;
-   static constexpr int kClocks = C.subpixel                 ? kDistanceClocks + kQuotientBits + 1
-                                  : C.has_uniqueness_check() ? kUniquenessClocks
-                                                             : 0;
+   static constexpr bool kHasSecond = C.has_uniqueness_check() || kHasMargin<C>;
+   static constexpr int kClocks = C.subpixel ? kDistanceClocks + kQuotientBits + 1 : kHasSecond ? kUniquenessClocks : 0;
    static constexpr int kStages = kClocks > 0 ? kClocks : 1;
    using Value = WindowCost<C>;
    static constexpr bool kIsSet = kSetAtRunTime<C> && C.has_uniqueness_check();
@@ -35,6 +40,8 @@ struct Refinement {
    uint32_t scaled_gap[kPixels], scaled_cost[kPixels];  // stage 2
    /// Percent or distance of the winner in stage 1; 0: no check.
    [[no_unique_address]] TakenOver<C, std::conditional_t<kHasDistance, uint16_t, uint8_t>> asked;
+   /// [stage - 2]: how far the second is, from stage 2 on
+   [[no_unique_address]] std::conditional_t<kHasMargin<C>, StagedMargins<kStages - 2, kPixels>, NoMargins> margins;
    // Subpixel: u and v are what the costs below and above have more than the winner's.
    Value cost[kPixels], below[kPixels], above[kPixels];  // stage 0
    Value u[kPixels], v[kPixels];                         // stage 1
@@ -59,6 +66,7 @@ struct Refinement {
       visit("scaled_cost", scaled_cost);
       if constexpr (kIsSet && kHasDistance) visit("distance", asked.value, C.uniqueness_distance);
       else if constexpr (kIsSet) visit("percent", asked.value, C.uniqueness_percent);
+      if constexpr (kHasMargin<C>) visit("margin", margins.value);
       visit("cost", cost);
       visit("below", below);
       visit("above", above);
@@ -81,7 +89,7 @@ struct Refinement {
          for (int p = 0; p < kPixels; ++p) {
             winners.disparity[p] = last.best.index[p][0];
             winners.passed[p] = has_texture(texture, p);
-            if constexpr (kHasLost) winners.passed[p] = winners.passed[p] & has_candidate(last, p);
+            if constexpr (kCanBeLost<Slice>) winners.passed[p] = winners.passed[p] & has_candidate(last, p);
          }
          winners.tag = last.best_tag;
       } else {
@@ -90,6 +98,7 @@ struct Refinement {
             winners.disparity[p] = disparity[kStages - 1][p];
             winners.passed[p] = passed[kStages - 1][p];
             winners.fraction[p] = fraction[p];
+            if constexpr (kHasMargin<C>) winners.margin.value[p] = margins.value[kStages - 3][p];
          }
          winners.tag = tag[kStages - 1];
       }
@@ -110,7 +119,8 @@ struct Refinement {
                passed[stage][p] = passed[stage - 1][p] && unique;
             }
          }
-         if constexpr (C.has_uniqueness_check()) take_second(last);
+         if constexpr (kHasMargin<C>) find_margin();
+         if constexpr (kHasSecond) take_second(last);
          if constexpr (kIsSet && kHasDistance)
             asked.value = select<uint16_t>(is_first_of_frame(tag[0]), settings.uniqueness_distance, asked.value);
          else if constexpr (kIsSet)
@@ -120,7 +130,7 @@ struct Refinement {
          for (int p = 0; p < kPixels; ++p) {
             disparity[0][p] = last.best.index[p][0];
             passed[0][p] = has_texture(texture, p);
-            if constexpr (kHasLost) passed[0][p] = passed[0][p] & has_candidate(last, p);
+            if constexpr (kCanBeLost<Slice>) passed[0][p] = passed[0][p] & has_candidate(last, p);
          }
          tag[0] = last.best_tag;
       }
@@ -133,9 +143,30 @@ struct Refinement {
       else return false;
    }();
 
+   /// With a border cost: winners may lead to columns that the other map does not have.
+   template <class Slice>
+   static constexpr bool kHasPartner = requires(const Slice& last) { last.partner.is_inside(); };
+   template <class Slice>
+   static constexpr bool kCanBeLost = kHasLost || kHasPartner<Slice>;
+
    template <class Slice>
    static HLS_INLINE bool has_candidate(const Slice& last, int p) {
-      return last.best.cost[p][0] != kMaskedCost<C>;
+      bool has = true;
+      if constexpr (kHasLost) has = last.best.cost[p][0] != kMaskedCost<C>;
+      if constexpr (kHasPartner<Slice>) has = has & last.partner.is_inside();
+      return has;
+   }
+
+   /// Of the losers in stage 1.
+   HLS_INLINE void find_margin() {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         HLS_UNROLL
+         for (int stage = kStages - 3; stage > 0; --stage) margins.value[stage][p] = margins.value[stage - 1][p];
+         const Value scaled = Value(gap[p] >> C.margin_shift);
+         const bool is_far = alone[0][p] | (scaled > C.kLargestMargin);
+         margins.value[0][p] = select<uint8_t>(is_far, C.kLargestMargin, uint8_t(scaled & C.kLargestMargin));
+      }
    }
 
    template <class TextureBlock>
@@ -156,6 +187,7 @@ struct Refinement {
             alone[1][p] = alone[0][p] | (asked.value == 0);
             scaled_gap[p] = uint32_t(gap[p]) * 100u;
             scaled_cost[p] = uint32_t(lowest[p]) * asked.value;
+         } else if constexpr (!C.has_uniqueness_check()) {
          } else if constexpr (kHasDistance) {
             scaled_gap[p] = gap[p];
             scaled_cost[p] = uint32_t(C.uniqueness_distance - 1);

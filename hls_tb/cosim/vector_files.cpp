@@ -55,12 +55,13 @@ void write_stimulus(std::ostream& out, const Stimulus& stimulus) {
 
 void write_expected(std::ostream& out, const Expected& expected) {
    const int pixels = expected.pixels_per_clock;
+   const LaneLayout layout{expected.disparity_bits, expected.has_confidence, expected.has_filled};
    out << "stereo-hls expected 2 config=" << expected.config << " pixels=" << pixels
        << " disparity_bits=" << expected.disparity_bits << " outputs=" << expected.outputs.size()
        << " latency=" << expected.latency_clocks << '\n';
    for (const CoreOutput& output : expected.outputs)
       out << output.clock << ' ' << output.x << ' ' << output.y << ' ' << output.frame << ' '
-          << word_text(output.disparity, pixels, expected.disparity_bits) << ' '
+          << word_text(output_lanes(output, layout), pixels, expected.disparity_bits) << ' '
           << unsigned(output.start_of_frame) + 2 * unsigned(output.end_of_line) +
                  4 * lane_word<bool>(output.pixel_valid, pixels, 1)
           << '\n';

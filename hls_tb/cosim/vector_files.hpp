@@ -10,7 +10,7 @@
 //       hold the P of them
 //   A core with run-time settings: the first line also says settings=<ports>, and each line ends with a word of 4
 //       digits for each port of a setting, in their order
-// expected.txt: a first line "stereo-hls expected 2 config=<name> pixels=<P> disparity_bits=<8 or 16> outputs=<N>
+// expected.txt: a first line "stereo-hls expected 2 config=<name> pixels=<P> disparity_bits=<8, 16 or 24> outputs=<N>
 //   latency=<clocks>", then N lines "clock x y frame WORD flags", one a valid output, decimal but for WORD:
 //   y      the row of lane 0
 //   WORD   the disparities, a word like those above, in lanes of disparity_bits

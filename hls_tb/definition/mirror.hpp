@@ -23,6 +23,8 @@ RasterImage<Pixel> mirrored(RasterImage<Pixel> image) {
 inline DisparityMap mirrored(DisparityMap map) {
    mirror_rows(map.disparity, map.width);
    mirror_rows(map.valid, map.width);
+   mirror_rows(map.confidence, map.width);
+   mirror_rows(map.filled, map.width);
    return map;
 }
 

@@ -106,6 +106,9 @@ py::dict match(const Array<Pixel>& left, const Array<Pixel>& right, const std::s
    result["disparity"] = array_of(px.px, px.height, px.width);
    result["steps"] = array_of(map.disparity, map.height, map.width);
    result["valid"] = array_of(map.valid, map.height, map.width);
+   result["confidence"] =
+       map.confidence.empty() ? py::object(py::none()) : array_of(map.confidence, map.height, map.width);
+   result["filled"] = map.filled.empty() ? py::object(py::none()) : array_of(map.filled, map.height, map.width);
    result["steps_per_px"] = map.steps_per_pixel();
    result["first_column"] = geometry.first_column;
    result["reference"] = app::word_of(geometry.reference);

@@ -211,7 +211,7 @@ class Checker {
          const DisparityMap expected = reference_map(*algorithm_of_frame(sent.size() - 1 - i), sent[i]);
          for (int y = 0; y < expected.height; ++y)
             for (int x = 0; x < expected.width; ++x)
-               if (expected.at(x, y) != got[i].at(x, y) || expected.valid_at(x, y) != got[i].valid_at(x, y))
+               if (pixel(expected, x, y) != pixel(got[i], x, y))
                   throw Difference(what + ": frame " + std::to_string(i) + " x=" + std::to_string(x) +
                                    " y=" + std::to_string(y) + " expected " + pixel(expected, x, y) + " got " +
                                    pixel(got[i], x, y));
@@ -230,7 +230,11 @@ class Checker {
       return narrow;
    }
    static std::string pixel(const DisparityMap& map, int x, int y) {
-      return std::to_string(map.at(x, y)) + (map.valid_at(x, y) ? "" : " (invalid)");
+      const std::size_t place = std::size_t(y) * std::size_t(map.width) + std::size_t(x);
+      std::string text = std::to_string(map.at(x, y));
+      if (!map.valid_at(x, y)) text += map.has_value_at(x, y) ? " (filled)" : " (invalid)";
+      if (!map.confidence.empty()) text += " of confidence " + std::to_string(map.confidence[place]);
+      return text;
    }
 
    /// Every output comes latency_clocks after the record that it waits for.

@@ -50,7 +50,18 @@ template <class Value>
    const auto disparities = compare(expected_size, expected.disparity, got_size, got.disparity);
    if (!disparities) return disparities;
    const auto validity = compare(expected_size, expected.valid, got_size, got.valid);
-   return validity ? validity : ::testing::AssertionFailure() << "validity: " << validity.message();
+   if (!validity) return ::testing::AssertionFailure() << "validity: " << validity.message();
+   if (expected.confidence.empty() && got.confidence.empty() && expected.filled.empty() && got.filled.empty())
+      return validity;
+   if (expected.confidence.empty() != got.confidence.empty() || expected.filled.empty() != got.filled.empty())
+      return ::testing::AssertionFailure() << "one map has a confidence or filled holes, the other has not";
+   if (!expected.confidence.empty())
+      if (const auto same = compare(expected_size, expected.confidence, got_size, got.confidence); !same)
+         return ::testing::AssertionFailure() << "confidence: " << same.message();
+   if (!expected.filled.empty())
+      if (const auto same = compare(expected_size, expected.filled, got_size, got.filled); !same)
+         return ::testing::AssertionFailure() << "filled: " << same.message();
+   return validity;
 }
 
 ::testing::AssertionResult same_volume(const CostVolume& expected, const CostVolume& got) {

@@ -6,6 +6,7 @@
 
 #include "definition/block_matching/matching_input.hpp"
 #include "definition/mirror.hpp"
+#include "definition/postprocessing.hpp"
 
 namespace stereo::block_matching {
 namespace {
@@ -71,12 +72,13 @@ DisparityMap match(const RasterImage<Pixel>& left, const RasterImage<Pixel>& rig
                                : window_sums(costs, matching.window_px);
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
-   if (matching.median) map = median_filtered(map);
    if (matching.has_left_right_check())
       keep_passing(map, left_right_check(best, other_winners(sums, matching.ties), matching.left_right_threshold));
    if (matching.has_uniqueness_check()) keep_passing(map, uniqueness_check(sums, best, matching.uniqueness_percent));
    if (matching.has_texture_check())
       keep_passing(map, has_texture(prefiltered(right, matching.prefilter_cap), matching));
+   map = post_processed(map, margins(sums, best, matching.margin_shift), matching);
+   if (matching.median) map = median_filtered(map);
    return map;
 }
 

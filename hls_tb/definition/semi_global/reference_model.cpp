@@ -6,6 +6,7 @@
 
 #include "definition/block_matching/reference_model.hpp"
 #include "definition/mirror.hpp"
+#include "definition/postprocessing.hpp"
 #include "definition/semi_global/matching_input.hpp"
 
 namespace stereo::semi_global {
@@ -85,10 +86,36 @@ CostVolume costs_of(const Image& left, const Image& right, const Matching& match
    const CostVolume pixels = block_matching::pixel_costs(left, right, matching.window_costs());
    CostVolume costs = all_window_sums(pixels, matching.window_px);
    if (matching.full_width) costs = full_width_sums(costs, matching.window_px, range_of(matching));
-   for (int& value : costs.values)
-      value = value == kNoCandidate ? largest_path_cost(matching)
-                                    : std::min(value >> matching.cost_shift, matching.cost_cap);
+   const DisparityRange range = range_of(matching);
+   for (int y = 0; y < costs.height; ++y)
+      for (int x = 0; x < costs.width; ++x)
+         for (int d = 0; d < costs.disparities; ++d) {
+            int& value = costs.at(x, y, d);
+            const bool is_beyond_border = matching.has_border_cost() && d >= range.first && d <= range.last;
+            if (value != kNoCandidate) value = std::min(value >> matching.cost_shift, matching.cost_cap);
+            else if (is_beyond_border) value = std::min(matching.border_cost, largest_path_cost(matching));
+            else value = largest_path_cost(matching);
+         }
    return costs;
+}
+
+/// With a border cost: all that is searched takes part, wherever it leads.
+void keep_searched(CostVolume& sums, const DisparityRange& range) {
+   for (int y = 0; y < sums.height; ++y)
+      for (int x = 0; x < sums.width; ++x)
+         for (int d = 0; d < sums.disparities; ++d)
+            if (d < range.first || d > range.last) sums.at(x, y, d) = kNoCandidate;
+}
+
+/// 1 where the winner leads to a column of the map.
+GrayImage partner_check(const DisparityMap& winners, const DisparityRange& range) {
+   GrayImage passes(winners.width, winners.height);
+   for (int y = 0; y < passes.height; ++y)
+      for (int x = 0; x < passes.width; ++x) {
+         const int partner = x + range.min + winners.at(x, y);
+         passes.at(x, y) = partner >= 0 && partner < winners.width ? 1 : 0;
+      }
+   return passes;
 }
 
 template <class Image>
@@ -97,13 +124,19 @@ DisparityMap matched(const Image& left, const Image& right, const Matching& matc
    if (matching.reference == Reference::left)
       return mirrored(matched(mirrored(right), mirrored(left), mirrored(matching)));
    CostVolume sums = path_sums(costs_of(left, right, matching), reliefs(right, matching), matching);
-   if (matching.full_width) keep_candidates(sums, range_of(matching));
+   CostVolume candidates = sums;  // of the other image's pixels
+   if (matching.full_width) keep_candidates(candidates, range_of(matching));
+   if (matching.has_border_cost()) keep_searched(sums, range_of(matching));
+   else sums = candidates;
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
-   if (matching.median) map = median_filtered(map);
+   if (matching.has_border_cost()) keep_passing(map, partner_check(best, range_of(matching)));
    if (matching.has_left_right_check())
-      keep_passing(map, left_right_check(best, other_winners(sums, matching.ties), matching.left_right_threshold));
+      keep_passing(map,
+                   left_right_check(best, other_winners(candidates, matching.ties), matching.left_right_threshold));
    if (matching.has_uniqueness_check()) keep_passing(map, distance_check(sums, best, matching.uniqueness_distance));
+   map = post_processed(map, margins(sums, best, matching.margin_shift), matching);
+   if (matching.median) map = median_filtered(map);
    return map;
 }
 

@@ -17,7 +17,7 @@ class ClockedCore {
   public:
    virtual ~ClockedCore() = default;
    /// What the registers show in this clock.
-   virtual StereoOutput output() const = 0;
+   virtual PostOutput output() const = 0;
    /// The clock edge.
    virtual void clock(const WideInput& in) = 0;
    /// What the ports of the settings show from now on, in the order of CoreShape::settings; until then, what the
@@ -48,7 +48,10 @@ class ClockedCoreOf final : public ClockedCore {
       set(start);
    }
 
-   StereoOutput output() const override { return core_.output(); }
+   PostOutput output() const override {
+      if constexpr (std::is_same_v<decltype(core_.output()), PostOutput>) return core_.output();
+      else return {core_.output(), {}, {}};
+   }
    void clock(const WideInput& in) override {
       if constexpr (kHasSettings) core_.clock(in, settings_);
       else core_.clock(in);

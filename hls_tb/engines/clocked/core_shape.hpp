@@ -12,7 +12,7 @@ namespace stereo {
 struct CoreShape {
    Image image;
    int output_width_px;  ///< of the map; it is as high as the images
-   int disparity_bits;   ///< of one pixel in the output word: 8 or 16
+   int disparity_bits;   ///< of one pixel in the output word: 8, 16 or 24 (LaneLayout)
    int steps_per_pixel;  ///< of a disparity: 1, or 16 for sixteenths of a pixel
    Schedule schedule;
    SettingList settings;     ///< that its ports take; none where they are constants
@@ -21,6 +21,9 @@ struct CoreShape {
    // The search range, in pixels; of a stage that has none, a usual one.
    int first_disparity = 0;
    int disparities = 16;
+   // What the outputs have beside the disparities.
+   bool has_confidence = false;
+   bool has_filled = false;
 };
 
 template <class Core>
@@ -41,6 +44,17 @@ inline constexpr int kDisparities = [] {
 }();
 
 template <class Core>
+inline constexpr bool kShowsConfidence = [] {
+   if constexpr (requires { Core::kConfig.has_confidence(); }) return Core::kConfig.has_confidence();
+   else return false;
+}();
+template <class Core>
+inline constexpr bool kShowsFilled = [] {
+   if constexpr (requires { Core::kConfig.fill_holes; }) return Core::kConfig.fill_holes;
+   else return false;
+}();
+
+template <class Core>
 constexpr CoreShape core_shape() {
    SettingList settings;
    if constexpr (kHasSettingPorts<Core::kConfig>) settings = setting_list(Core::kConfig);
@@ -53,7 +67,9 @@ constexpr CoreShape core_shape() {
            kPixelBits<Core::kConfig>,
            kTurnsRows<Core>,
            kFirstDisparity<Core>,
-           kDisparities<Core>};
+           kDisparities<Core>,
+           kShowsConfidence<Core>,
+           kShowsFilled<Core>};
 }
 
 }  // namespace stereo

@@ -37,6 +37,7 @@ class TextTrace final : public TraceSink {
 
 void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& sink, uint64_t first) {
    const int pixels = module.shape.image.pixels_per_clock;
+   const LaneLayout layout{module.shape.disparity_bits, module.shape.has_confidence, module.shape.has_filled};
    HeapMemories memories;
    auto core = module.make(memories);
    std::vector<RegisterView> registers = core->registers();
@@ -60,13 +61,13 @@ void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& s
    for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
       const WideInput& in = stimulus.clocks[clock];
       if (change != stimulus.settings.end() && change->clock == clock) core->set(settings = change++->values);
-      const StereoOutput output = core->output();
+      const PostOutput output = core->output();
       values.clear();
       add(lane_word<uint16_t>(in.left, pixels, module.shape.pixel_bits));
       add(lane_word<uint16_t>(in.right, pixels, module.shape.pixel_bits));
       add(in.start_of_frame);
       add(in.valid);
-      add(lane_word<uint16_t>(output.disparity, pixels, module.shape.disparity_bits));
+      add(lane_word<uint32_t>(output_lanes(output, layout), pixels, module.shape.disparity_bits));
       add(lane_word<bool>(output.pixel_valid, pixels, 1));
       add(output.valid);
       add(output.start_of_frame);

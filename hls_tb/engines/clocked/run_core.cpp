@@ -27,7 +27,7 @@ std::vector<CoreOutput> run_core(const CoreModule& module, const Stimulus& stimu
    auto change = stimulus.settings.begin();
    for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
       if (change != stimulus.settings.end() && change->clock == clock) core->set(change++->values);
-      const StereoOutput output = core->output();
+      const PostOutput output = core->output();
       if (output.valid) outputs.push_back(locator.locate(clock, output));
       if (reset != stimulus.resets.end() && *reset == clock) {
          core = module.make(memories);

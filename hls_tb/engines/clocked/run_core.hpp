@@ -14,7 +14,7 @@ std::vector<CoreOutput> run_core(ClockedCore& core, int pixels_per_clock, const 
    std::vector<CoreOutput> outputs;
    OutputLocator locator(pixels_per_clock);
    for (uint64_t clock = 0; clock < clocks.size(); ++clock) {
-      const StereoOutput output = core.output();
+      const PostOutput output = core.output();
       core.clock(clocks[clock]);
       if (output.valid) outputs.push_back(locator.locate(clock, output));
       observe();

@@ -325,13 +325,15 @@ Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& c
    return broken_frames(config_name, core, pair, count, stall_percent, seed);
 }
 
-CoreOutput OutputLocator::locate(uint64_t clock, const StereoOutput& output) {
+CoreOutput OutputLocator::locate(uint64_t clock, const PostOutput& output) {
    CoreOutput located{.clock = clock,
                       .x = last_.x + 1,
                       .y = last_.y,
                       .frame = last_.frame,
                       .disparity = std::to_array(output.disparity),
                       .pixel_valid = std::to_array(output.pixel_valid),
+                      .confidence = std::to_array(output.confidence),
+                      .filled = std::to_array(output.filled),
                       .start_of_frame = output.start_of_frame,
                       .end_of_line = output.end_of_line};
    if (output.start_of_frame) {
@@ -364,10 +366,16 @@ std::vector<DisparityMap> collect_frames(std::span<const CoreOutput> outputs, co
                                   " y=" + std::to_string(output.y) + " of frame " + std::to_string(output.frame) +
                                   " but belongs at x=" + std::to_string(x) + " y=" + std::to_string(y) + " of frame " +
                                   std::to_string(i / frame_size));
-      if (place == 0) frames.emplace_back(width, height, uint16_t(0), core.steps_per_pixel > 1);
+      if (place == 0) {
+         frames.emplace_back(width, height, uint16_t(0), core.steps_per_pixel > 1);
+         if (core.has_confidence) frames.back().confidence.resize(frames.back().valid.size());
+         if (core.has_filled) frames.back().filled.resize(frames.back().valid.size());
+      }
       for (int p = 0; p < image.pixels_per_clock; ++p) {
          frames.back().at(x, y + p) = output.disparity[std::size_t(p)];
          frames.back().valid_at(x, y + p) = output.pixel_valid[std::size_t(p)] ? 1 : 0;
+         if (core.has_confidence) frames.back().confidence_at(x, y + p) = output.confidence[std::size_t(p)];
+         if (core.has_filled) frames.back().filled_at(x, y + p) = output.filled[std::size_t(p)] ? 1 : 0;
       }
    }
    return frames;

@@ -48,6 +48,8 @@ struct CoreOutput {
    // [p]: at (x, y + p)
    std::array<uint16_t, kMostPixels> disparity{};
    std::array<bool, kMostPixels> pixel_valid{};
+   std::array<uint8_t, kMostPixels> confidence{};
+   std::array<bool, kMostPixels> filled{};
    bool start_of_frame = false;
    bool end_of_line = false;
 
@@ -57,10 +59,20 @@ struct CoreOutput {
 struct Expected {
    std::string config;
    int pixels_per_clock;
-   int disparity_bits;  ///< of one lane, 8 or 16
+   int disparity_bits;  ///< of one lane, 8, 16 or 24 (LaneLayout)
    int latency_clocks;
    std::vector<CoreOutput> outputs;
+   bool has_confidence = false, has_filled = false;
 };
+
+/// The lanes of an output's word.
+template <class Output>
+std::array<uint32_t, kMostPixels> output_lanes(const Output& output, const LaneLayout& layout) {
+   std::array<uint32_t, kMostPixels> lanes{};
+   for (std::size_t p = 0; p < lanes.size(); ++p)
+      lanes[p] = layout.lane(output.disparity[p], output.confidence[p], output.filled[p]);
+   return lanes;
+}
 
 /// Image rows first ... end-1.
 struct RowRange {
@@ -181,7 +193,8 @@ void set_random_frames(Stimulus& stimulus, const SettingList& ports, uint64_t se
 class OutputLocator {
   public:
    explicit OutputLocator(int pixels_per_clock) : pixels_per_clock_(pixels_per_clock) {}
-   CoreOutput locate(uint64_t clock, const StereoOutput& output);
+   CoreOutput locate(uint64_t clock, const PostOutput& output);
+   CoreOutput locate(uint64_t clock, const StereoOutput& output) { return locate(clock, PostOutput{output, {}, {}}); }
 
   private:
    int pixels_per_clock_;

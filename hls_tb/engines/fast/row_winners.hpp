@@ -77,6 +77,18 @@ STEREO_INTO_CLONES bool is_unique(const Sum* sums, int disparities, int lanes, P
    return int(close) == near;
 }
 
+/// How far the nearest disparity but the winner and its neighbours is, divided by 2^shift, `largest` at most. A sum of
+/// what is no candidate is the largest number.
+template <class Sum>
+STEREO_INTO_CLONES uint8_t margin_of(const Sum* sums, int disparities, PixelResult<Sum> pixel, int shift, int largest) {
+   constexpr Sum kMost = std::numeric_limits<Sum>::max();
+   Sum second = kMost;
+   for (int d = 0; d < pixel.winner - 1; ++d) second = std::min(second, sums[d]);
+   for (int d = pixel.winner + 2; d < disparities; ++d) second = std::min(second, sums[d]);
+   if (second == kMost) return uint8_t(largest);
+   return uint8_t(std::min<int64_t>((int64_t(second) - int64_t(pixel.smallest)) >> shift, largest));
+}
+
 /// In sixteenths of a pixel.
 template <class Sum>
 STEREO_INTO_CLONES uint16_t refined(const Sum* sums, int disparities, PixelResult<Sum> pixel) {

@@ -132,6 +132,11 @@ void add_matching(Facts& facts, const Arguments& arguments, const DisparityMap& 
               << std::fixed << std::setprecision(2) << milliseconds << " ms\n";
    if (geometry.has_check || arguments.postprocessing.rejects())
       facts.text << "valid pixels: " << 100 * density(map) << " %\n";
+   if (!map.filled.empty()) {
+      const double filled = double(std::count(map.filled.begin(), map.filled.end(), 1)) / double(map.filled.size());
+      facts.json["filled"] = filled;
+      facts.text << "filled pixels: " << 100 * filled << " %\n";
+   }
 }
 
 void add_truth(Facts& facts, const Arguments& arguments, const LoadedScore& score) {
@@ -175,7 +180,9 @@ void match_pair(const Arguments& arguments, const Algorithm& algorithm, const Pa
    if (geometry.has_check || arguments.postprocessing.rejects())
       out.add(kValidName, encode_valid_png(map), OutputFolder::Runs::some);
    else out.leave_out(kValidName, inputs);
-   if (arguments.postprocessing.wants_confidence)
+   if (!map.filled.empty()) out.add(kFilledName, encode_filled_png(map), OutputFolder::Runs::some);
+   else out.leave_out(kFilledName, inputs);
+   if (confidence && (arguments.postprocessing.wants_confidence || !map.confidence.empty()))
       out.add("confidence.png", encode_png(*confidence), OutputFolder::Runs::some);
    else out.leave_out("confidence.png", inputs);
    for (const auto& [word, format] : kFormats) {
@@ -220,7 +227,8 @@ void add_match(CLI::App& app) {
    add_pair_options(*command, arguments.left, arguments.right, arguments.fit);
    add_postprocessing_options(*command, arguments.postprocessing);
    command->add_flag("--confidence", arguments.postprocessing.wants_confidence,
-                     "also write confidence.png: 255 for the surest pixels, 0 for pixels without confidence");
+                     "also write confidence.png: 255 for the surest pixels, 0 for pixels without confidence; always "
+                     "written with the option confidence");
    command
        ->add_option("--write", arguments.formats,
                     "also write the map at the size of the image: pfm (disparity.pfm, infinity where invalid) or kitti "

@@ -25,9 +25,17 @@ inline void add_postprocessing_options(CLI::App& command, Postprocessing& option
        ->needs(window);
    command
        .add_option("--least-confidence", options.least_confidence,
-                   "mark pixels of less confidence as invalid, 0 ... 255; 0: off")
+                   "mark pixels of less confidence as invalid, 0 ... 255; 0: off. With the option confidence it is "
+                   "the configuration's own")
        ->check(CLI::Range(0, kLargestConfidence))
        ->capture_default_str();
+   command
+       .add_option("--surest", options.surest_percent,
+                   "percent of the map's pixels that stay, those of the most confidence, and others of as much")
+       ->check(CLI::Range(1, 100))
+       ->capture_default_str();
+   command.add_flag("--measured-only", options.measured_only,
+                    "pixels that the configuration's option fill_holes has filled count as invalid");
 }
 
 }  // namespace stereo::app

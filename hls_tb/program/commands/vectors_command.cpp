@@ -50,8 +50,13 @@ void vectors(const VectorsArguments& arguments) {
    if (const Stage* const stage = find_stage(arguments.config)) return vectors_of_stage(arguments, *stage);
    const CoreModule& core = core_module(require_configuration(arguments.config).name);
    const auto [stimulus, images_from] = make_stream(arguments.stream, core.name, core.shape);
-   const Expected expected{core.name, core.shape.image.pixels_per_clock, core.shape.disparity_bits,
-                           core.shape.schedule.latency_clocks, run_core(core, stimulus)};
+   const Expected expected{core.name,
+                           core.shape.image.pixels_per_clock,
+                           core.shape.disparity_bits,
+                           core.shape.schedule.latency_clocks,
+                           run_core(core, stimulus),
+                           core.shape.has_confidence,
+                           core.shape.has_filled};
    write(arguments, images_from, stimulus.clocks.size(), expected.outputs.size(), text_of(write_stimulus, stimulus),
          text_of(write_expected, expected));
 }

@@ -18,7 +18,7 @@ TruthScore score_against_truth(const DisparityMap& map, const MapGeometry& geome
       for (int x = 0; x < map.width; ++x) {
          const float wanted = truth.at(first + x, y);
          if (visible.at(first + x, y) == 0 || !has_disparity(wanted)) continue;
-         if (!map.valid_at(x, y)) {
+         if (!map.has_value_at(x, y)) {
             ++result.invalid;
             continue;
          }

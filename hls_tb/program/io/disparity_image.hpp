@@ -37,13 +37,13 @@ struct DisparityImage {
 };
 
 /// A map at the size of its reference image, disparities counted from 0. Pixels outside the map and those
-/// that have not passed a check have none.
+/// that have not passed a check have none, unless they were filled.
 inline DisparityImage at_image_size(const DisparityMap& map, const MapGeometry& geometry, int image_width) {
    DisparityImage image(image_width, map.height);
    const auto steps = float(map.steps_per_pixel());
    for (int y = 0; y < map.height; ++y)
       for (int x = 0; x < map.width; ++x)
-         if (map.valid_at(x, y))
+         if (map.has_value_at(x, y))
             image.at(geometry.first_column + x, y) = float(geometry.min_disparity) + float(map.at(x, y)) / steps;
    return image;
 }

@@ -129,7 +129,9 @@ cv::Mat colored(const DisparityMap& map, int disparities) {
    GrayImage shades = gray_of(map.disparity, map, [&](uint16_t value) { return value * 255 / largest; });
    cv::Mat color;
    cv::applyColorMap(as_mat(shades), color, cv::COLORMAP_TURBO);
-   GrayImage invalid = gray_of(map.valid, map, [](uint8_t valid) { return valid != 0 ? 0 : 1; });
+   GrayImage invalid(map.width, map.height);
+   for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x) invalid.at(x, y) = map.has_value_at(x, y) ? 0 : 1;
    color.setTo(cv::Scalar::all(0), as_mat(invalid));
    return color;
 }
@@ -227,6 +229,10 @@ std::string encode_color_png(const DisparityMap& map, int disparities) { return 
 
 std::string encode_valid_png(const DisparityMap& map) {
    return encode_png(gray_of(map.valid, map, [](uint8_t valid) { return valid != 0 ? 255 : 0; }));
+}
+
+std::string encode_filled_png(const DisparityMap& map) {
+   return encode_png(gray_of(map.filled, map, [](uint8_t filled) { return filled != 0 ? 255 : 0; }));
 }
 
 }  // namespace stereo::app

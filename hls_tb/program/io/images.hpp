@@ -44,5 +44,7 @@ std::string encode_png(const DisparityMap& map);
 std::string encode_color_png(const DisparityMap& map, int disparities);
 /// 255 where the map is valid, else 0.
 std::string encode_valid_png(const DisparityMap& map);
+/// 255 where a pixel was filled, else 0.
+std::string encode_filled_png(const DisparityMap& map);
 
 }  // namespace stereo::app

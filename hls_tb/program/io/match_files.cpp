@@ -55,10 +55,16 @@ OwnMap own_map(const std::string& option, const fs::path& path, const Facts& fac
    const GrayImage valid = checked ? load_gray(valid_path.string()) : GrayImage(map.width, map.height, 255);
    if (!map.same_size(valid))
       throw InputError(option + " " + path.string() + ": " + kValidName + " beside it is of another size");
+   const fs::path filled_path = path.parent_path() / kFilledName;
+   const bool fills = fs::is_regular_file(filled_path);
+   const GrayImage filled = fills ? load_gray(filled_path.string()) : GrayImage(map.width, map.height);
+   if (!map.same_size(filled))
+      throw InputError(option + " " + path.string() + ": " + kFilledName + " beside it is of another size");
    OwnMap own{facts.reference, DisparityImage(facts.width, facts.height), scale};
    for (int y = 0; y < map.height; ++y)
       for (int x = 0; x < map.width; ++x)
-         if (valid.at(x, y) != 0) own.image.at(facts.first_column + x, y) = float(facts.min_disparity) + map.at(x, y);
+         if (valid.at(x, y) != 0 || filled.at(x, y) != 0)
+            own.image.at(facts.first_column + x, y) = float(facts.min_disparity) + map.at(x, y);
    return own;
 }
 

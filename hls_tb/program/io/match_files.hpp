@@ -12,7 +12,7 @@ namespace stereo::app {
 
 inline constexpr const char *kMapName = "disparity.png", *kPfmName = "disparity.pfm",
                             *kKittiName = "disparity_kitti.png", *kFactsName = "match.json", *kValidName = "valid.png",
-                            *kFactsFormat = "stereo-hls match 1";
+                            *kFilledName = "filled.png", *kFactsFormat = "stereo-hls match 1";
 
 struct OwnMap {
    Reference reference;

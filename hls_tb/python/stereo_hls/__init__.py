@@ -52,11 +52,16 @@ class DisparityMap:
     """What `match` found. W x H is the size of the images; the map itself may be narrower."""
 
     disparity: NDArray[np.float32]
-    """[H, W]: pixels, at the size of the reference image; NaN outside the map and where a check failed."""
+    """[H, W]: pixels, at the size of the reference image; NaN outside the map and where a check failed,
+    unless the pixel was filled."""
     steps: NDArray[np.uint16]
     """[H, map's width]: as the hardware gives them, from the smallest disparity on, in pixels or sixteenths of one."""
     valid: NDArray[np.bool_]
     """[H, map's width]: the disparity has passed every check."""
+    confidence: NDArray[np.uint8] | None
+    """[H, map's width]: 255 for the surest, 0 where not valid; None without the option `confidence`."""
+    filled: NDArray[np.bool_] | None
+    """[H, map's width]: not valid, shows what stands beside it; None without the option `fill_holes`."""
     steps_per_px: int
     """1, or 16 with `subpixel`."""
     first_column: int
@@ -135,6 +140,8 @@ def match(
         run, images = _core.match_deep, (images[0].astype(np.uint16), images[1].astype(np.uint16))
     found = run(*images, configuration, settings, engine == "clocked", count)
     found.update(valid=found["valid"].view(np.bool_), options=json.loads(found["options"]))
+    if found["filled"] is not None:
+        found["filled"] = found["filled"].view(np.bool_)
     return DisparityMap(**found)
 
 

@@ -39,6 +39,11 @@ class FrameMaps:
         members = [(e, observed[i] if i < len(observed) else None) for i, e in enumerate(expected) if e.frame == frame]
         self.frame, self.parameters = frame, parameters
         self.lanes, self.bits = parameters["pixels_per_clock"], parameters["disparity_bits"]
+        # Of a lane, what stands above the disparity is compared, and not shown.
+        confidence, filled = option(parameters, "confidence"), option(parameters, "fill_holes")
+        self.shown_bits = self.bits - (8 if confidence else 0) - (1 if filled else 0)
+        whole = not option(parameters, "subpixel") and (confidence or filled or self.bits == 8)
+        self.steps = 1 if whole else 16
         shape = max(e.y for e, _ in members) + self.lanes, max(e.x for e, _ in members) + 1
         self.height, self.width = shape
         self.expected: Array = numpy.full(shape, -1)
@@ -61,12 +66,14 @@ class FrameMaps:
         if o.clock != e.clock:
             self.clocks[e.x, e.y + lane] = o.clock
         group_differs = o.clock != e.clock or (o.flags ^ e.flags) & 3
-        self.wrong[at] = (
-            group_differs or self.got[at] != self.expected[at] or self.got_valid[at] != self.expected_valid[at]
-        )
+        lane_differs = self._lane(o.disparity, lane) != self._lane(e.disparity, lane)
+        self.wrong[at] = group_differs or lane_differs or self.got_valid[at] != self.expected_valid[at]
+
+    def _lane(self, word: int, lane: int) -> int:
+        return word >> (self.bits * lane) & ((1 << self.bits) - 1)
 
     def _value(self, word: int, lane: int) -> int:
-        return word >> (self.bits * lane) & ((1 << self.bits) - 1)
+        return self._lane(word, lane) & ((1 << self.shown_bits) - 1)
 
     @property
     def all_valid(self) -> bool:
@@ -75,7 +82,7 @@ class FrameMaps:
     def _text(self, value: int, valid: bool) -> str:
         if value < 0:
             return "nothing"
-        number = f"{value / 16:g}" if self.bits == 16 else str(value)
+        number = f"{value / self.steps:g}"
         return number if valid else f"({number})"
 
     def _cell(self, x: int, y: int, first: bool) -> Cell:
@@ -115,7 +122,7 @@ class FrameMaps:
         self, title: str, values: Array, valid: Array, caption: str, mark: tuple[float, float] | None
     ) -> Picture:
         numpy, _ = pictures.libraries()
-        steps, low = (16 if self.bits == 16 else 1), option(self.parameters, "min_disparity") or 0
+        steps, low = self.steps, option(self.parameters, "min_disparity") or 0
         high = low + self.parameters["disparities"] - 1
         colors = pictures.disparity_colors(low + values / steps, low, high)
         colors[~valid] = pictures.rgb(pictures.REJECTED)

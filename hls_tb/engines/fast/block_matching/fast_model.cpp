@@ -7,6 +7,7 @@
 #include "engines/fast/block_matching/plain_matcher.hpp"
 #include "engines/fast/block_matching/texture.hpp"
 #include "engines/fast/median.hpp"
+#include "engines/fast/postprocessing.hpp"
 #include "engines/fast/prefilter.hpp"
 
 namespace stereo::block_matching {
@@ -42,6 +43,7 @@ DisparityMap match(const Image& left, const Image& right, const Matching& matchi
    DisparityMap map = matching.reference == Reference::right
                           ? match_right(left, right, matching, threads)
                           : mirrored(match_right(mirrored(right), mirrored(left), matching, threads));
+   fast::post_process(map, matching.reference, matching, threads);
    if (matching.median) map = fast::median_3x3(map, threads);
    return map;
 }

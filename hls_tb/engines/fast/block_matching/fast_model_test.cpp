@@ -7,6 +7,7 @@
 #include "definition/block_matching/models.hpp"
 #include "scene/random.hpp"
 #include "testing/map_compare.hpp"
+#include "testing/random_post_processing.hpp"
 #include "testing/seed.hpp"
 #include "testing/test_pairs.hpp"
 
@@ -84,6 +85,7 @@ block_matching::Matching random_parameters(Random& random, int width) {
       p.first_disparity = random.below(p.disparities);
       p.last_disparity = random.below(p.disparities + 1) - 1;
    }
+   draw_post_processing(random, p);
    return p;
 }
 
@@ -102,6 +104,12 @@ std::string text_of(const block_matching::Matching& p) {
                                      {"uniqueness", p.uniqueness_percent},
                                      {"texture", p.texture_threshold},
                                      {"subpixel", int(p.subpixel)},
+                                     {"support", p.support_threshold},
+                                     {"confidence", int(p.confidence)},
+                                     {"margin shift", p.margin_shift},
+                                     {"margin weight", p.margin_weight},
+                                     {"support weight", p.support_weight},
+                                     {"fill", int(p.fill_holes)},
                                      {"median", int(p.median)}})
       text += std::string(name) + "=" + std::to_string(value) + " ";
    return text;

@@ -124,6 +124,9 @@ struct Matcher {
       if (matching.has_uniqueness_check() &&
           !fast::is_unique(of_pixel.data(), disparities, lanes, pixel, close_sum(pixel.smallest)))
          map.valid_at(x, y) = 0;
+      if (matching.has_confidence())
+         map.confidence_at(x, y) =
+             fast::margin_of(of_pixel.data(), disparities, pixel, matching.margin_shift, matching.kLargestMargin);
    }
 
    /// The largest sum that is too close to the smallest one.
@@ -212,6 +215,7 @@ bool fits_16_bits(int width, int height, const Matching& matching) {
 template <class Pair, class Match>
 DisparityMap match_bands(const Pair& pair, const Matching& matching, int width, int height, int threads, Match match) {
    DisparityMap map(map_width(width, matching), height, 0, matching.subpixel);
+   if (matching.has_confidence()) map.confidence.assign(map.valid.size(), 0);
    fast::for_each_band(height, threads, [&](int first, int end) { match(pair, matching, map, first, end); });
    return map;
 }

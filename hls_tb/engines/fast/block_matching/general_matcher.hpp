@@ -10,7 +10,8 @@
 
 namespace stereo::block_matching {
 
-/// Steps 2 to 6 of docs/algorithm.md but the texture check, for the right image as reference, images prefiltered.
+/// Steps 2 to 6 of docs/algorithm.md but the texture check, for the right image as reference, images prefiltered. Where
+/// there is to be a confidence, the margins stand in its place.
 DisparityMap match_general(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads);
 DisparityMap match_general(const DeepImage& left, const DeepImage& right, const Matching& matching, int threads);
 

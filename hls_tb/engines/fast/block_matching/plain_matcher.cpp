@@ -101,7 +101,7 @@ STEREO_VECTOR_CLONES void match_5x5(const Pair& pair, int disparities, Disparity
 bool is_plain(const Matching& matching) {
    return (matching.window_px == 3 || matching.window_px == 5) && matching.cost == Cost::sad &&
           matching.ties == Ties::smallest && !matching.has_left_right_check() && !matching.has_uniqueness_check() &&
-          !matching.subpixel && !matching.full_width;
+          !matching.subpixel && !matching.full_width && !matching.has_confidence();
 }
 
 DisparityMap match_plain(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {

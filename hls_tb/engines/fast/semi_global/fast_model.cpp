@@ -4,6 +4,7 @@
 #include "definition/mirror.hpp"
 #include "definition/semi_global/matching_input.hpp"
 #include "engines/fast/median.hpp"
+#include "engines/fast/postprocessing.hpp"
 #include "engines/fast/semi_global/path_matcher.hpp"
 
 namespace stereo::semi_global {
@@ -17,6 +18,7 @@ DisparityMap match(const Image& left, const Image& right, const Matching& matchi
                           ? match_paths(left, right, matching, threads)
                           : stereo::mirrored(match_paths(stereo::mirrored(right), stereo::mirrored(left),
                                                          mirrored(matching), threads));
+   fast::post_process(map, matching.reference, matching, threads);
    if (matching.median) map = fast::median_3x3(map, threads);
    return map;
 }

@@ -11,6 +11,7 @@
 #include "engines/option_values.hpp"
 #include "scene/random.hpp"
 #include "testing/map_compare.hpp"
+#include "testing/random_post_processing.hpp"
 #include "testing/seed.hpp"
 #include "testing/test_pairs.hpp"
 
@@ -65,6 +66,8 @@ Matching random_options(Random& random, int width) {
       m.first_disparity = random.below(m.disparities);
       m.last_disparity = random.below(m.disparities + 1) - 1;
    }
+   if (m.full_width && random.percent(60)) m.border_cost = random.below(random.percent(80) ? 8 : 4096);
+   draw_post_processing(random, m);
    return m;
 }
 

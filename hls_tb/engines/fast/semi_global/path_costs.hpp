@@ -125,11 +125,13 @@ class WindowCosts {
    }
 
   private:
-   /// The map has the windows that lie in the image; what is no candidate has the largest cost.
+   /// The map has the windows that lie in the image; what is no candidate has the largest cost, or the border cost.
    template <class Lane>
    STEREO_INTO_CLONES void next_full_row(Lane* costs, Lane* smallest) {
       const int width = pixels_.columns - matching_.window_px + 1;
       const Lane largest = Lane(largest_path_cost(matching_));
+      const Lane border = Lane(matching_.has_border_cost() ? std::min(matching_.border_cost, int(largest)) : largest);
+      const int first_searched = matching_.first_disparity, last_searched = matching_.window_costs().last_searched();
       for (int x = -before_; x < width; ++x) {
          add(column(x + before_ + after_));
          if (x > 0) remove(column(x - 1));
@@ -138,7 +140,7 @@ class WindowCosts {
          scaled(to);
          const auto [first, last] = block_matching::searched_range(x, width, matching_.window_costs());
          for (int d = 0; d < matching_.disparities; ++d)
-            if (d < first || d > last) to[d] = largest;
+            if (d < first || d > last) to[d] = d < first_searched || d > last_searched ? largest : border;
          smallest[x] = *std::min_element(to, to + matching_.disparities);
       }
    }

@@ -126,21 +126,38 @@ class Matcher {
       if (matching_.path_above) shared_.from_above.next_row(first, end);
    }
 
-   /// With full_width: the winner of those candidates that lead to a window in the other image.
+   /// With full_width: the winner of those candidates that lead to a window in the other image, or with a border cost
+   /// of all that are searched.
    STEREO_INTO_CLONES int match_part(Row& row, int x, int y) {
-      const auto [first, last] = block_matching::searched_range(x, map_.width, matching_.window_costs());
+      const block_matching::Matching costs = matching_.window_costs();
+      const auto [first_inside, last_inside] = block_matching::searched_range(x, map_.width, costs);
+      int first = first_inside, last = last_inside;
+      if (matching_.has_border_cost()) {
+         first = matching_.first_disparity;
+         last = costs.last_searched();
+         if (matching_.has_left_right_check()) {
+            inside_ = total_;
+            keep_between(inside_, first_inside, last_inside);
+            fast::offer(row.other, x, inside_.data(), lanes_, matching_.ties);
+         }
+      }
       if (last < first) {
          const int d = matching_.ties == Ties::smallest ? 0 : matching_.disparities - 1;
          map_.at(x, y) = uint16_t(matching_.subpixel ? 16 * d : d);
          map_.valid_at(x, y) = 0;
          return d;
       }
-      for (int d = 0; d < matching_.disparities; ++d)
-         if (d < first || d > last) total_[std::size_t(d)] = std::numeric_limits<Lane>::max();
-      if (matching_.has_left_right_check()) fast::offer(row.other, x, total_.data(), lanes_, matching_.ties);
+      keep_between(total_, first, last);
+      if (matching_.has_left_right_check() && !matching_.has_border_cost())
+         fast::offer(row.other, x, total_.data(), lanes_, matching_.ties);
       const int winner = match_pixel(x, y);
       if (matching_.subpixel && (winner == first || winner == last)) map_.at(x, y) = uint16_t(16 * winner);
+      if (winner < first_inside || winner > last_inside) map_.valid_at(x, y) = 0;  // with a border cost
       return winner;
+   }
+   STEREO_INTO_CLONES void keep_between(std::vector<Lane>& sums, int first, int last) const {
+      for (int d = 0; d < matching_.disparities; ++d)
+         if (d < first || d > last) sums[std::size_t(d)] = std::numeric_limits<Lane>::max();
    }
 
    /// Gives the winner.
@@ -153,6 +170,9 @@ class Matcher {
          const uint64_t close = uint64_t(pixel.smallest) + uint64_t(matching_.uniqueness_distance) - 1;
          if (!fast::is_unique(sums, disparities, lanes_, pixel, close)) map_.valid_at(x, y) = 0;
       }
+      if (matching_.has_confidence())
+         map_.confidence_at(x, y) =
+             fast::margin_of(sums, disparities, pixel, matching_.margin_shift, matching_.kLargestMargin);
       return pixel.winner;
    }
 
@@ -170,6 +190,7 @@ class Matcher {
    WindowCosts<Pixel, PixelCost, Sum, Fixed> window_costs_;
    std::vector<Lane> beyond_;  ///< [d]: all bits set behind the last disparity
    std::vector<Lane> total_;   ///< [d]: S
+   std::vector<Lane> inside_;  ///< [d]: with a border cost, S of what leads to a window in the other image
    RowPathState<Lane, Fixed> from_left_, from_right_;
    std::vector<Row> rows_;  ///< of a band
 };
@@ -219,6 +240,7 @@ DisparityMap match(const PixelRows<Pixel>& pixels, int image_width, const DeepIm
                    int threads) {
    const int lanes = (matching.disparities + kVector - 1) / kVector * kVector;
    DisparityMap map(map_width(image_width, matching), pixels.height, 0, matching.subpixel);
+   if (matching.has_confidence()) map.confidence.assign(map.valid.size(), 0);
    const auto run = [&]<class Lane, int Fixed>(void (*match)(Shared<Pixel, Lane, Fixed>&)) {
       Shared<Pixel, Lane, Fixed> shared{
           pixels,
