@@ -155,7 +155,7 @@ add_test(NAME config_accepts.nothing_wrong
                  "${CMAKE_CURRENT_SOURCE_DIR}/blocks/block_matching/config_rejected.cpp")
 set_tests_properties(config_accepts.nothing_wrong PROPERTIES LABELS unit)
 
-foreach(command IN ITEMS broken_off cli depth evaluate match pixel_bits rectify video)
+foreach(command IN ITEMS broken_off cli depth evaluate match pixel_bits rectify post_processing video)
   stereo_add_pytest(NAME stereo_hls_${command} FILE
                     "${CMAKE_CURRENT_SOURCE_DIR}/program/commands/stereo_hls_${command}_test.py" LABELS unit)
 endforeach()

@@ -88,6 +88,30 @@ TEST(VectorFiles, ExpectedOutputsOfSeveralRowsInSixteenths) {
              "50 0 2 0 0fff0001 1\n51 1 2 0 07000000 10\n");
 }
 
+/// Above the disparity: filled in bit 15, the confidence in the 8 bits above.
+TEST(VectorFiles, ExpectedOutputsWithWhatPostProcessingGives) {
+   const CoreOutput measured{.clock = 50,
+                             .x = 0,
+                             .y = 0,
+                             .frame = 0,
+                             .disparity = {0x0123},
+                             .pixel_valid = {true},
+                             .confidence = {0xfe},
+                             .start_of_frame = true};
+   const CoreOutput filled{
+       .clock = 51, .x = 1, .y = 0, .frame = 0, .disparity = {0x0123}, .filled = {true}, .end_of_line = true};
+   EXPECT_EQ(text_of(Expected{"tiny_dense", 1, 24, 10, {measured, filled}, true, true}),
+             "stereo-hls expected 2 config=tiny_dense pixels=1 disparity_bits=24 outputs=2 latency=10\n"
+             "50 0 0 0 fe0123 5\n51 1 0 0 008123 2\n");
+   EXPECT_EQ(text_of(Expected{"tiny_fill", 1, 16, 10, {filled}, false, true}),
+             "stereo-hls expected 2 config=tiny_fill pixels=1 disparity_bits=16 outputs=1 latency=10\n"
+             "51 1 0 0 8123 2\n");
+   const CoreOutput whole{
+       .clock = 50, .x = 0, .y = 0, .frame = 0, .disparity = {0x23}, .pixel_valid = {true}, .confidence = {0xfe}};
+   EXPECT_EQ(text_of(Expected{"sure", 1, 16, 10, {whole}, true, false}),
+             "stereo-hls expected 2 config=sure pixels=1 disparity_bits=16 outputs=1 latency=10\n50 0 0 0 fe23 4\n");
+}
+
 TEST(VectorFiles, NothingIsAFirstLine) {
    EXPECT_EQ(text_of(Stimulus{"tiny", 1, {}}), "stereo-hls stimulus 2 config=tiny pixels=1 clocks=0\n");
    EXPECT_EQ(text_of(Expected{"tiny", 1, 8, 10, {}}),
