@@ -88,7 +88,7 @@ STEREO_ROW(tiny_sgm_border, option, tiny_sgm_full, border_cost = 3);
 STEREO_ROW(tiny_sgm_border_part, planned, tiny_sgm_full_all, height_px = 20, p1 = 10, p2 = 40, border_cost = 2,
            run_time_settings = true);
 STEREO_ROW(tiny_sgm_confidence, planned, tiny_sgm, support_threshold = 5, confidence = true);
-STEREO_ROW(tiny_sgm_dense, planned, tiny_sgm, reference = Reference::left, full_width = true, border_cost = 3,
+STEREO_ROW(tiny_sgm_dense, option, tiny_sgm, reference = Reference::left, full_width = true, border_cost = 3,
            left_right_threshold = 1, subpixel = true, median = true, support_threshold = 5, confidence = true,
            fill_holes = true);
 STEREO_ROW(tiny_sgm_dense_forward, planned, tiny_sgm, path_right = false, full_width = true, border_cost = 0,
