@@ -27,24 +27,29 @@ std::string sentence(const std::string& setting) {
 }
 
 TEST(Options, EveryNameOfTheJsonCanBeSet) {
-   const block_matching::Matching others{
-       DisparityCount{20},
-       MatchingWindow{7},
-       SmallestDisparity{-3},
-       PixelFormat{10},
-       ReferenceImage{Reference::left},
-       Comparison{Cost::ssd},
-       CensusWindow{.census_width_px = 7, .census_height_px = 3, .census_pattern = CensusPattern::sparse},
-       Prefiltering{.prefilter = Prefilter::xsobel, .prefilter_cap = 9},
-       TieRule{Ties::largest},
-       LeftRightThreshold{2},
-       UniquenessPercent{8},
-       block_matching::TextureThreshold{4},
-       SubpixelSteps{true},
-       MedianFilter{true},
-       FullWidth{.full_width = true, .first_disparity = 2, .last_disparity = 9}};
+   const block_matching::Matching others{DisparityCount{20},
+                                         MatchingWindow{7},
+                                         SmallestDisparity{-3},
+                                         PixelFormat{10},
+                                         ReferenceImage{Reference::left},
+                                         Comparison{Cost::ssd},
+                                         CensusWindow{.census_width_px = 7, .census_height_px = 3, .census_pattern = CensusPattern::sparse},
+                                         Prefiltering{.prefilter = Prefilter::xsobel, .prefilter_cap = 9},
+                                         TieRule{Ties::largest},
+                                         LeftRightThreshold{2},
+                                         UniquenessPercent{8},
+                                         block_matching::TextureThreshold{4},
+                                         SubpixelSteps{true},
+                                         MedianFilter{true},
+                                         FullWidth{.full_width = true, .first_disparity = 2, .last_disparity = 9},
+                                         PostProcessing{.support_threshold = 9,
+                                                        .confidence = true,
+                                                        .margin_shift = 1,
+                                                        .margin_weight = 3,
+                                                        .support_weight = 5,
+                                                        .fill_holes = true}};
    const nlohmann::json wanted = options_json(algorithm(others)->options()), plain = options_json(kPlain->options());
-   ASSERT_EQ(wanted.size(), 20u);
+   ASSERT_EQ(wanted.size(), 26u);
    std::vector<std::string> settings;
    for (const auto& [name, value] : wanted.items()) {
       EXPECT_NE(value, plain[name]) << name << " must differ for this test to see it";
