@@ -50,6 +50,8 @@ stereo_add_unit_tests(
   blocks/winner/winner_tree_test.cpp
   blocks/block_matching/config_test.cpp
   blocks/block_matching/disparity_slice_test.cpp
+  blocks/block_matching/row_best_test.cpp
+  blocks/block_matching/row_passes_test.cpp
   blocks/block_matching/texture_test.cpp
   blocks/dynamic_range/coarse_pixels_test.cpp
   blocks/dynamic_range/search_rows_test.cpp

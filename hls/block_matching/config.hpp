@@ -20,7 +20,7 @@ struct CostSteps {
 };
 
 /// How the core is built; docs/features.md shows what each option costs and gives.
-struct Structure : OptionGroups<Summation, SliceSize, CostSteps, WinnerGroup, RunTime> {
+struct Structure : OptionGroups<Summation, SliceSize, CostSteps, WinnerGroup, Folding, RunTime> {
    using OptionGroups::OptionGroups;
 };
 
@@ -118,6 +118,21 @@ struct Config : Image, Matching, Structure {
    constexpr int transform_columns() const { return cost == Cost::census ? census_width_px / 2 : 1; }
    constexpr int transform_groups() const { return (transform_rows() + pixels_per_clock - 1) / pixels_per_clock; }
 
+   // With several clocks a pixel a row of the image is matched in as many passes (folding.hpp).
+   constexpr bool is_folded() const { return clocks_per_pixel > 1; }
+   constexpr int pass_disparities() const { return disparities / clocks_per_pixel; }
+   /// Columns of a pass before its first cost column, which bring in the searched pixels, and behind its last one,
+   /// which complete the windows. As many as a window has stand between two passes.
+   constexpr int columns_before_pass() const { return larger(pass_disparities() - 1, columns_before()); }
+   constexpr int pass_columns() const { return columns_before_pass() + cost_columns() + columns_after(); }
+   /// With a left/right check the last pass goes on until the other image's pixels have left the lanes.
+   constexpr int columns_behind_last_pass() const { return has_left_right_check() ? pass_disparities() - 1 : 0; }
+   constexpr int passes_columns() const { return clocks_per_pixel * pass_columns() + columns_behind_last_pass(); }
+   /// Rows by which a folded core is behind one that is not: one that is matched, and one that leaves.
+   constexpr int folded_rows() const { return is_folded() ? 2 : 0; }
+   /// Clocks that are enough from a pass's column to its disparity.
+   constexpr int clocks_to_pass_result() const { return 40 + disparities / slice_disparities; }
+
    /// As in Matching; ports may leave any disparity out.
    constexpr bool has_lost_pixels() const { return Matching::has_lost_pixels() || (run_time_settings && full_width); }
    constexpr bool has_check() const { return Matching::has_check() || has_lost_pixels(); }
@@ -163,6 +178,7 @@ struct Config : Image, Matching, Structure {
                 "must have two groups of rows";
       if (run_time_size && median && output_width_px() < 2)
          return "with a run-time size and a median the map must have two columns";
+      if (const Sentence sentence = folding_problem(); !sentence.empty()) return sentence;
       if (int64_t(largest_column_cost()) * window_px >= 1 << 26) return "window costs must stay below 2^26";
       if (has_uniqueness_check() && largest_window_cost() >= 1 << 24)
          return "with a uniqueness check window costs must stay below 2^24";
@@ -177,12 +193,37 @@ struct Config : Image, Matching, Structure {
       return transform + groups_behind_transform();
    }
    constexpr int groups_behind_transform() const {
+      if (is_folded()) return (delay_groups() + folded_rows()) * width_px;
       return delay_groups() * width_px + first_map_column() + columns_after();
    }
    /// Clocks that are enough from the last group that a disparity depends on to the last check.
    constexpr int clocks_to_last_check() const { return 64 + disparities; }
 
   private:
+   constexpr Sentence folding_problem() const {
+      if (!is_folded()) return {};
+      if (disparities % clocks_per_pixel != 0) return "the clocks a pixel pair must divide the disparity range";
+      if (pass_disparities() < 2)
+         return "with several clocks a pixel pair two disparities or more must be left for each";
+      if (pixels_per_clock > 1) return "with several clocks a pixel pair only one comes at once";
+      if (sign_memory) return "with several clocks a pixel pair there is no sign memory";
+      if (full_width) return "with several clocks a pixel pair there is no map of full width";
+      if (run_time_size) return "with several clocks a pixel pair there is no run-time size";
+      if (has_post_processing()) return "with several clocks a pixel pair there is no post-processing";
+      if (!passes_fit())
+         return "with so many clocks a pixel pair the image must be wider for its passes to fit in a row";
+      return {};
+   }
+   /// Whether a row's passes end before the next row is there, and the last pass is ahead of the row that leaves.
+   constexpr bool passes_fit() const {
+      const int other_lag = !has_left_right_check()         ? 0
+                            : reference == Reference::right ? pass_disparities() - 1
+                                                            : disparities - 1;
+      const int to_first_result = (clocks_per_pixel - 1) * pass_columns() + columns_before_pass() + columns_after() +
+                                  other_lag + clocks_to_pass_result();
+      const int row_clocks = width_px * clocks_per_pixel;
+      return passes_columns() <= row_clocks - 2 && to_first_result <= row_clocks;
+   }
    /// Whether the first disparity of a frame is checked before the next frame can start.
    constexpr bool holds_settings() const {
       const int check = has_left_right_check() ? disparities - 1 : 0;

@@ -14,6 +14,10 @@ namespace stereo::block_matching::configurations {
 STEREO_ROW(ambrosch2007, paper, Config(), width_px = 320, height_px = 240, disparities = 100, sign_memory = true);
 STEREO_ROW(ambrosch2007_p2, paper, ambrosch2007, pixels_per_clock = 2);
 STEREO_ROW(ambrosch2007_p4, paper, ambrosch2007, pixels_per_clock = 4);
+// The same map with several clocks a pixel pair: the first one gives the paper's frames a second.
+STEREO_ROW(ambrosch2007_f5, system, ambrosch2007, sign_memory = false, clocks_per_pixel = 5);
+STEREO_ROW(ambrosch2007_f10, system, ambrosch2007_f5, clocks_per_pixel = 10);
+STEREO_ROW(ambrosch2007_f20, system, ambrosch2007_f5, clocks_per_pixel = 20);
 
 // tiny: small enough for every tool to finish in seconds.
 STEREO_ROW(tiny, tiny, Config(), width_px = 32, height_px = 12, disparities = 8, slice_disparities = 3);
@@ -32,6 +36,7 @@ STEREO_ROW(lee_320, system, Config(), width_px = 320, height_px = 240, dispariti
 // Miyajima and Maruyama.
 STEREO_ROW(miyajima_640, system, Config(), width_px = 640, height_px = 480, disparities = 200, window_px = 7,
            aggregation = Aggregation::recursive);
+STEREO_ROW(miyajima_640_f5, system, miyajima_640, clocks_per_pixel = 5);
 // Yi et al.: the window is not stated; 9x9 here.
 STEREO_ROW(yi_270, system, Config(), width_px = 270, height_px = 270, disparities = 34, window_px = 9,
            aggregation = Aggregation::recursive, slice_disparities = 17);
@@ -59,6 +64,7 @@ STEREO_ROW(census_450_dense, planned, census_450_full, left_right_threshold = 1,
 // For two cameras of 640x480 (examples/camera_system): the same with each check that says how far to trust a disparity.
 STEREO_ROW(vga_64, system, census_450, width_px = 640, height_px = 480, disparities = 64, census_height_px = 3,
            census_pattern = CensusPattern::all, left_right_threshold = 1, uniqueness_percent = 5);
+STEREO_ROW(census_640_f4, planned, vga_64, clocks_per_pixel = 4);
 
 // study: what one option costs; each beside `study`, which has none (docs/features.md).
 STEREO_ROW(study, study, Config(), width_px = 320, height_px = 64, disparities = 16, window_px = 5,
@@ -204,6 +210,17 @@ STEREO_ROW(tiny_dense_p4, planned, tiny_p4, reference = Reference::left, left_ri
 STEREO_ROW(tiny_confidence_p4, option, tiny_p4, left_right_threshold = 1, support_threshold = 4, confidence = true,
            margin_shift = 4, median = true);
 STEREO_ROW(tiny_dense_size, planned, tiny_dense, height_px = 20, run_time_settings = true, run_time_size = true);
+STEREO_ROW(tiny_dense_size, option, tiny_dense, height_px = 20, run_time_settings = true, run_time_size = true);
+// Several clocks a pixel pair.
+STEREO_ROW(tiny_f2, option, tiny, width_px = 48, clocks_per_pixel = 2);
+STEREO_ROW(tiny_f2_lr, option, tiny_f2, left_right_threshold = 1);
+STEREO_ROW(tiny_f3_census, option, tiny_census, width_px = 60, disparities = 9, ties = Ties::largest,
+           left_right_threshold = 0, clocks_per_pixel = 3);
+STEREO_ROW(tiny_f4_left, option, tiny, width_px = 48, window_px = 7, min_disparity = -2, reference = Reference::left,
+           uniqueness_percent = 10, subpixel = true, aggregation = Aggregation::recursive, clocks_per_pixel = 4);
+STEREO_ROW(tiny_f4_all, option, tiny_all, width_px = 60, disparities = 12, pixel_bits = 10, clocks_per_pixel = 4);
+STEREO_ROW(tiny_f4_settings, option, tiny_all_recursive, width_px = 60, height_px = 16, disparities = 12,
+           reference = Reference::left, run_time_settings = true, clocks_per_pixel = 4);
 // clang-format on
 
 }  // namespace stereo::block_matching::configurations

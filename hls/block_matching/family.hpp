@@ -3,4 +3,4 @@
 #pragma once
 
 #include "block_matching/configurations.hpp"
-#include "block_matching/core.hpp"
+#include "block_matching/folded_core.hpp"

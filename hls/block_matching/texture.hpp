@@ -64,8 +64,9 @@ struct Texture {
 
    HLS_INLINE bool passed(int p) const { return passes[kWait - 1][p]; }
 
-   template <class Settings>
-   HLS_INLINE void clock(const LineBuffer<C>& rows, const Settings& settings) {
+   /// rows: the LineBuffer, or what stands between it and the slices.
+   template <class Rows, class Settings>
+   HLS_INLINE void clock(const Rows& rows, const Settings& settings) {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          HLS_UNROLL

@@ -9,6 +9,7 @@ struct Schedule {
    int groups_to_first_output;  ///< valid groups, from a frame's first on, that bring out its first disparities
    int flush_groups;            ///< valid groups without start of frame that bring out the last disparities of a frame
    int gap_groups;              ///< valid groups without start of frame that must stand between two frames
+   int clocks_per_group = 1;    ///< clocks from one valid group to the next, at least
 };
 
 /// The schedule of a core whose outputs come in the order of its inputs, a map of `map_width` columns.

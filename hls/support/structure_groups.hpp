@@ -34,6 +34,17 @@ struct WinnerGroup {
    }
 };
 
+/// Logic for clocks: fewer disparities at once.
+struct Folding {
+   int clocks_per_pixel =
+       1;  ///< F clocks at least from one pixel pair to the next, for which D/F disparities are built
+
+   template <class Self, class Visitor>
+   static constexpr void options(Self& self, Visitor& visit) {
+      visit("clocks_per_pixel", self.clocks_per_pixel, 1, 128, "the number of clocks a pixel pair");
+   }
+};
+
 /// What comes from ports.
 struct RunTime {
    bool run_time_settings = false;  ///< the family's settings, taken over with each start of frame

@@ -48,7 +48,7 @@ std::vector<NamedPair> pairs_for(const Configuration& configuration) {
 template <class Pair>
 std::vector<DisparityMap> core_maps(const CoreModule& core, const std::vector<Pair>& frames, int stall_percent) {
    const Schedule& schedule = core.shape.schedule;
-   StimulusWriter writer(core.shape.image.pixels_per_clock, stall_percent, test_seed(), core.shape.pixel_bits);
+   StimulusWriter writer(core.shape, stall_percent, test_seed());
    for (std::size_t i = 0; i < frames.size(); ++i) {
       if (i > 0) writer.gap(schedule);
       writer.rows(frames[i], {0, core.shape.image.height_px});
@@ -112,7 +112,7 @@ struct TimedFrame {
 
    TimedFrame(const CoreShape& core, int records, int stall_percent) {
       const Image& image = core.image;
-      StimulusWriter writer(image.pixels_per_clock, stall_percent, test_seed());
+      StimulusWriter writer(core, stall_percent, test_seed());
       writer.rows(random_pair(image.width_px, image.height_px, test_seed()), {0, image.height_px});
       writer.random_records(records);
       std::vector<WideInput> sent;

@@ -51,7 +51,7 @@ TEST_P(SettingsTest, EachFrameHasTheSettingsOfItsStart) {
    const std::vector<NamedPair> pairs = test_pairs(image.width_px, image.height_px, disparities, test_seed());
    Random random(test_seed());
    for (const int stall_percent : {0, 30}) {
-      StimulusWriter writer(image.pixels_per_clock, stall_percent, test_seed());
+      StimulusWriter writer(shape, stall_percent, test_seed());
       std::vector<const ImagePair*> sent;
       for (int frame = 0; frame < kFrames; ++frame) {
          if (frame > 0) writer.gap(shape.schedule);
@@ -109,7 +109,7 @@ TEST_P(SizeTest, EachResetBringsItsSize) {
       const CoreShape shape = shape_at(core().shape, size);
       const int disparities = configuration().algorithm->map_geometry(size.width_px).disparities;
       const auto pairs = test_pairs(size.width_px, size.height_px, disparities, random.bits());
-      StimulusWriter writer(size.pixels_per_clock, i % 2 == 0 ? 0 : 30, random.bits());
+      StimulusWriter writer(shape, i % 2 == 0 ? 0 : 30, random.bits());
       writer.reset_to_size(1, size.width_px, size.height_px);
       std::vector<const ImagePair*> sent;
       for (int frame = 0; frame < kFrames; ++frame) {

@@ -145,9 +145,7 @@ class Checker {
   private:
    static std::string stalls(int percent) { return percent == 0 ? "" : ", " + std::to_string(percent) + " % bubbles"; }
 
-   StimulusWriter writer(int stall_percent) {
-      return StimulusWriter(image_.pixels_per_clock, stall_percent, random_.bits(), core_.shape.pixel_bits);
-   }
+   StimulusWriter writer(int stall_percent) { return StimulusWriter(core_.shape, stall_percent, random_.bits()); }
    static std::string text(const Image& size) {
       return std::to_string(size.width_px) + "x" + std::to_string(size.height_px);
    }
@@ -155,7 +153,7 @@ class Checker {
    /// The first records of a frame, and records without start behind them.
    void send_part(StimulusWriter& to, int records) { send_part(to, records, image_); }
    void send_part(StimulusWriter& to, int records, const Image& size) {
-      StimulusWriter whole = writer(0);
+      StimulusWriter whole(image_.pixels_per_clock, 0, random_.bits(), core_.shape.pixel_bits);
       send(whole, random_pair(size));
       const int of_frame = std::min(records, int(whole.clocks.size()));
       for (int i = 0; i < of_frame; ++i) to.record(whole.clocks[std::size_t(i)]);

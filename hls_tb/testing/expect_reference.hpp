@@ -13,7 +13,7 @@ namespace stereo::test {
 template <const block_matching::Config& C>
 DisparityMap core_map(const ImagePair& pair, int stall_percent = 0) {
    using Core = block_matching::Core<C>;
-   StimulusWriter writer(C.pixels_per_clock, stall_percent, test_seed());
+   StimulusWriter writer(core_shape<Core>(), stall_percent, test_seed());
    writer.rows(pair, {0, C.height_px});
    writer.flush(Core::kSchedule);
    writer.drain(Core::kSchedule);

@@ -165,6 +165,32 @@ TEST(BlockMatchingConfig, SaysWhereAMapOfFullWidthIsNone) {
    EXPECT_EQ(config.problem().text, std::string("first_disparity and last_disparity need a map of full width"));
 }
 
+TEST(BlockMatchingConfig, SaysWhatSeveralClocksAPixelCannotBeCombinedWith) {
+   using Config = block_matching::Config;
+   const auto problem = [](auto change) {
+      Config config{{.width_px = 48, .height_px = 12}, {DisparityCount{8}}, {Folding{4}}};
+      change(config);
+      return std::string(config.problem().text);
+   };
+   EXPECT_EQ(problem([](Config&) {}), "");
+   EXPECT_EQ(problem([](Config& c) { c.clocks_per_pixel = 3; }),
+             "the clocks a pixel pair must divide the disparity range");
+   EXPECT_EQ(problem([](Config& c) { c.clocks_per_pixel = 8; }),
+             "with several clocks a pixel pair two disparities or more must be left for each");
+   EXPECT_EQ(problem([](Config& c) { c.clocks_per_pixel = 0; }),
+             "the number of clocks a pixel pair is 0 but must be 1 ... 128");
+   EXPECT_EQ(problem([](Config& c) { c.pixels_per_clock = 2; }),
+             "with several clocks a pixel pair only one comes at once");
+   EXPECT_EQ(problem([](Config& c) { c.sign_memory = true; }),
+             "with several clocks a pixel pair there is no sign memory");
+   EXPECT_EQ(problem([](Config& c) { c.full_width = true; }),
+             "with several clocks a pixel pair there is no map of full width");
+   EXPECT_EQ(problem([](Config& c) { c.run_time_size = true; }),
+             "with several clocks a pixel pair there is no run-time size");
+   EXPECT_EQ(problem([](Config& c) { c.width_px = 12; }),
+             "with so many clocks a pixel pair the image must be wider for its passes to fit in a row");
+}
+
 /// Plain core: the last window needs the rows below it, then the columns of its row that come after it.
 TEST(BlockMatchingConfig, FlushGroupsBringOutTheLastDisparity) {
    using block_matching::Core;

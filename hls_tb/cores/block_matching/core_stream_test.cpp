@@ -38,8 +38,10 @@ class StereoCoreStreamTest : public ::testing::TestWithParam<std::size_t> {
    const block_matching::Config& config() const { return core().config; }
    const Schedule& schedule() const { return core().shape.schedule; }
    StimulusWriter writer(int stall_percent = 0) const {
-      return StimulusWriter(config().pixels_per_clock, stall_percent, test_seed());
+      return StimulusWriter(core().shape, stall_percent, test_seed());
    }
+   /// One behind the other, to be sent by another writer.
+   StimulusWriter records() const { return StimulusWriter(config().pixels_per_clock, 0, test_seed()); }
    void send(StimulusWriter& to, const ImagePair& frame) const { to.rows(frame, {0, config().height_px}); }
    std::vector<CoreOutput> run(StimulusWriter& from) const {
       HeapMemories memories;
@@ -92,7 +94,7 @@ TEST_P(StereoCoreStreamTest, FlushGroupsAndNextFrameGroupsGiveTheSame) {
 
 TEST_P(StereoCoreStreamTest, AStartOfFrameRestartsAtAnyPlace) {
    const std::vector<ImagePair> pairs = some_pairs(config(), 3);
-   StimulusWriter whole = writer();
+   StimulusWriter whole = records();
    send(whole, pairs[1]);
    const DisparityMap expected = reference_map(pairs[2], config());
    Random random(test_seed());
@@ -117,7 +119,7 @@ TEST_P(StereoCoreStreamTest, AStartOfFrameRestartsAtAnyPlace) {
 
 TEST_P(StereoCoreStreamTest, AResetAtAnyPlaceLeavesNothingOfTheFrameBefore) {
    const std::vector<ImagePair> pairs = some_pairs(config(), 2);
-   StimulusWriter whole = writer(), alone = writer();
+   StimulusWriter whole = records(), alone = writer();
    send(whole, pairs[0]);
    whole.flush(schedule());
    send(alone, pairs[1]);

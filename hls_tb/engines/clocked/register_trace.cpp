@@ -126,7 +126,7 @@ Stimulus make_trace_stimulus(const std::string& config, const CoreShape& shape, 
    constexpr int kStallPercent = 20;
    constexpr uint64_t kSeed = 1;
    const Image& image = shape.image;
-   StimulusWriter writer(image.pixels_per_clock, kStallPercent, kSeed, shape.pixel_bits);
+   StimulusWriter writer(shape, kStallPercent, kSeed);
    const int empty = has_size_ports(shape.settings) && shape.turns_rows ? 24 : 0;
    writer.bubbles(empty + 4);
    const auto records_of_a_frame = [&writer](int count) {

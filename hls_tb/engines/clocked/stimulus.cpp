@@ -151,8 +151,9 @@ void set_random_frames(Stimulus& stimulus, const SettingList& ports, uint64_t se
 }
 
 void StimulusWriter::record(const WideInput& in) {
-   while (random_.percent(stall_percent_)) bubbles(1);
+   while (clocks.size() < next_record_ || random_.percent(stall_percent_)) bubbles(1);
    clocks.push_back(in);
+   next_record_ = clocks.size() + std::size_t(clocks_per_group_ - 1);
 }
 
 template <class Pixel>
@@ -220,7 +221,7 @@ Stimulus whole_frames(const std::string& config_name, const CoreShape& core, con
                       const StimulusOptions& options) {
    const RowRange rows = options.rows.value_or(RowRange{0, core.image.height_px});
    check(config_name, core, pair, options, rows);
-   StimulusWriter writer(core.image.pixels_per_clock, options.stall_percent, options.seed, core.pixel_bits);
+   StimulusWriter writer(core, options.stall_percent, options.seed);
    const bool sized = has_size_ports(core.settings) && !options.rows;
    Random random(options.seed ^ 0x512e);
    PairOf<Pixel> shown = pair;
@@ -257,7 +258,7 @@ Stimulus broken_frames(const std::string& config_name, const CoreShape& core, co
    Image size = core.image;
    PairOf<Pixel> shown = pair;
    Random random(seed ^ 0x5eed);  // what happens; the writer's is for bubbles and garbage
-   StimulusWriter writer(core.image.pixels_per_clock, stall_percent, seed, core.pixel_bits);
+   StimulusWriter writer(core, stall_percent, seed);
    const auto whole_frame = [&] { writer.rows(shown, all, random.percent(50)); };
    const auto part_of_a_frame = [&] {
       const int frame = size.width_px * size.row_groups();

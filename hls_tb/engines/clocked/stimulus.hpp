@@ -92,12 +92,21 @@ struct StimulusOptions {
 /// Puts records and bubbles in a row. Bubbles and flush records carry garbage on the lanes in use, 0 on the others.
 class StimulusWriter {
   public:
-   StimulusWriter(int pixels_per_clock, int stall_percent, uint64_t seed, int pixel_bits = 8)
-       : pixels_per_clock_(pixels_per_clock), stall_percent_(stall_percent), random_(seed), pixel_bits_(pixel_bits) {}
+   /// Records a clock after one another, or `clocks_per_group` apart.
+   StimulusWriter(int pixels_per_clock, int stall_percent, uint64_t seed, int pixel_bits = 8, int clocks_per_group = 1)
+       : pixels_per_clock_(pixels_per_clock),
+         stall_percent_(stall_percent),
+         random_(seed),
+         pixel_bits_(pixel_bits),
+         clocks_per_group_(clocks_per_group) {}
+   /// As close as the core takes them.
+   StimulusWriter(const CoreShape& core, int stall_percent, uint64_t seed)
+       : StimulusWriter(core.image.pixels_per_clock, stall_percent, seed, core.pixel_bits,
+                        core.schedule.clocks_per_group) {}
 
    /// Of the records from now on.
    void set_stall_percent(int stall_percent) { stall_percent_ = stall_percent; }
-   /// Random bubbles, then the record.
+   /// Bubbles that the core needs, random ones, then the record.
    void record(const WideInput& in);
    /// These rows of the images, a whole number of groups, as the top of a frame; upside down: row y is the y-th from
    /// below.
@@ -127,6 +136,8 @@ class StimulusWriter {
    int stall_percent_;
    Random random_;
    int pixel_bits_;
+   int clocks_per_group_;
+   std::size_t next_record_ = 0;  ///< the first clock that may have one
 };
 
 /// Whole frames are followed by a flush, parts of frames by bubbles only: they lack the rows that end a frame.

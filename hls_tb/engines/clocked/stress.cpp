@@ -38,7 +38,7 @@ class Deck {
 class Stress {
   public:
    Stress(const CoreShape& core, uint64_t seed)
-       : core_(core), size_(core.image), random_(seed ^ 0x57e5), writer_(core.image.pixels_per_clock, 0, seed, core.pixel_bits) {}
+       : core_(core), size_(core.image), random_(seed ^ 0x57e5), writer_(core, 0, seed) {}
 
    StimulusWriter make() {
       // What a reset leaves out shows only before the first start of frame.

@@ -48,8 +48,9 @@ void trace(const TraceArguments& arguments) {
       }
    } else {
       const CoreModule& core = core_module(require_configuration(arguments.config).name);
+      const int clocks = arguments.clocks * core.shape.schedule.clocks_per_group;
       Stimulus stimulus = has_stream ? make_stream(arguments.stream, core.name, core.shape).stimulus
-                                     : make_trace_stimulus(core.name, core.shape, arguments.clocks);
+                                     : make_trace_stimulus(core.name, core.shape, clocks);
       if (has_stream) cut(stimulus.clocks, arguments);
       trace_core(core, stimulus, text, first);
    }

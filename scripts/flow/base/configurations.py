@@ -5,6 +5,7 @@ those of stages in front of them."""
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, TypedDict, cast
@@ -53,6 +54,11 @@ def parameters_of(row: Configuration) -> Parameters:
     """What decides the hardware."""
     kept = {key: value for key, value in row.items() if key not in _ABOUT}
     return cast(Parameters, kept)
+
+
+def clocks_per_pixel(parameters: Mapping[str, Any]) -> int:
+    """Least clocks from one group of pixel pairs to the next."""
+    return cast(int, parameters.get("clocks_per_pixel", 1))
 
 
 def option(parameters: Parameters, name: str) -> Any:

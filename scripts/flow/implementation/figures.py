@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TypedDict
 
-from ..base.configurations import Parameters, Size
+from ..base.configurations import Parameters, Size, clocks_per_pixel
 from .record import Area, Fill
 
 _CELLS = {"DP16KD": "block RAMs", "TRELLIS_COMB": "LUT sites", "TRELLIS_FF": "flip-flops"}  # of ECP5
@@ -20,9 +20,10 @@ class Speed(TypedDict):
 
 
 def clocks_per_frame(parameters: Parameters) -> int:
-    """Frames as close to each other as they may be take a clock for each group of pixel pairs and, with recursive sums,
-    for each group of the gap between them; co-simulation measures the same."""
-    return parameters["width_px"] * parameters["height_px"] // parameters["pixels_per_clock"] + parameters["gap_groups"]
+    """Frames as close to each other as they may be take a clock, or as many as the core needs, for each group of pixel
+    pairs and, with recursive sums, for each group of the gap between them; co-simulation measures the same."""
+    groups = parameters["width_px"] * parameters["height_px"] // parameters["pixels_per_clock"]
+    return (groups + parameters["gap_groups"]) * clocks_per_pixel(parameters)
 
 
 def evaluations_per_frame(size: Size) -> int:

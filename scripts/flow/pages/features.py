@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..base import committed, rtl
-from ..base.configurations import option
+from ..base.configurations import clocks_per_pixel, option
 from ..base.markdown import UNKNOWN, code, number, table
 from ..base.tools import ROOT
 from ..implementation import figures
@@ -48,6 +48,15 @@ OPTIONS = [
     ("after the winner", [("study_subpixel", "subpixel"), ("study_median", "median 3x3")]),
     ("together", [("study_all", "x-Sobel, all checks, subpixel, median")]),
 ]
+# Cores of one map, that of a clock a pixel pair first.
+FOLDED = (
+    "ambrosch2007",
+    "ambrosch2007_f5",
+    "ambrosch2007_f10",
+    "ambrosch2007_f20",
+    "miyajima_640",
+    "miyajima_640_f5",
+)
 # Pairs that differ in the bits of a pixel alone: (configuration of 8 bits, the deeper one)
 DEEPER = [
     ("tiny", "tiny_10bit"),
@@ -69,6 +78,7 @@ def page() -> str:
         options=options_table(),
         crossover="\n" + crossover(),
         pixel_bits=pixel_bits_table(),
+        folded=folded_table(),
         depths=depths_table(),
     )
 
@@ -134,6 +144,32 @@ def pixel_bits_table() -> str:
         rows.append([*cells, code(names[1]), code(names[0])])
     head = ["family", "bits of a pixel", "register bits", "before", "more", "memory bits", "before", "more"]
     return table([*head, "configuration", "before: 8 bits"], rows)
+
+
+def folded_table() -> str:
+    """Cores of several clocks a pixel pair below those that they give the map of."""
+    rows = []
+    for name in filter(_known, FOLDED):
+        configuration, result = Configuration(name), _routed(name)
+        p, tool = configuration.parameters, configuration.manifest["tool_report"]
+        clock = result["fmax_mhz"]["median"] if result and "fmax_mhz" in result else None
+        rates = figures.speed(p, clock, figures.lut_count(result)) if result and clock else None
+        rows.append(
+            [
+                code(name),
+                str(clocks_per_pixel(p)),
+                number(figures.clocks_per_frame(p)),
+                number(figures.lut_count(result) if result else None),
+                number(result["ffs"] if result else None),
+                number(tool["memory_bits"]),
+                number(result["block_rams"] if result else None),
+                number(clock, 1),
+                number(rates["frames_per_second"] if rates else None),
+                number(rates["evaluations_per_second_per_lut"] / 1e3 if rates else None),
+            ]
+        )
+    head = ["configuration", "clocks a pixel pair", "clocks a frame", "LUT4", "flip-flops", "memory bits", "block RAMs"]
+    return table([*head, "MHz", "frames a second", "thousand evaluations a second and LUT4"], rows)
 
 
 def depths_table() -> str:

@@ -74,6 +74,7 @@ def core_id(entry: manifest.Manifest) -> str:
 
 def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None = None) -> str:
     """The text of stereo_ip_CONFIG. `of_the_shell`: generics that are not those of the core, for tests."""
+    design.require_shell(config, entry["parameters"])
     values = design.generics(entry)
     pixel_bits = rtl.pixel_bits_of(entry["parameters"])
     name, outside = rtl.ip_entity(config), ports(values, pixel_bits)
@@ -143,7 +144,9 @@ def user_instance(config: str, entry: manifest.Manifest) -> str:
 
 
 def file(config: str, entry: manifest.Manifest) -> dict[str, str]:
-    """{its name: its text}"""
+    """{its name: its text}; nothing where there is no shell"""
+    if not design.has_shell(entry["parameters"]):
+        return {}
     return {f"{rtl.ip_entity(config)}.vhd": entity(config, entry)}
 
 
@@ -152,5 +155,7 @@ def path(config: str) -> Path:
 
 
 def is_fresh(config: str, entry: manifest.Manifest) -> bool:
-    """Whether the file that is committed follows from the manifest."""
+    """Whether the file that is committed, if there is to be one, follows from the manifest."""
+    if not design.has_shell(entry["parameters"]):
+        return True
     return path(config).is_file() and path(config).read_text() == entity(config, entry)

@@ -1,0 +1,1147 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, block matching, configuration ambrosch2007_f10: 320x240, 100 disparities, window 3x3, 1 pixel pair a clock.
+-- Options: disparities 100, clocks_per_pixel 10.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config ambrosch2007_f10
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_ambrosch2007_f10 is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 320;
+    height_px : positive := 240;
+    disparities : positive := 100;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 8;
+    output_width_px : positive := 220;
+    latency_clocks : positive := 8;
+    flush_groups : positive := 860;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(7 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(7 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    disparity : out std_logic_vector(7 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 320 report "stereo_core_ambrosch2007_f10: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
+  assert height_px = 240 report "stereo_core_ambrosch2007_f10: height_px is " & integer'image(height_px) & " but this core has 240" severity failure;
+  assert disparities = 100 report "stereo_core_ambrosch2007_f10: disparities is " & integer'image(disparities) & " but this core has 100" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_ambrosch2007_f10: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 8 report "stereo_core_ambrosch2007_f10: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 220 report "stereo_core_ambrosch2007_f10: output_width_px is " & integer'image(output_width_px) & " but this core has 220" severity failure;
+  assert latency_clocks = 8 report "stereo_core_ambrosch2007_f10: latency_clocks is " & integer'image(latency_clocks) & " but this core has 8" severity failure;
+  assert flush_groups = 860 report "stereo_core_ambrosch2007_f10: flush_groups is " & integer'image(flush_groups) & " but this core has 860" severity failure;
+  assert gap_groups = 0 report "stereo_core_ambrosch2007_f10: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_ambrosch2007_f10 is
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
+  signal in_left_pixel : natural range 0 to 255;
+  signal in_right_pixel : natural range 0 to 255;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0, raster_place_group : natural range 0 to 255;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 511;
+  -- delay
+  signal delay_ahead_0, delay_delayed_0 : natural range 0 to 255;
+  signal delay_column : natural range 0 to 511;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_row_start : boolean;
+  signal delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(15 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_2 : natural range 0 to 255;
+  signal rows_reference_2 : natural range 0 to 255;
+  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 65535;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 65535;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
+  signal rows_read_tag_row_start, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
+  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2, rows_ready_tag_valid : boolean;
+  signal rows_ready_tag_row_start, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
+  signal rows_tag_valid, rows_tag_row_start, rows_tag_output_column, rows_tag_start_of_frame : boolean;
+  -- passes
+  signal passes_row, passes_coming_output, passes_coming_starts, passes_row_ended, passes_ended_last : boolean;
+  signal passes_arrived, passes_shows, passes_showing_output, passes_showing_starts, passes_inside_0 : boolean;
+  signal passes_pass_ends, passes_last_pass, passes_leaving_starts, passes_read_tag_valid : boolean;
+  signal passes_read_tag_border_column, passes_read_tag_first_cost, passes_read_tag_map_column : boolean;
+  signal passes_read_tag_end_of_line, passes_tag_valid, passes_tag_border_column, passes_tag_first_cost : boolean;
+  signal passes_tag_map_column : boolean;
+  signal passes_write_address, passes_search_address, passes_reference_address : natural range 0 to 1023;
+  signal passes_write_search_0, passes_write_reference_0 : natural range 0 to 16777215;
+  signal passes_pass : natural range 0 to 15;
+  signal passes_column, passes_search_0, passes_search_1, passes_search_2, passes_reference_0 : natural range 0 to 255;
+  signal passes_reference_1, passes_reference_2 : natural range 0 to 255;
+  signal passes_search_start : natural range 0 to 511;
+  signal passes_read_search_0, passes_read_reference_0 : unsigned(23 downto 0);
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 255;
+  signal slice0shift_search_0_6, slice0shift_search_0_7, slice0shift_search_0_8 : natural range 0 to 255;
+  signal slice0shift_search_0_9, slice0shift_search_1_0, slice0shift_search_1_1 : natural range 0 to 255;
+  signal slice0shift_search_1_2, slice0shift_search_1_3, slice0shift_search_1_4 : natural range 0 to 255;
+  signal slice0shift_search_1_5, slice0shift_search_1_6, slice0shift_search_1_7 : natural range 0 to 255;
+  signal slice0shift_search_1_8, slice0shift_search_1_9, slice0shift_search_2_0 : natural range 0 to 255;
+  signal slice0shift_search_2_1, slice0shift_search_2_2, slice0shift_search_2_3 : natural range 0 to 255;
+  signal slice0shift_search_2_4, slice0shift_search_2_5, slice0shift_search_2_6 : natural range 0 to 255;
+  signal slice0shift_search_2_7, slice0shift_search_2_8, slice0shift_search_2_9 : natural range 0 to 255;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
+  signal slice0shift_tag_map_column : boolean;
+  -- slice0cost
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
+  signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_0_5 : integer range -255 to 255;
+  signal slice0cost_difference_0_6, slice0cost_difference_0_7, slice0cost_difference_0_8 : integer range -255 to 255;
+  signal slice0cost_difference_0_9, slice0cost_difference_1_0, slice0cost_difference_1_1 : integer range -255 to 255;
+  signal slice0cost_difference_1_2, slice0cost_difference_1_3, slice0cost_difference_1_4 : integer range -255 to 255;
+  signal slice0cost_difference_1_5, slice0cost_difference_1_6, slice0cost_difference_1_7 : integer range -255 to 255;
+  signal slice0cost_difference_1_8, slice0cost_difference_1_9, slice0cost_difference_2_0 : integer range -255 to 255;
+  signal slice0cost_difference_2_1, slice0cost_difference_2_2, slice0cost_difference_2_3 : integer range -255 to 255;
+  signal slice0cost_difference_2_4, slice0cost_difference_2_5, slice0cost_difference_2_6 : integer range -255 to 255;
+  signal slice0cost_difference_2_7, slice0cost_difference_2_8, slice0cost_difference_2_9 : integer range -255 to 255;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_first_cost, slice0cost_difference_tag_map_column, slice0cost_negative_0_0 : boolean;
+  signal slice0cost_negative_0_1, slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4 : boolean;
+  signal slice0cost_negative_0_5, slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_negative_0_8 : boolean;
+  signal slice0cost_negative_0_9, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_first_cost, slice0cost_tag_map_column : boolean;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
+  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
+  signal slice0cost_pair_0_8, slice0cost_pair_0_9 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 255;
+  signal slice0cost_single_0_6, slice0cost_single_0_7, slice0cost_single_0_8 : natural range 0 to 255;
+  signal slice0cost_single_0_9 : natural range 0 to 255;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 767;
+  signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 767;
+  signal slice0cost_column_0_9 : natural range 0 to 767;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 767;
+  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7, slice0window_partial_0_0_8 : natural range 0 to 767;
+  signal slice0window_partial_0_0_9 : natural range 0 to 767;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7, slice0window_partial_0_1_8 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_9 : natural range 0 to 1534;
+  signal slice0window_centre_map_column_0, slice0window_centre_first_column_0, slice0window_tag_valid : boolean;
+  signal slice0window_tag_map_column, slice0window_tag_first_column : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 2301;
+  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 2301;
+  signal slice0window_sum_0_9 : natural range 0 to 2301;
+  -- slice0winner1
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_4 : natural range 0 to 2301;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
+  signal slice0winner1_tag_first_column : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_0_2 : natural range 0 to 2301;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_best_index_0_2 : natural range 0 to 9;
+  signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_first_column : boolean;
+  -- slice0winner3
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice0winner3_best_index_0_1 : natural range 0 to 9;
+  signal slice0winner3_tag_valid, slice0winner3_tag_map_column, slice0winner3_tag_first_column : boolean;
+  -- slice0winner4
+  signal slice0winner4_best_cost_0_0 : natural range 0 to 2301;
+  signal slice0winner4_best_index_0_0 : natural range 0 to 9;
+  signal slice0winner4_tag_valid, slice0winner4_tag_map_column, slice0winner4_tag_first_column : boolean;
+  -- slice0
+  signal slice0_best_cost_0_0 : natural range 0 to 2301;
+  signal slice0_best_index_0_0 : natural range 0 to 9;
+  signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_first_column : boolean;
+  -- best
+  signal best_read_cost_0_0, best_waiting_cost_0_0, best_ready_cost_0_0 : natural range 0 to 2301;
+  signal best_read_index_0_0, best_waiting_index_0_0, best_ready_index_0_0 : natural range 0 to 9;
+  signal best_read_tag_valid, best_read_tag_map_column, best_read_tag_first_column, best_waiting_tag_valid : boolean;
+  signal best_waiting_tag_map_column, best_waiting_tag_first_column, best_ready_tag_valid : boolean;
+  signal best_ready_tag_map_column, best_ready_tag_first_column, best_best_tag_valid : boolean;
+  signal best_best_tag_map_column, best_best_tag_first_column : boolean;
+  signal best_column, best_place_column, best_write_column : natural range 0 to 511;
+  signal best_read_words_0 : unsigned(19 downto 0);
+  signal best_ready_words_0 : natural range 0 to 1048575;
+  signal best_pass : natural range 0 to 15;
+  signal best_base, best_best_index_0_0 : natural range 0 to 255;
+  signal best_best_cost_0_0 : natural range 0 to 4095;
+  -- winners
+  signal winners_row, winners_read_tag_valid, winners_read_tag_output_column, winners_read_tag_start_of_frame : boolean;
+  signal winners_read_tag_end_of_line, winners_winners_tag_valid, winners_winners_tag_output_column : boolean;
+  signal winners_winners_tag_start_of_frame, winners_winners_tag_end_of_line : boolean;
+  signal winners_column : natural range 0 to 511;
+  signal winners_write_address : natural range 0 to 1023;
+  signal winners_write_word_0 : natural range 0 to 255;
+  signal winners_read_word_0 : unsigned(6 downto 0);
+  signal winners_winners_disparity_0 : natural range 0 to 127;
+  -- other
+  signal other_0, other_1 : natural range 0 to 65535;
+  signal winners_read_word_0_memory_read_enable : boolean;
+  signal winners_read_word_0_memory_read_address : unsigned(9 downto 0);
+  signal winners_read_word_0_memory_write_address : unsigned(9 downto 0);
+  signal winners_read_word_0_memory_write_data : unsigned(6 downto 0);
+  signal best_read_words_0_memory_read_enable : boolean;
+  signal best_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal best_read_words_0_memory_write_address : unsigned(8 downto 0);
+  signal best_read_words_0_memory_write_data : unsigned(19 downto 0);
+  signal passes_read_search_0_memory_read_enable : boolean;
+  signal passes_read_search_0_memory_read_address : unsigned(9 downto 0);
+  signal passes_read_search_0_memory_write_address : unsigned(9 downto 0);
+  signal passes_read_search_0_memory_write_data : unsigned(23 downto 0);
+  signal passes_read_reference_0_memory_read_enable : boolean;
+  signal passes_read_reference_0_memory_read_address : unsigned(9 downto 0);
+  signal passes_read_reference_0_memory_write_address : unsigned(9 downto 0);
+  signal passes_read_reference_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+
+begin
+  in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  disparity <= std_logic_vector(to_unsigned(winners_winners_disparity_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(1, 1));
+  disparity_valid <= as_bit(winners_winners_tag_valid and winners_winners_tag_output_column);
+  disparity_start_of_frame <= as_bit(winners_winners_tag_start_of_frame and winners_winners_tag_valid and winners_winners_tag_output_column);
+  disparity_end_of_line <= as_bit(winners_winners_tag_end_of_line and winners_winners_tag_valid and winners_winners_tag_output_column);
+
+  winners_read_word_0_memory_read_enable <= true;
+  winners_read_word_0_memory_read_address <= to_unsigned(passes_write_address, 10);
+  winners_read_word_0_memory_write_address <= to_unsigned(winners_write_address, 10);
+  winners_read_word_0_memory_write_data <= to_unsigned((winners_write_word_0 mod 128), 7);
+  winners_read_word_0_memory : entity work.line_memory
+    generic map (depth => 1024, width => 7, address_bits => 10)
+    port map (
+      clock => clock, read_enable => winners_read_word_0_memory_read_enable,
+      read_address => winners_read_word_0_memory_read_address, read_data => winners_read_word_0,
+      write_address => winners_read_word_0_memory_write_address, write_data => winners_read_word_0_memory_write_data);
+
+  best_read_words_0_memory_read_enable <= true;
+  best_read_words_0_memory_read_address <= to_unsigned(best_column, 9);
+  best_read_words_0_memory_write_address <= to_unsigned(best_write_column, 9);
+  best_read_words_0_memory_write_data <= to_unsigned(best_best_index_0_0, 8) & to_unsigned(best_best_cost_0_0, 12);
+  best_read_words_0_memory : entity work.line_memory
+    generic map (depth => 512, width => 20, address_bits => 9)
+    port map (
+      clock => clock, read_enable => best_read_words_0_memory_read_enable,
+      read_address => best_read_words_0_memory_read_address, read_data => best_read_words_0,
+      write_address => best_read_words_0_memory_write_address, write_data => best_read_words_0_memory_write_data);
+
+  passes_read_search_0_memory_read_enable <= true;
+  passes_read_search_0_memory_read_address <= to_unsigned(passes_search_address, 10);
+  passes_read_search_0_memory_write_address <= to_unsigned(passes_write_address, 10);
+  passes_read_search_0_memory_write_data <= to_unsigned(passes_write_search_0, 24);
+  passes_read_search_0_memory : entity work.line_memory
+    generic map (depth => 1024, width => 24, address_bits => 10)
+    port map (
+      clock => clock, read_enable => passes_read_search_0_memory_read_enable,
+      read_address => passes_read_search_0_memory_read_address, read_data => passes_read_search_0,
+      write_address => passes_read_search_0_memory_write_address, write_data => passes_read_search_0_memory_write_data);
+
+  passes_read_reference_0_memory_read_enable <= true;
+  passes_read_reference_0_memory_read_address <= to_unsigned(passes_reference_address, 10);
+  passes_read_reference_0_memory_write_address <= to_unsigned(passes_write_address, 10);
+  passes_read_reference_0_memory_write_data <= to_unsigned(passes_write_reference_0, 24);
+  passes_read_reference_0_memory : entity work.line_memory
+    generic map (depth => 1024, width => 24, address_bits => 10)
+    port map (
+      clock => clock, read_enable => passes_read_reference_0_memory_read_enable,
+      read_address => passes_read_reference_0_memory_read_address, read_data => passes_read_reference_0,
+      write_address => passes_read_reference_0_memory_write_address, write_data => passes_read_reference_0_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 320, width => 16, address_bits => 9)
+    port map (
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 320, width => 16, address_bits => 9)
+    port map (
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  process (clock)
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_group_choice_2, raster_place_group_is_equal_3, raster_place_next_frame_choice : boolean;
+    variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_row_start_is_equal : boolean;
+    variable passes_row_is_equal, passes_coming_output_all, passes_coming_output_any, passes_row_ended_all : boolean;
+    variable passes_shows_any, passes_showing_output_differs, passes_showing_output_any : boolean;
+    variable passes_inside_0_choice, passes_inside_0_choice_2, passes_leaving_starts_choice : boolean;
+    variable passes_leaving_starts_choice_2, passes_read_tag_border_column_value : boolean;
+    variable passes_read_tag_border_column_choice, passes_read_tag_border_column_choice_2 : boolean;
+    variable passes_read_tag_border_column_differs, passes_read_tag_first_cost_is_equal : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
+    variable slice0winner1_best_cost_0_2_is_less, slice0winner1_best_cost_0_3_is_less : boolean;
+    variable slice0winner1_best_cost_0_4_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_1_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice0winner4_best_cost_0_0_is_less, best_base_any, best_base_is_equal, best_best_cost_0_0_any : boolean;
+    variable winners_row_differs, winners_column_any : boolean;
+    variable raster_place_group_choice : natural range 0 to 15;
+    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 255;
+    variable passes_search_start_choice, passes_search_start_choice_2 : natural range 0 to 255;
+    variable passes_search_address_choice, other_0_choice, other_0_choice_2, other_1_choice : natural range 0 to 255;
+    variable other_1_choice_2 : natural range 0 to 255;
+    variable passes_search_address_value : natural range 0 to 512;
+    variable passes_search_address_choice_2, passes_reference_address_choice : natural range 0 to 511;
+    variable best_write_column_choice, best_write_column_choice_2, winners_column_choice : natural range 0 to 511;
+    variable best_base_choice, best_base_choice_2 : natural range 0 to 127;
+  begin
+    if rising_edge(clock) then
+      -- raster
+      raster_place_group_is_equal := raster_place_column = 319;
+      raster_place_group_is_equal_2 := raster_place_group = 239;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      if raster_place_group_all then
+        raster_place_group_choice := 15;
+      else
+        raster_place_group_choice := 0;
+      end if;
+      if (raster_place_group mod 16) = 1 then
+        raster_place_group_choice_2 := ((raster_place_group / 16) /= 15) and raster_place_group_is_equal and in_valid;
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal and in_valid;
+      end if;
+      raster_place_group_is_equal_3 := raster_place_group = 240;
+      if raster_place_group_is_equal_3 and raster_place_next_frame then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 256;
+      end if;
+      if raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
+      raster_features_search_0 <= in_left_pixel;
+      raster_features_reference_0 <= in_right_pixel;
+      raster_features_valid <= in_valid;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= raster_place_group_choice * 16;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame;
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if in_valid then
+        if raster_place_group_is_equal or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 512;
+        end if;
+        if raster_place_next_frame_choice then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
+      end if;
+      -- delay
+      delay_row_inside_1_is_not_less := raster_place_group >= 1;
+      delay_row_inside_1_is_less := raster_place_group < 241;
+      delay_tag_row_start_is_equal := raster_place_column = 0;
+      delay_ahead_0 <= raster_features_reference_0;
+      delay_delayed_0 <= raster_features_search_0;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 240;
+      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+      delay_row_inside_2 <= (not ((raster_place_group / 128) = 1)) or (not (((raster_place_group / 64) mod 2) = 1)) or
+        (not (((raster_place_group / 32) mod 2) = 1)) or (not (((raster_place_group / 16) mod 2) = 1));
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_row_start <= delay_tag_row_start_is_equal;
+      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and (raster_place_column
+        < 319);
+      delay_tag_start_of_frame <= delay_tag_row_start_is_equal and (raster_place_group = 1);
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_delayed_0;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_reference_rows_read_newest_0 <= delay_ahead_0;
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_row_start <= delay_tag_row_start;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_row_start <= rows_read_tag_row_start;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_row_start <= rows_ready_tag_row_start;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_newest_0 * 256) + (rows_search_rows_ready_words_0 /
+          256);
+        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_newest_0 * 256) +
+          (rows_reference_rows_ready_words_0 / 256);
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- passes
+      passes_row_is_equal := rows_write_column = 319;
+      if passes_row_is_equal then
+        passes_row <= rows_tag_valid /= passes_row;
+      end if;
+      passes_coming_output_all := rows_tag_row_start and rows_tag_valid;
+      passes_coming_output_any := (not rows_tag_row_start) or (not rows_tag_valid);
+      passes_row_ended_all := passes_row_is_equal and rows_tag_valid;
+      passes_shows_any := (not passes_last_pass) or (not passes_pass_ends);
+      passes_showing_output_differs := rows_write_column /= 319;
+      passes_showing_output_any := passes_showing_output_differs or (not rows_tag_valid);
+      if passes_ended_last then
+        passes_inside_0_choice := passes_inside_0;
+      else
+        passes_inside_0_choice := (not rows_tag_valid) and passes_inside_0;
+      end if;
+      if rows_tag_row_start then
+        passes_inside_0_choice_2 := passes_inside_0_choice;
+      else
+        passes_inside_0_choice_2 := passes_inside_0;
+      end if;
+      if passes_shows_any then
+        passes_search_start_choice := ((passes_search_start / 2) + 5) mod 256;
+      else
+        passes_search_start_choice := 5;
+      end if;
+      if passes_pass_ends then
+        passes_search_start_choice_2 := passes_search_start_choice;
+      else
+        passes_search_start_choice_2 := passes_search_start / 2;
+      end if;
+      passes_search_address_value := as_number((not passes_row)) * 512;
+      if passes_shows_any then
+        passes_search_address_choice := passes_search_start / 2;
+      else
+        passes_search_address_choice := 0;
+      end if;
+      if passes_pass_ends then
+        passes_search_address_choice_2 := passes_search_address_choice * 2;
+      else
+        passes_search_address_choice_2 := (passes_search_address + as_number(passes_shows)) mod 512;
+      end if;
+      if passes_pass_ends then
+        passes_reference_address_choice := 503;
+      else
+        passes_reference_address_choice := (passes_reference_address + as_number(passes_shows)) mod 512;
+      end if;
+      if passes_row_is_equal then
+        passes_leaving_starts_choice := rows_tag_valid or passes_leaving_starts;
+      else
+        passes_leaving_starts_choice := passes_leaving_starts;
+      end if;
+      if passes_row_is_equal then
+        passes_leaving_starts_choice_2 := (not rows_tag_valid) and passes_leaving_starts;
+      else
+        passes_leaving_starts_choice_2 := passes_leaving_starts;
+      end if;
+      passes_read_tag_border_column_value := ((passes_column / 4) mod 2) = 1;
+      if (passes_column / 2) = 115 then
+        passes_read_tag_border_column_choice := passes_read_tag_border_column_value and ((passes_column mod 2) = 1);
+      else
+        passes_read_tag_border_column_choice := passes_read_tag_border_column_value;
+      end if;
+      if ((passes_column / 16) = 0) and (not (((passes_column / 8) mod 2) = 1)) and ((passes_column mod 4) = 0) then
+        passes_read_tag_border_column_choice_2 := passes_read_tag_border_column_choice;
+      else
+        passes_read_tag_border_column_choice_2 := ((passes_column / 2) /= 115) or ((passes_column mod 2) = 1);
+      end if;
+      passes_read_tag_border_column_differs := passes_column /= 9;
+      passes_read_tag_first_cost_is_equal := passes_column = 9;
+      passes_row_ended <= passes_row_ended_all;
+      passes_arrived <= rows_tag_valid;
+      passes_pass_ends <= passes_column = 229;
+      passes_last_pass <= passes_pass = 9;
+      passes_search_start <= passes_search_start_choice_2 * 2;
+      passes_search_address <= passes_search_address_value + passes_search_address_choice_2;
+      passes_reference_address <= passes_search_address_value + passes_reference_address_choice;
+      passes_read_tag_valid <= passes_shows;
+      passes_read_tag_first_cost <= passes_read_tag_first_cost_is_equal;
+      passes_read_tag_map_column <= passes_read_tag_first_cost_is_equal or (passes_read_tag_map_column and (not
+        passes_read_tag_end_of_line));
+      passes_read_tag_end_of_line <= passes_column = 228;
+      passes_search_0 <= to_integer(passes_read_search_0(7 downto 0));
+      passes_search_1 <= to_integer(passes_read_search_0(15 downto 8));
+      passes_search_2 <= to_integer(passes_read_search_0(23 downto 16));
+      passes_reference_0 <= to_integer(passes_read_reference_0(7 downto 0));
+      passes_reference_1 <= to_integer(passes_read_reference_0(15 downto 8));
+      passes_reference_2 <= to_integer(passes_read_reference_0(23 downto 16));
+      passes_tag_valid <= passes_read_tag_valid;
+      passes_tag_border_column <= passes_read_tag_border_column;
+      passes_tag_first_cost <= passes_read_tag_first_cost;
+      passes_tag_map_column <= passes_read_tag_map_column;
+      if rows_tag_output_column then
+        passes_coming_output <= passes_coming_output or passes_coming_output_all;
+      else
+        passes_coming_output <= passes_coming_output and passes_coming_output_any;
+      end if;
+      if rows_tag_start_of_frame then
+        passes_coming_starts <= passes_coming_starts or passes_coming_output_all;
+      else
+        passes_coming_starts <= passes_coming_starts and passes_coming_output_any;
+      end if;
+      if passes_row_ended then
+        passes_shows <= (not passes_shows) or (not passes_last_pass) or (not passes_pass_ends);
+      else
+        passes_shows <= passes_shows and passes_shows_any;
+      end if;
+      if passes_coming_output then
+        passes_showing_output <= passes_showing_output or passes_row_ended_all;
+      else
+        passes_showing_output <= passes_showing_output and passes_showing_output_any;
+      end if;
+      if passes_coming_starts then
+        passes_showing_starts <= passes_showing_starts or passes_row_ended_all;
+      else
+        passes_showing_starts <= passes_showing_starts and passes_showing_output_any;
+      end if;
+      if passes_inside_0_choice_2 then
+        passes_inside_0 <= passes_showing_output or passes_showing_output_differs or (not rows_tag_valid);
+      else
+        passes_inside_0 <= passes_showing_output and passes_row_is_equal and rows_tag_valid;
+      end if;
+      if passes_pass_ends then
+        passes_column <= 0;
+      else
+        passes_column <= (as_number(passes_shows) + passes_column) mod 256;
+      end if;
+      if passes_showing_starts then
+        passes_leaving_starts <= passes_leaving_starts_choice;
+      else
+        passes_leaving_starts <= passes_leaving_starts_choice_2;
+      end if;
+      if passes_read_tag_border_column_choice_2 then
+        passes_read_tag_border_column <= passes_read_tag_border_column_differs and passes_read_tag_border_column;
+      else
+        passes_read_tag_border_column <= passes_read_tag_border_column_differs;
+      end if;
+      if rows_tag_valid then
+        passes_ended_last <= passes_row_is_equal;
+        passes_write_address <= rows_write_column + (as_number(passes_row) * 512);
+        passes_write_search_0 <= (rows_search_2 * 65536) + other_1;
+        passes_write_reference_0 <= (rows_reference_2 * 65536) + other_0;
+      end if;
+      if passes_pass_ends then
+        if passes_shows_any then
+          passes_pass <= (passes_pass + 1) mod 16;
+        else
+          passes_pass <= 0;
+        end if;
+      end if;
+      -- slice0shift
+      if passes_tag_valid then
+        slice0shift_search_0_0 <= slice0shift_search_0_1;
+        slice0shift_search_0_1 <= slice0shift_search_0_2;
+        slice0shift_search_0_2 <= slice0shift_search_0_3;
+        slice0shift_search_0_3 <= slice0shift_search_0_4;
+        slice0shift_search_0_4 <= slice0shift_search_0_5;
+        slice0shift_search_0_5 <= slice0shift_search_0_6;
+        slice0shift_search_0_6 <= slice0shift_search_0_7;
+        slice0shift_search_0_7 <= slice0shift_search_0_8;
+        slice0shift_search_0_8 <= slice0shift_search_0_9;
+        slice0shift_search_0_9 <= passes_search_0;
+        slice0shift_search_1_0 <= slice0shift_search_1_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_2;
+        slice0shift_search_1_2 <= slice0shift_search_1_3;
+        slice0shift_search_1_3 <= slice0shift_search_1_4;
+        slice0shift_search_1_4 <= slice0shift_search_1_5;
+        slice0shift_search_1_5 <= slice0shift_search_1_6;
+        slice0shift_search_1_6 <= slice0shift_search_1_7;
+        slice0shift_search_1_7 <= slice0shift_search_1_8;
+        slice0shift_search_1_8 <= slice0shift_search_1_9;
+        slice0shift_search_1_9 <= passes_search_1;
+        slice0shift_search_2_0 <= slice0shift_search_2_1;
+        slice0shift_search_2_1 <= slice0shift_search_2_2;
+        slice0shift_search_2_2 <= slice0shift_search_2_3;
+        slice0shift_search_2_3 <= slice0shift_search_2_4;
+        slice0shift_search_2_4 <= slice0shift_search_2_5;
+        slice0shift_search_2_5 <= slice0shift_search_2_6;
+        slice0shift_search_2_6 <= slice0shift_search_2_7;
+        slice0shift_search_2_7 <= slice0shift_search_2_8;
+        slice0shift_search_2_8 <= slice0shift_search_2_9;
+        slice0shift_search_2_9 <= passes_search_2;
+      end if;
+      slice0shift_reference_0 <= passes_reference_0;
+      slice0shift_reference_1 <= passes_reference_1;
+      slice0shift_reference_2 <= passes_reference_2;
+      slice0shift_tag_valid <= passes_tag_valid;
+      slice0shift_tag_border_column <= passes_tag_border_column;
+      slice0shift_tag_first_cost <= passes_tag_first_cost;
+      slice0shift_tag_map_column <= passes_tag_map_column;
+      -- slice0cost
+      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
+      slice0cost_difference_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
+      slice0cost_difference_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
+      slice0cost_difference_0_5 <= slice0shift_search_0_5 - slice0shift_reference_0;
+      slice0cost_difference_0_6 <= slice0shift_search_0_6 - slice0shift_reference_0;
+      slice0cost_difference_0_7 <= slice0shift_search_0_7 - slice0shift_reference_0;
+      slice0cost_difference_0_8 <= slice0shift_search_0_8 - slice0shift_reference_0;
+      slice0cost_difference_0_9 <= slice0shift_search_0_9 - slice0shift_reference_0;
+      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
+      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
+      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
+      slice0cost_difference_1_3 <= slice0shift_search_1_3 - slice0shift_reference_1;
+      slice0cost_difference_1_4 <= slice0shift_search_1_4 - slice0shift_reference_1;
+      slice0cost_difference_1_5 <= slice0shift_search_1_5 - slice0shift_reference_1;
+      slice0cost_difference_1_6 <= slice0shift_search_1_6 - slice0shift_reference_1;
+      slice0cost_difference_1_7 <= slice0shift_search_1_7 - slice0shift_reference_1;
+      slice0cost_difference_1_8 <= slice0shift_search_1_8 - slice0shift_reference_1;
+      slice0cost_difference_1_9 <= slice0shift_search_1_9 - slice0shift_reference_1;
+      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
+      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
+      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_difference_2_3 <= slice0shift_search_2_3 - slice0shift_reference_2;
+      slice0cost_difference_2_4 <= slice0shift_search_2_4 - slice0shift_reference_2;
+      slice0cost_difference_2_5 <= slice0shift_search_2_5 - slice0shift_reference_2;
+      slice0cost_difference_2_6 <= slice0shift_search_2_6 - slice0shift_reference_2;
+      slice0cost_difference_2_7 <= slice0shift_search_2_7 - slice0shift_reference_2;
+      slice0cost_difference_2_8 <= slice0shift_search_2_8 - slice0shift_reference_2;
+      slice0cost_difference_2_9 <= slice0shift_search_2_9 - slice0shift_reference_2;
+      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_difference_tag_first_cost <= slice0shift_tag_first_cost;
+      slice0cost_difference_tag_map_column <= slice0shift_tag_map_column;
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
+        as_number((slice0cost_difference_1_0 < 0));
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
+        as_number((slice0cost_difference_1_1 < 0));
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
+        as_number((slice0cost_difference_1_2 < 0));
+      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
+        as_number((slice0cost_difference_1_3 < 0));
+      slice0cost_pair_0_4 <= folded(slice0cost_difference_2_4) + folded(slice0cost_difference_1_4) +
+        as_number((slice0cost_difference_1_4 < 0));
+      slice0cost_pair_0_5 <= folded(slice0cost_difference_2_5) + folded(slice0cost_difference_1_5) +
+        as_number((slice0cost_difference_1_5 < 0));
+      slice0cost_pair_0_6 <= folded(slice0cost_difference_2_6) + folded(slice0cost_difference_1_6) +
+        as_number((slice0cost_difference_1_6 < 0));
+      slice0cost_pair_0_7 <= folded(slice0cost_difference_2_7) + folded(slice0cost_difference_1_7) +
+        as_number((slice0cost_difference_1_7 < 0));
+      slice0cost_pair_0_8 <= folded(slice0cost_difference_2_8) + folded(slice0cost_difference_1_8) +
+        as_number((slice0cost_difference_1_8 < 0));
+      slice0cost_pair_0_9 <= folded(slice0cost_difference_2_9) + folded(slice0cost_difference_1_9) +
+        as_number((slice0cost_difference_1_9 < 0));
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
+      slice0cost_negative_0_4 <= slice0cost_difference_2_4 < 0;
+      slice0cost_negative_0_5 <= slice0cost_difference_2_5 < 0;
+      slice0cost_negative_0_6 <= slice0cost_difference_2_6 < 0;
+      slice0cost_negative_0_7 <= slice0cost_difference_2_7 < 0;
+      slice0cost_negative_0_8 <= slice0cost_difference_2_8 < 0;
+      slice0cost_negative_0_9 <= slice0cost_difference_2_9 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_0_3 <= (folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0))) mod 256;
+      slice0cost_single_0_4 <= (folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0))) mod 256;
+      slice0cost_single_0_5 <= (folded(slice0cost_difference_0_5) + as_number((slice0cost_difference_0_5 < 0))) mod 256;
+      slice0cost_single_0_6 <= (folded(slice0cost_difference_0_6) + as_number((slice0cost_difference_0_6 < 0))) mod 256;
+      slice0cost_single_0_7 <= (folded(slice0cost_difference_0_7) + as_number((slice0cost_difference_0_7 < 0))) mod 256;
+      slice0cost_single_0_8 <= (folded(slice0cost_difference_0_8) + as_number((slice0cost_difference_0_8 < 0))) mod 256;
+      slice0cost_single_0_9 <= (folded(slice0cost_difference_0_9) + as_number((slice0cost_difference_0_9 < 0))) mod 256;
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
+      slice0cost_pair_tag_first_cost <= slice0cost_difference_tag_first_cost;
+      slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+        slice0cost_column_0_5 <= 0;
+        slice0cost_column_0_6 <= 0;
+        slice0cost_column_0_7 <= 0;
+        slice0cost_column_0_8 <= 0;
+        slice0cost_column_0_9 <= 0;
+      else
+        slice0cost_column_0_0 <= as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_column_0_3 <= as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_column_0_4 <= as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_0_4;
+        slice0cost_column_0_5 <= as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 + slice0cost_single_0_5;
+        slice0cost_column_0_6 <= as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 + slice0cost_single_0_6;
+        slice0cost_column_0_7 <= as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 + slice0cost_single_0_7;
+        slice0cost_column_0_8 <= as_number(slice0cost_negative_0_8) + slice0cost_pair_0_8 + slice0cost_single_0_8;
+        slice0cost_column_0_9 <= as_number(slice0cost_negative_0_9) + slice0cost_pair_0_9 + slice0cost_single_0_9;
+      end if;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
+        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
+        slice0window_partial_0_0_5 <= slice0cost_column_0_5;
+        slice0window_partial_0_0_6 <= slice0cost_column_0_6;
+        slice0window_partial_0_0_7 <= slice0cost_column_0_7;
+        slice0window_partial_0_0_8 <= slice0cost_column_0_8;
+        slice0window_partial_0_0_9 <= slice0cost_column_0_9;
+        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
+        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
+        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_partial_0_1_3 <= slice0cost_column_0_3 + slice0window_partial_0_0_3;
+        slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
+        slice0window_partial_0_1_5 <= slice0cost_column_0_5 + slice0window_partial_0_0_5;
+        slice0window_partial_0_1_6 <= slice0cost_column_0_6 + slice0window_partial_0_0_6;
+        slice0window_partial_0_1_7 <= slice0cost_column_0_7 + slice0window_partial_0_0_7;
+        slice0window_partial_0_1_8 <= slice0cost_column_0_8 + slice0window_partial_0_0_8;
+        slice0window_partial_0_1_9 <= slice0cost_column_0_9 + slice0window_partial_0_0_9;
+        slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
+        slice0window_centre_first_column_0 <= slice0cost_tag_first_cost;
+      end if;
+      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
+      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
+      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_1_3;
+      slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
+      slice0window_sum_0_5 <= slice0cost_column_0_5 + slice0window_partial_0_1_5;
+      slice0window_sum_0_6 <= slice0cost_column_0_6 + slice0window_partial_0_1_6;
+      slice0window_sum_0_7 <= slice0cost_column_0_7 + slice0window_partial_0_1_7;
+      slice0window_sum_0_8 <= slice0cost_column_0_8 + slice0window_partial_0_1_8;
+      slice0window_sum_0_9 <= slice0cost_column_0_9 + slice0window_partial_0_1_9;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_map_column <= slice0window_centre_map_column_0;
+      slice0window_tag_first_column <= slice0window_centre_first_column_0;
+      -- slice0winner1
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_map_column <= slice0window_tag_map_column;
+      slice0winner1_tag_first_column <= slice0window_tag_first_column;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+      end if;
+      if slice0winner1_best_cost_0_3_is_less then
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+        slice0winner1_best_index_0_3 <= 7;
+      else
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_index_0_3 <= 6;
+      end if;
+      if slice0winner1_best_cost_0_4_is_less then
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
+        slice0winner1_best_index_0_4 <= 9;
+      else
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_index_0_4 <= 8;
+      end if;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
+      slice0winner2_tag_first_column <= slice0winner1_tag_first_column;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+      end if;
+      if slice0winner2_best_cost_0_1_is_less then
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+      else
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+      end if;
+      -- slice0winner3
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
+      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
+      slice0winner3_tag_first_column <= slice0winner2_tag_first_column;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+      end if;
+      -- slice0winner4
+      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      slice0winner4_tag_map_column <= slice0winner3_tag_map_column;
+      slice0winner4_tag_first_column <= slice0winner3_tag_first_column;
+      if slice0winner4_best_cost_0_0_is_less then
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
+      else
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
+      end if;
+      -- slice0
+      slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner4_best_index_0_0;
+      slice0_best_tag_valid <= slice0winner4_tag_valid;
+      slice0_best_tag_map_column <= slice0winner4_tag_map_column;
+      slice0_best_tag_first_column <= slice0winner4_tag_first_column;
+      -- best
+      best_base_any := (not best_waiting_tag_valid) or (not best_waiting_tag_first_column);
+      best_base_is_equal := best_pass = 9;
+      if best_base_is_equal then
+        best_base_choice := 0;
+      else
+        best_base_choice := ((best_base / 2) + 5) mod 128;
+      end if;
+      if best_base_any then
+        best_base_choice_2 := best_base / 2;
+      else
+        best_base_choice_2 := best_base_choice;
+      end if;
+      best_best_cost_0_0_any := (best_pass = 0) or ((best_ready_cost_0_0 - (best_ready_words_0 mod 4096)) < 0);
+      if best_ready_tag_first_column then
+        best_write_column_choice := 0;
+      else
+        best_write_column_choice := (best_place_column + 1) mod 512;
+      end if;
+      if best_ready_tag_valid then
+        best_write_column_choice_2 := best_write_column_choice;
+      else
+        best_write_column_choice_2 := best_place_column;
+      end if;
+      best_read_cost_0_0 <= slice0_best_cost_0_0;
+      best_read_index_0_0 <= slice0_best_index_0_0;
+      best_read_tag_valid <= slice0_best_tag_valid;
+      best_read_tag_map_column <= slice0_best_tag_map_column;
+      best_read_tag_first_column <= slice0_best_tag_first_column;
+      best_waiting_cost_0_0 <= best_read_cost_0_0;
+      best_waiting_index_0_0 <= best_read_index_0_0;
+      best_waiting_tag_valid <= best_read_tag_valid;
+      best_waiting_tag_map_column <= best_read_tag_map_column;
+      best_waiting_tag_first_column <= best_read_tag_first_column;
+      best_ready_cost_0_0 <= best_waiting_cost_0_0;
+      best_ready_index_0_0 <= best_waiting_index_0_0;
+      best_ready_tag_valid <= best_waiting_tag_valid;
+      best_ready_tag_map_column <= best_waiting_tag_map_column;
+      best_ready_tag_first_column <= best_waiting_tag_first_column;
+      best_ready_words_0 <= to_integer(best_read_words_0);
+      best_base <= best_base_choice_2 * 2;
+      best_best_tag_valid <= best_ready_tag_valid;
+      best_best_tag_map_column <= best_base_is_equal and best_ready_tag_map_column;
+      best_best_tag_first_column <= best_base_is_equal and best_ready_tag_first_column;
+      if best_best_cost_0_0_any then
+        best_best_cost_0_0 <= best_ready_cost_0_0;
+        best_best_index_0_0 <= ((((best_base / 2) + (best_ready_index_0_0 / 2)) mod 128) * 2) + (best_ready_index_0_0
+          mod 2);
+      else
+        best_best_cost_0_0 <= best_ready_words_0 mod 4096;
+        best_best_index_0_0 <= best_ready_words_0 / 4096;
+      end if;
+      if (not best_ready_tag_map_column) or (not best_ready_tag_valid) then
+        best_write_column <= 511;
+      else
+        best_write_column <= best_write_column_choice_2;
+      end if;
+      if slice0_best_tag_valid then
+        if slice0_best_tag_first_column then
+          best_column <= 0;
+        else
+          best_column <= (best_column + 1) mod 512;
+        end if;
+      end if;
+      if not best_base_any then
+        if best_base_is_equal then
+          best_pass <= 0;
+        else
+          best_pass <= (best_pass + 1) mod 16;
+        end if;
+      end if;
+      if best_ready_tag_valid then
+        best_place_column <= best_write_column_choice;
+      end if;
+      -- winners
+      winners_row_differs := winners_row /= best_best_tag_first_column;
+      if best_best_tag_valid then
+        if best_best_tag_map_column then
+          winners_row <= winners_row_differs;
+        else
+          winners_row <= winners_row;
+        end if;
+      end if;
+      if best_best_tag_first_column then
+        winners_column_choice := 0;
+      else
+        winners_column_choice := winners_column;
+      end if;
+      winners_column_any := (not best_best_tag_valid) or (not best_best_tag_map_column);
+      if not winners_column_any then
+        winners_column <= (winners_column_choice + 1) mod 512;
+        winners_write_address <= winners_column_choice + (as_number(winners_row_differs) * 512);
+        winners_write_word_0 <= best_best_index_0_0;
+      end if;
+      winners_read_tag_valid <= passes_arrived;
+      winners_read_tag_output_column <= ((passes_write_address mod 512) < 220) and passes_inside_0;
+      winners_read_tag_start_of_frame <= ((passes_write_address mod 512) = 0) and passes_leaving_starts;
+      winners_read_tag_end_of_line <= (passes_write_address mod 512) = 219;
+      winners_winners_disparity_0 <= to_integer(winners_read_word_0);
+      winners_winners_tag_valid <= winners_read_tag_valid;
+      winners_winners_tag_output_column <= winners_read_tag_output_column;
+      winners_winners_tag_start_of_frame <= winners_read_tag_start_of_frame;
+      winners_winners_tag_end_of_line <= winners_read_tag_end_of_line;
+      -- other
+      if rows_ready_inside_0 then
+        other_0_choice := rows_reference_rows_ready_words_0 mod 256;
+      else
+        other_0_choice := 0;
+      end if;
+      if rows_ready_inside_1 then
+        other_0_choice_2 := rows_reference_rows_ready_words_0 / 256;
+      else
+        other_0_choice_2 := 0;
+      end if;
+      if rows_ready_inside_0 then
+        other_1_choice := rows_search_rows_ready_words_0 mod 256;
+      else
+        other_1_choice := 0;
+      end if;
+      if rows_ready_inside_1 then
+        other_1_choice_2 := rows_search_rows_ready_words_0 / 256;
+      else
+        other_1_choice_2 := 0;
+      end if;
+      other_0 <= other_0_choice + (other_0_choice_2 * 256);
+      other_1 <= other_1_choice + (other_1_choice_2 * 256);
+      if reset = '1' then
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 241;
+        raster_place_next_frame <= false;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_row_start <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_row_start <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_row_start <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_row_start <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        passes_row <= false;
+        passes_coming_output <= false;
+        passes_coming_starts <= false;
+        passes_row_ended <= false;
+        passes_ended_last <= false;
+        passes_arrived <= false;
+        passes_write_address <= 0;
+        passes_shows <= false;
+        passes_showing_output <= false;
+        passes_showing_starts <= false;
+        passes_inside_0 <= false;
+        passes_pass <= 0;
+        passes_column <= 0;
+        passes_pass_ends <= false;
+        passes_last_pass <= false;
+        passes_search_start <= 10;
+        passes_search_address <= 0;
+        passes_reference_address <= 503;
+        passes_leaving_starts <= false;
+        passes_read_tag_valid <= false;
+        passes_read_tag_first_cost <= false;
+        passes_read_tag_map_column <= false;
+        passes_read_tag_end_of_line <= false;
+        passes_tag_valid <= false;
+        passes_tag_first_cost <= false;
+        passes_tag_map_column <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_first_cost <= false;
+        slice0shift_tag_map_column <= false;
+        slice0cost_difference_tag_valid <= false;
+        slice0cost_difference_tag_first_cost <= false;
+        slice0cost_difference_tag_map_column <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_first_cost <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_first_cost <= false;
+        slice0cost_tag_map_column <= false;
+        slice0window_centre_map_column_0 <= false;
+        slice0window_centre_first_column_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_map_column <= false;
+        slice0window_tag_first_column <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_map_column <= false;
+        slice0winner1_tag_first_column <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_map_column <= false;
+        slice0winner2_tag_first_column <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_map_column <= false;
+        slice0winner3_tag_first_column <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_map_column <= false;
+        slice0winner4_tag_first_column <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_map_column <= false;
+        slice0_best_tag_first_column <= false;
+        best_read_tag_valid <= false;
+        best_read_tag_map_column <= false;
+        best_read_tag_first_column <= false;
+        best_column <= 0;
+        best_waiting_tag_valid <= false;
+        best_waiting_tag_map_column <= false;
+        best_waiting_tag_first_column <= false;
+        best_ready_tag_valid <= false;
+        best_ready_tag_map_column <= false;
+        best_ready_tag_first_column <= false;
+        best_pass <= 9;
+        best_best_tag_valid <= false;
+        best_best_tag_map_column <= false;
+        best_best_tag_first_column <= false;
+        best_place_column <= 0;
+        best_write_column <= 0;
+        winners_row <= true;
+        winners_column <= 0;
+        winners_write_address <= 0;
+        winners_read_tag_valid <= false;
+        winners_read_tag_output_column <= false;
+        winners_read_tag_start_of_frame <= false;
+        winners_read_tag_end_of_line <= false;
+        winners_winners_tag_valid <= false;
+        winners_winners_tag_output_column <= false;
+        winners_winners_tag_start_of_frame <= false;
+        winners_winners_tag_end_of_line <= false;
+      end if;
+    end if;
+  end process;
+end architecture;
