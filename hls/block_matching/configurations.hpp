@@ -210,7 +210,6 @@ STEREO_ROW(tiny_dense_p4, planned, tiny_p4, reference = Reference::left, left_ri
 STEREO_ROW(tiny_confidence_p4, option, tiny_p4, left_right_threshold = 1, support_threshold = 4, confidence = true,
            margin_shift = 4, median = true);
 STEREO_ROW(tiny_dense_size, planned, tiny_dense, height_px = 20, run_time_settings = true, run_time_size = true);
-STEREO_ROW(tiny_dense_size, option, tiny_dense, height_px = 20, run_time_settings = true, run_time_size = true);
 // Several clocks a pixel pair.
 STEREO_ROW(tiny_f2, option, tiny, width_px = 48, clocks_per_pixel = 2);
 STEREO_ROW(tiny_f2_lr, option, tiny_f2, left_right_threshold = 1);
