@@ -90,8 +90,8 @@ struct RowCheck {
    Winners<C> checked;
 
    template <class Source, int First>
-   HLS_INLINE RowCheck(Source& memories, MemoryId<First> first)
-       : best_so_far(memories, first), others(memories, MemoryId<First + Memory::kMemories>()) {
+   HLS_INLINE RowCheck(Source& memories, MemoryId<First> first_memory)
+       : best_so_far(memories, first_memory), others(memories, MemoryId<First + Memory::kMemories>()) {
       start(*this);
    }
 

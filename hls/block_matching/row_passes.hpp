@@ -128,9 +128,9 @@ struct RowPasses {
       read_tag.row_start = at_start & (pass == 0);
       read_tag.first_group = showing.first_group;
       const bool behind_cost = column == kFirstCost + C.cost_columns();
-      read_tag.border_column = !at_cost & (read_tag.border_column | at_start | behind_cost);
+      read_tag.border_column = (!at_cost) & (read_tag.border_column | at_start | behind_cost);
       read_tag.first_cost = at_cost;
-      read_tag.leaves_window = !at_start & (read_tag.leaves_window | (column == kFirstCost + C.window_px));
+      read_tag.leaves_window = (!at_start) & (read_tag.leaves_window | (column == kFirstCost + C.window_px));
       read_tag.map_column = on_map;
       read_tag.output_column = on_map & showing.output;
       read_tag.first_column = at_map;

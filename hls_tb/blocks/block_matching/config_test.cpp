@@ -187,6 +187,8 @@ TEST(BlockMatchingConfig, SaysWhatSeveralClocksAPixelCannotBeCombinedWith) {
              "with several clocks a pixel pair there is no map of full width");
    EXPECT_EQ(problem([](Config& c) { c.run_time_size = true; }),
              "with several clocks a pixel pair there is no run-time size");
+   EXPECT_EQ(problem([](Config& c) { c.support_threshold = 4; }),
+             "with several clocks a pixel pair there is no post-processing");
    EXPECT_EQ(problem([](Config& c) { c.width_px = 12; }),
              "with so many clocks a pixel pair the image must be wider for its passes to fit in a row");
 }
