@@ -48,8 +48,10 @@ def test_stress_stream_and_two_frames(ghdl, tmp_path, config):
     result = report(tmp_path)
     outputs = parameters["output_width_px"] * parameters["output_height_px"] // parameters["pixels_per_clock"]
     assert result["mismatches"] == 0 and result["compared"] == result["expected"] > 12 * outputs
-    frame = parameters["width_px"] * parameters["height_px"] // parameters["pixels_per_clock"]
-    assert result["frames"] == 2 and result["clocks_per_frame"] == frame + parameters["gap_groups"]
+    groups = (
+        parameters["width_px"] * parameters["height_px"] // parameters["pixels_per_clock"] + parameters["gap_groups"]
+    )
+    assert result["frames"] == 2 and result["clocks_per_frame"] == groups * parameters.get("clocks_per_pixel", 1)
     assert result["latency_clocks"] == parameters["latency_clocks"]
 
 

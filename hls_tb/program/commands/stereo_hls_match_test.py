@@ -78,6 +78,12 @@ def test_match_writes_its_facts(tmp_path, match, pair):
         "subpixel": False,
         "median": False,
         "full_width": False,
+        "support_threshold": 0,
+        "confidence": False,
+        "margin_shift": 0,
+        "margin_weight": 2,
+        "support_weight": 4,
+        "fill_holes": False,
         "first_disparity": 0,
         "last_disparity": -1,
         "output_width_px": WIDTH - DISPARITIES,
@@ -123,7 +129,14 @@ def configurations():
 
 
 # Options that reject pixels when they are above 0; of the families, each has some.
-CHECKS = ("uniqueness_percent", "uniqueness_distance", "texture_threshold", "least_difference", "mark_occluded")
+CHECKS = (
+    "support_threshold",
+    "uniqueness_percent",
+    "uniqueness_distance",
+    "texture_threshold",
+    "least_difference",
+    "mark_occluded",
+)
 
 
 @pytest.mark.parametrize("config", configurations())

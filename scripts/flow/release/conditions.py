@@ -22,6 +22,7 @@ PAGE_COMMANDS = (
     ("recovery.py", "--check"),
     ("timing_diagrams.py", "--check"),
     ("quality.py", "--check"),
+    ("post_processing.py", "--check"),
 )
 VHDL_COMMANDS = (("synthesize.py", "--check"),)
 RESULTS = ROOT / "build" / "ci" / "results"  # where .ci/run leaves them

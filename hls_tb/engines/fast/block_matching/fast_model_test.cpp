@@ -221,6 +221,8 @@ block_matching::Matching scaled(block_matching::Matching of_8_bits, int bits) {
    of_8_bits.pixel_bits = bits;
    of_8_bits.prefilter_cap <<= bits - 8;
    of_8_bits.texture_threshold <<= bits - 8;
+   const int larger = of_8_bits.cost == Cost::census ? 0 : of_8_bits.cost == Cost::ssd ? 2 * (bits - 8) : bits - 8;
+   of_8_bits.margin_shift = std::min(of_8_bits.margin_shift + larger, 16);
    return of_8_bits;
 }
 
@@ -243,7 +245,8 @@ TEST(FastModel, LargerGreyValuesOfMoreBitsChangeNothing) {
    Random random(test_seed());
    for (int i = 0; i < 60; ++i) {
       const int width = 3 + random.below(60), height = 1 + random.below(16), bits = random.percent(50) ? 10 : 12;
-      const block_matching::Matching parameters = random_deep_parameters(random, width);
+      block_matching::Matching parameters = random_deep_parameters(random, width);
+      parameters.margin_shift = std::min(parameters.margin_shift, 8);  // more of them for the larger costs
       const ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
       DeepPair larger{widened(pair.left), widened(pair.right)};
       for (DeepImage* image : {&larger.left, &larger.right})
