@@ -213,6 +213,7 @@ block_matching::Matching random_deep_parameters(Random& random, int width) {
    parameters.window_px = std::min(parameters.window_px, 11);
    parameters.texture_threshold =
        std::min(parameters.texture_threshold, parameters.prefilter_cap * parameters.window_px * parameters.window_px);
+   parameters.margin_shift = std::min(parameters.margin_shift, 8);  // `scaled` adds to it
    return parameters;
 }
 
@@ -245,8 +246,7 @@ TEST(FastModel, LargerGreyValuesOfMoreBitsChangeNothing) {
    Random random(test_seed());
    for (int i = 0; i < 60; ++i) {
       const int width = 3 + random.below(60), height = 1 + random.below(16), bits = random.percent(50) ? 10 : 12;
-      block_matching::Matching parameters = random_deep_parameters(random, width);
-      parameters.margin_shift = std::min(parameters.margin_shift, 8);  // more of them for the larger costs
+      const block_matching::Matching parameters = random_deep_parameters(random, width);
       const ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
       DeepPair larger{widened(pair.left), widened(pair.right)};
       for (DeepImage* image : {&larger.left, &larger.right})
