@@ -2,6 +2,7 @@
 #include "definition/postprocessing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace stereo {

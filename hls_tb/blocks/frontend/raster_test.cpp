@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "block_matching/config.hpp"
 #include "frontend/features.hpp"
 #include "scene/random.hpp"

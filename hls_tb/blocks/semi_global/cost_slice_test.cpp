@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <deque>
+#include <vector>
 
 #include "engines/clocked/heap_memories.hpp"
 #include "scene/random.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The whole core and the reference on a picture of the world.
+#include <cmath>
 #include <cstdlib>
 
 #include "block_matching/config.hpp"

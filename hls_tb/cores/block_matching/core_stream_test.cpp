@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The core as a stream: frames after frames, cut frames, bubbles and clocks.
+#include <algorithm>
+
 #include "block_matching/config.hpp"
 #include "engines/clocked/heap_memories.hpp"
 #include "engines/clocked/stimulus.hpp"

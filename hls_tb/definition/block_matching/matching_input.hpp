@@ -3,6 +3,7 @@
 // hardware derives its own numbers (hls/block_matching/config.hpp).
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include "block_matching/matching.hpp"

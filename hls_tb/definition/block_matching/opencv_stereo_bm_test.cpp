@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reference model beside OpenCV's StereoBM and median filter: "Beside OpenCV's StereoBM" in docs/algorithm.md.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include <opencv2/calib3d.hpp>

@@ -2,6 +2,7 @@
 #include "definition/block_matching/reference_model.hpp"
 
 #include <bit>
+#include <cmath>
 #include <cstdlib>
 
 #include "definition/block_matching/matching_input.hpp"

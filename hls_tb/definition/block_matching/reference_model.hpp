@@ -5,6 +5,8 @@
 // Every stage takes the right image as reference. Column x of a volume is cost column first_cost_column() + x.
 #pragma once
 
+#include <stdexcept>
+
 #include "block_matching/matching.hpp"
 #include "definition/stages.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each option of the reference model, in cases computed by hand.
+#include <cmath>
 #include <cstdlib>
 
 #include "definition/block_matching/matching_input.hpp"

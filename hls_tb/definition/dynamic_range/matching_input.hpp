@@ -3,6 +3,7 @@
 // (docs/algorithm.md).
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include "definition/gray_image.hpp"

@@ -2,6 +2,8 @@
 // Matching with a dynamic range by its definition, docs/algorithm.md, for tests: plain loops.
 #pragma once
 
+#include <stdexcept>
+
 #include "definition/stages.hpp"
 #include "dynamic_range/matching.hpp"
 

@@ -2,6 +2,7 @@
 #include "definition/dynamic_range/search_windows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "definition/block_matching/reference_model.hpp"

@@ -2,6 +2,7 @@
 // What follows from the options of phase correlation and the size of the images, by definition (docs/algorithm.md).
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include "definition/gray_image.hpp"

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <stdexcept>
 
 #include "definition/stages.hpp"
 #include "phase_correlation/matching.hpp"

@@ -2,6 +2,7 @@
 #include "definition/semi_global/matching_input.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 #include <utility>

@@ -2,6 +2,7 @@
 #include "definition/semi_global/reference_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "definition/block_matching/reference_model.hpp"

@@ -4,6 +4,8 @@
 // Every step takes the right image as reference. Column x of a volume is column x of the map.
 #pragma once
 
+#include <stdexcept>
+
 #include "definition/stages.hpp"
 #include "semi_global/matching.hpp"
 

@@ -2,6 +2,8 @@
 // The trellis by its definition, docs/algorithm.md, for tests: one function for each step, plain loops.
 #pragma once
 
+#include <stdexcept>
+
 #include "definition/stages.hpp"
 #include "trellis/matching.hpp"
 

@@ -2,6 +2,7 @@
 // The models of the example family. It is so simple that the definition is fast enough.
 #pragma once
 
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>

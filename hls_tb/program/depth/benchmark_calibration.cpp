@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/depth/benchmark_calibration.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>

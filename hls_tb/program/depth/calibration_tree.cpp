@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 #include <sstream>
+#include <string_view>
 
 #include "program/errors.hpp"
 #include "program/io/shown_word.hpp"

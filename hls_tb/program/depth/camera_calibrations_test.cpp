@@ -3,6 +3,7 @@
 // what OpenCV makes of them.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <opencv2/calib3d.hpp>
 
 #include "program/depth/rectification.hpp"

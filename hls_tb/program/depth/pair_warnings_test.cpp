@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "definition/block_matching/models.hpp"
 #include "scene/scene.hpp"
 #include "testing/seed.hpp"

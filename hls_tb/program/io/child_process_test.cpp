@@ -5,6 +5,7 @@
 #include <sys/time.h>
 
 #include <csignal>
+#include <stdexcept>
 #include <thread>
 
 namespace stereo::app {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <stdexcept>
 #include <string>
 
 namespace stereo::app {

@@ -2,6 +2,7 @@
 // All that needs OpenCV's imgcodecs: the module stereo_hls_images.so, and a library for programs that link it.
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
+#include <vector>
 
 #include "program/io/image_codecs.hpp"
 #include "program/io/silent_stderr.hpp"

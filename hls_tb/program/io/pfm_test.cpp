@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <stdexcept>
 #include <string>
 
 #include "scene/random.hpp"

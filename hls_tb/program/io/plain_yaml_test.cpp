@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
 
 #include "scene/random.hpp"
 #include "testing/seed.hpp"

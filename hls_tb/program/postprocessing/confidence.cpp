@@ -2,6 +2,7 @@
 #include "program/postprocessing/confidence.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "definition/mirror.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/postprocessing/speckles.hpp"
 
+#include <cmath>
 #include <cstdlib>
 
 namespace stereo::app {

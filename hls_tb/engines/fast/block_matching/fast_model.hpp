@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <stdexcept>
+
 #include "block_matching/matching.hpp"
 #include "definition/disparity_map.hpp"
 #include "definition/gray_image.hpp"

@@ -4,6 +4,7 @@
 #include "engines/fast/block_matching/plain_matcher.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 

@@ -2,6 +2,7 @@
 #include "engines/fast/block_matching/texture.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "definition/block_matching/matching_input.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <stdexcept>
+
 #include "definition/disparity_map.hpp"
 #include "definition/gray_image.hpp"
 #include "dynamic_range/matching.hpp"

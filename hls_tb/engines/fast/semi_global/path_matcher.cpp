@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/fast/semi_global/path_matcher.hpp"
 
+#include <cmath>
 #include <cstdlib>
 
 #include "definition/block_matching/matching_input.hpp"
