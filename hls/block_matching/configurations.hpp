@@ -199,17 +199,17 @@ STEREO_ROW(tiny_size_full_all, option, tiny_full_all, width_px = 40, height_px =
 STEREO_ROW(tiny_support, option, tiny, left_right_threshold = 1, support_threshold = 6);
 STEREO_ROW(tiny_confidence, option, tiny, reference = Reference::left, support_threshold = 4, confidence = true,
            margin_shift = 2, subpixel = true);
-STEREO_ROW(tiny_fill, planned, tiny, left_right_threshold = 0, fill_holes = true);
-STEREO_ROW(tiny_dense, planned, tiny, reference = Reference::left, full_width = true, subpixel = true, median = true,
+STEREO_ROW(tiny_fill, option, tiny, left_right_threshold = 0, fill_holes = true);
+STEREO_ROW(tiny_dense, option, tiny, reference = Reference::left, full_width = true, subpixel = true, median = true,
            left_right_threshold = 1, uniqueness_percent = 5, support_threshold = 5, confidence = true, margin_shift = 3,
            margin_weight = 1, support_weight = 6, fill_holes = true);
-STEREO_ROW(tiny_dense_p2, planned, tiny_p2, left_right_threshold = 1, subpixel = true, median = true,
+STEREO_ROW(tiny_dense_p2, option, tiny_p2, left_right_threshold = 1, subpixel = true, median = true,
            support_threshold = 4, confidence = true, margin_shift = 4, fill_holes = true);
-STEREO_ROW(tiny_dense_p4, planned, tiny_p4, reference = Reference::left, left_right_threshold = 1, support_threshold = 4,
+STEREO_ROW(tiny_dense_p4, option, tiny_p4, reference = Reference::left, left_right_threshold = 1, support_threshold = 4,
            subpixel = true, fill_holes = true);
 STEREO_ROW(tiny_confidence_p4, option, tiny_p4, left_right_threshold = 1, support_threshold = 4, confidence = true,
            margin_shift = 4, median = true);
-STEREO_ROW(tiny_dense_size, planned, tiny_dense, height_px = 20, run_time_settings = true, run_time_size = true);
+STEREO_ROW(tiny_dense_size, option, tiny_dense, height_px = 20, run_time_settings = true, run_time_size = true);
 // Several clocks a pixel pair.
 STEREO_ROW(tiny_f2, option, tiny, width_px = 48, clocks_per_pixel = 2);
 STEREO_ROW(tiny_f2_lr, option, tiny_f2, left_right_threshold = 1);

@@ -59,8 +59,8 @@ struct Core<C> {
 #undef STEREO_BLOCKS
 
    static constexpr Schedule kSchedule = [] {
-      Schedule schedule =
-          raster_schedule(C, C.output_width_px(), kBlocks.all().clocks, kBlocks.all().lag_groups + 1, C.gap_groups());
+      Schedule schedule = raster_schedule(C, C.output_width_px(), kBlocks.all().clocks, kBlocks.all().lag_groups + 1,
+                                          gap_of(C, C.gap_groups()));
       schedule.clocks_per_group = C.clocks_per_pixel;
       return schedule;
    }();

@@ -21,6 +21,8 @@ struct RowWinners {
    using Word = typename Pack::Word;
    using Memory = MemoryBank<Word, Rows::kPlaces, 1>;
    static constexpr int kMemories = Memory::kMemories;
+   static constexpr uint16_t kNoPlace = Rows::kPlaces - 1;
+   static_assert(C.output_width_px() < Rows::kColumns, "the last place of a row must be free");
 
    Memory memory;
    bool row;  ///< of the two, in which the winners are
@@ -83,8 +85,9 @@ struct RowWinners {
       const bool comes = in.tag.valid & in.tag.map_column;
       const bool row_now = row ^ in.tag.first_column;
       const uint16_t column_now = Rows::column(select<uint16_t>(in.tag.first_column, 0, column));
-      write_address = select<uint16_t>(comes, Rows::address(row_now, column_now), write_address);
-      write_word[0] = select<Word>(comes, packed(in), write_word[0]);
+      // A winner is written once: the last one of a row would else be written while it is read.
+      write_address = select<uint16_t>(comes, Rows::address(row_now, column_now), kNoPlace);
+      write_word[0] = packed(in);
       row = select<bool>(comes, row_now, row);
       column = Rows::column(select<uint16_t>(comes, uint16_t(column_now + 1), column));
    }

@@ -80,8 +80,9 @@ struct HoleEnds {
          const bool ends = arrives & ((passed[p] & was_open) | (!passed[p] & is_last));
          const Word word = Word(Word(disparity[p] & kDisparityMask) | Word(Word(column & kColumnMask) << kMapBits<C>) |
                                 Word(Word(passed[p]) << (kMapBits<C> + kColumnBits)));
-         write_words[p] = select<Word>(ends, word, write_words[p]);
-         write_place[p] = at_most<kPlaces - 1>(select<uint16_t>(ends, next_place[p], write_place[p]));
+         // Without an end a free place is written: the words of holes are never read while they are written.
+         write_words[p] = word;
+         write_place[p] = at_most<kPlaces - 1>(next_place[p]);
          row_above_place[p] = at_most<kPlaces - 1>(select<uint16_t>(is_first, row_place[p], row_above_place[p]));
          row_place[p] = at_most<kPlaces - 1>(select<uint16_t>(is_first, next_place[p], row_place[p]));
          next_place[p] = at_most<kPlaces - 1>(select<uint16_t>(ends, after(next_place[p]), next_place[p]));

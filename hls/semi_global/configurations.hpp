@@ -85,15 +85,15 @@ STEREO_ROW(tiny_sgm_size_full, option, tiny_sgm_full_all, height_px = 20, run_ti
 
 // A cost beside the border of the other image, and the post-processing. The VHDL of those that are planned is not made yet.
 STEREO_ROW(tiny_sgm_border, option, tiny_sgm_full, border_cost = 3);
-STEREO_ROW(tiny_sgm_border_part, planned, tiny_sgm_full_all, height_px = 20, p1 = 10, p2 = 40, border_cost = 2,
+STEREO_ROW(tiny_sgm_border_part, option, tiny_sgm_full_all, height_px = 20, p1 = 10, p2 = 40, border_cost = 2,
            run_time_settings = true);
-STEREO_ROW(tiny_sgm_confidence, planned, tiny_sgm, support_threshold = 5, confidence = true);
+STEREO_ROW(tiny_sgm_confidence, option, tiny_sgm, support_threshold = 5, confidence = true);
 STEREO_ROW(tiny_sgm_dense, option, tiny_sgm, reference = Reference::left, full_width = true, border_cost = 3,
            left_right_threshold = 1, subpixel = true, median = true, support_threshold = 5, confidence = true,
            fill_holes = true);
-STEREO_ROW(tiny_sgm_dense_forward, planned, tiny_sgm, path_right = false, full_width = true, border_cost = 0,
+STEREO_ROW(tiny_sgm_dense_forward, option, tiny_sgm, path_right = false, full_width = true, border_cost = 0,
            left_right_threshold = 1, uniqueness_distance = 2, support_threshold = 3, fill_holes = true);
-STEREO_ROW(tiny_sgm_dense_size, planned, tiny_sgm_dense, height_px = 20, run_time_settings = true, run_time_size = true);
+STEREO_ROW(tiny_sgm_dense_size, option, tiny_sgm_dense, height_px = 20, run_time_settings = true, run_time_size = true);
 
 // sgm_450 as a depth map without holes: of full width, checked, in sixteenths, filtered, with a confidence, filled. A smaller
 // P2 for a room; docs/post_processing.md has its figures.

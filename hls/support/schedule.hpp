@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "postprocessing/limits.hpp"
+
 namespace stereo {
 
 /// When the outputs of a core come. A group is the P pixel pairs that enter in one clock.
@@ -22,12 +24,23 @@ constexpr Schedule raster_schedule(const Image& image, int map_width, int latenc
    return {latency_clocks, groups_to_first_output, left < 0 ? 0 : left, gap_groups};
 }
 
+/// The gap of a core whose windows need `groups`. No gap at all, or one that brings out the last rows of every stage: a
+/// frame that joins another one neither directly nor behind these takes them away.
+template <class Config>
+constexpr int gap_of(const Config& config, int groups) {
+   int of_support = 0;
+   if constexpr (requires { config.has_support_filter(); })
+      if (config.has_support_filter()) of_support = support_groups(config.pixels_per_clock) * config.width_px;
+   return groups > 0 && groups < of_support ? of_support : groups;
+}
+
 /// The same of a core whose blocks hold valid groups back up to a row's first window centre and the columns after it.
 /// windows: the configuration of the windows; blocks: the sums over all blocks (support/blocks.hpp).
 template <class Config, class Windows, class Sums>
 constexpr Schedule window_schedule(const Config& config, const Windows& windows, const Sums& blocks) {
    const int groups = blocks.lag_groups + windows.first_map_column() + windows.columns_after() + 1;
-   return raster_schedule(config, config.output_width_px(), blocks.clocks, groups, windows.gap_groups());
+   return raster_schedule(config, config.output_width_px(), blocks.clocks, groups,
+                          gap_of(config, windows.gap_groups()));
 }
 
 }  // namespace stereo

@@ -2,8 +2,7 @@
 """Words that a memory reads in the clock in which it writes them.
 
 yosys leaves them open where a memory has the attribute no_rw_check. There are such words: in block matching those of
-bubbles, which nobody looks at, so it gets the attribute; in semi-global matching, and with several clocks a pixel pair,
-some that decide the result."""
+bubbles, which nobody looks at, so it gets the attribute; in semi-global matching some that decide the result."""
 
 import pytest
 
@@ -23,7 +22,7 @@ SAME_CLOCK = "read_address = write_address"
 BLOCK_MATCHING = sorted(
     name
     for name, row in configurations().items()
-    if row["family"] == "block_matching" and row["use"] in ("tiny", "option") and row["clocks_per_pixel"] == 1
+    if row["family"] == "block_matching" and row["use"] in ("tiny", "option")
 )
 
 
@@ -59,11 +58,6 @@ def test_wrong_words_are_seen(ghdl, tmp_path):
 
 def test_semi_global_matching_looks_at_some(ghdl, tmp_path):
     assert not agrees("tiny_sgm", tmp_path, SAME_CLOCK)
-
-
-def test_several_clocks_a_pixel_pair_look_at_some(ghdl, tmp_path):
-    assert not agrees("tiny_f4_settings", tmp_path, SAME_CLOCK)
-    assert not yosys.memories_without_bypass("block_matching", is_folded=True)
 
 
 @pytest.mark.parametrize("family", FAMILIES.values(), ids=FAMILIES)

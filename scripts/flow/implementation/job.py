@@ -50,9 +50,7 @@ class Job:
 
     def design(self) -> Design:
         files = design.vhdl_files(self.config) if self.shell else manifest.vhdl_files(self.vhdl)
-        folder = committed.folder(self.config)
-        is_folded = manifest.read(folder)["parameters"].get("clocks_per_pixel", 1) != 1
-        without_bypass = yosys.memories_without_bypass(folder.parent.name, is_folded=is_folded)
+        without_bypass = yosys.memories_without_bypass(committed.folder(self.config).parent.name)
         return Design(self.entity, files, self.seeds, self.router, without_bypass)
 
 

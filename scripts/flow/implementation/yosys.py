@@ -34,14 +34,14 @@ def version() -> str:
 
 # The memories of the cell line_memory.vhd, as ghdl names them. In these families a core looks at no word that is read
 # in the clock in which it is written (test_memory_collisions.py): without a bypass around the RAM, its output register
-# is the RAM's own. A core with several clocks a pixel pair looks at some: it reads what it has just kept of a row.
+# is the RAM's own.
 LINE_MEMORIES = "*column_n*_memory"
 _WITHOUT_BYPASS = ("block_matching",)
 
 
-def memories_without_bypass(family: str, core: str = "", is_folded: bool = False) -> str:
+def memories_without_bypass(family: str, core: str = "") -> str:
     """For `script`, of a core of that family; `core`: what the names begin with that stand in it."""
-    return f"m:{core}{LINE_MEMORIES}" if family in _WITHOUT_BYPASS and not is_folded else ""
+    return f"m:{core}{LINE_MEMORIES}" if family in _WITHOUT_BYPASS else ""
 
 
 def script(target: Target, without_bypass: str = "") -> str:
