@@ -83,6 +83,17 @@ STEREO_ROW(tiny_sgm_size_all, option, tiny_sgm_all, height_px = 20, run_time_set
 STEREO_ROW(tiny_sgm_size_full, option, tiny_sgm_full_all, height_px = 20, run_time_settings = true,
            run_time_size = true);
 
+// Several clocks a pixel pair.
+STEREO_ROW(tiny_sgm_f4, option, tiny_sgm_w1, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f6_left, option, tiny_sgm_w1, clocks_per_pixel = 6, reference = Reference::left, min_disparity = 2,
+           ties = Ties::largest);
+STEREO_ROW(tiny_sgm_f5_forward, option, tiny_sgm_w1_sad_left, disparities = 15, clocks_per_pixel = 5,
+           path_right = false);
+STEREO_ROW(tiny_sgm_f8_all, option, tiny_sgm_w1, disparities = 24, clocks_per_pixel = 8, uniqueness_distance = 3,
+           subpixel = true, median = true);
+STEREO_ROW(tiny_sgm_f4_all_left, option, tiny_sgm_f8_all, disparities = 16, clocks_per_pixel = 4,
+           reference = Reference::left, ties = Ties::largest, winner_group = 3);
+
 // A cost beside the border of the other image, and the post-processing. The VHDL of those that are planned is not made yet.
 STEREO_ROW(tiny_sgm_border, option, tiny_sgm_full, border_cost = 3);
 STEREO_ROW(tiny_sgm_border_part, option, tiny_sgm_full_all, height_px = 20, p1 = 10, p2 = 40, border_cost = 2,

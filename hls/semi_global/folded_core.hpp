@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "semi_global/core.hpp"
+#include "semi_global/phase_costs.hpp"
+#include "semi_global/phase_paths.hpp"
+#include "semi_global/phase_winners.hpp"
+
+namespace stereo::semi_global {
+
+/// The same core with C.clocks_per_pixel clocks a pixel pair: the same map, and as before one disparity for each pair,
+/// always as many clocks behind it. A pair must not come sooner than clocks_per_pixel clocks after the one before it,
+/// start of frame or not.
+template <const Config& C>
+   requires(C.is_folded())
+struct Core<C> {
+   static_assert(kCanBeBuilt<C>);
+   static constexpr const Config& kConfig = C;
+   using Matching = semi_global::Matching;
+   static constexpr const auto& kWindows = kWindowConfig<C>;
+
+   using Refine = Refinement<kSumConfig<C>>;
+   using MapBlock =
+       std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>;
+   static constexpr bool kHasMapBlock = C.median || C.subpixel;
+   using Settings = semi_global::Settings;
+
+   //            a pixel pair              once in F clocks
+   //                 |
+   //   clocks   transform                 7, 6, none  x-Sobel, census
+   //            raster, delay, rows       3 or 5
+   //                 |                    from here on, D/F disparities a clock, F clocks one behind the other
+   //            costs                     PhaseCosts::kClocks
+   //            paths                     F + log2(D/F) + 4: of all three, and their sum
+   //            winners                   log2(D/F) + F
+   //                 |                    from here on, once in F clocks again
+   //            refinement                0, 4, 12    uniqueness, subpixel
+   //            turn                      3 or none   rows turned back
+   //            map                       11, 1, none median or register
+   //                 |
+   //            a disparity
+#define STEREO_BLOCKS(BLOCK, BESIDE, PORTS)                                                                            \
+   BLOCK(transform, Optional<kWindows.has_transform(), Transform<kWindowConfig<C>>>)                                   \
+   BLOCK(raster, Raster<kWindowConfig<C>>)                                                                             \
+   BLOCK(delay, PairDelay<kWindowConfig<C>>)                                                                           \
+   BLOCK(rows, SingleRow<kWindowConfig<C>>)                                                                            \
+   BLOCK(costs, PhaseCosts<C>)                                                                                         \
+   BLOCK(paths, PhasePaths<C>)                                                                                         \
+   BLOCK(winners, PhaseWinners<C>)                                                                                     \
+   BLOCK(refinement, Refine)                                                                                           \
+   BLOCK(turn, Optional<C.path_right, WinnerTurn<C>>)                                                                  \
+   BLOCK(map, MapBlock)
+   STEREO_CORE(STEREO_BLOCKS);
+#undef STEREO_BLOCKS
+
+   static constexpr Schedule kSchedule = [] {
+      Schedule schedule = window_schedule(C, kWindows, kBlocks.all());
+      schedule.clocks_per_group = C.clocks_per_pixel;
+      return schedule;
+   }();
+
+   /// What the registers show in this clock. Does not depend on this clock's input.
+   HLS_INLINE StereoOutput output() const { return shown(shown_group()); }
+
+   /// The clock edge. Last block first: each reads what the block before it held until now.
+   HLS_INLINE void clock(const CoreInput<C>& in) {
+      if constexpr (C.median) map.clock(turned(), FixedSize<kWindowConfig<C>>());
+      else if constexpr (kHasMapBlock) map.clock(turned());
+      if constexpr (C.path_right) turn.clock(refinement.output(winners, NoTexture()));
+      refinement.clock(winners, NoTexture());
+      winners.clock(paths);
+      paths.clock(costs, rows.tag);
+      costs.clock(rows.search, rows.reference, rows.tag);
+      rows.clock(delay);
+      delay.clock(raster);
+      if constexpr (kWindows.has_transform()) {
+         raster.clock(transform.output());
+         transform.clock(in);
+      } else {
+         raster.clock(grey_values<kWindowConfig<C>>(in));
+      }
+   }
+
+  private:
+   struct NoTexture {};
+
+   /// In raster order.
+   HLS_INLINE Winners<kSumConfig<C>> turned() const {
+      if constexpr (C.path_right) return turn.output();
+      else return refinement.output(winners, NoTexture());
+   }
+
+   HLS_INLINE MapGroup<kSumConfig<C>> shown_group() const {
+      if constexpr (kHasMapBlock) return map.out;
+      else return map_group<kSumConfig<C>>(turned());
+   }
+};
+
+}  // namespace stereo::semi_global

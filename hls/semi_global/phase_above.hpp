@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "semi_global/phases.hpp"
+#include "semi_global/settings.hpp"
+#include "support/memory_bank.hpp"
+#include "support/move_delay.hpp"
+#include "support/packed.hpp"
+
+namespace stereo::semi_global {
+
+/// The path from above, a phase a clock: what PathAbove is for all disparities at once. K is there at the stage
+/// kPathCosts. Memory: map width x D x bits of P2, and kPaths x lanes x bits of a sum, LUT RAM.
+template <const Config& C>
+struct PhaseAbove {
+   using At = Stages<C>;
+   static constexpr int kPhases = At::kPhases;
+   static constexpr int kLanes = At::kLanes;
+   static constexpr int kStateBits = bits_for(C.p2_above());
+   static constexpr int kTotalBits = bits_for(C.largest_path_above());
+   using Pack = Packed<kStateBits, kLanes>;
+   using State = typename Pack::Lane;
+   using Word = typename Pack::Word;
+   using Value = AbovePathValue<C>;
+   static constexpr Value kMask = Value((uint64_t(1) << kTotalBits) - 1);
+   using Passed = uint_of_bits<bits_for(C.largest_path_above() + C.p1_above())>;
+   static constexpr int kWords = C.output_width_px() * kPhases;
+   using Memory = MemoryBank<Word, kWords, Pack::kWords>;
+   using Address = PhaseAddress<kPhases, kWords>;
+   using Tree = MinimumTree<Value, kLanes>;
+   using Delay = MoveDelay<kTotalBits, kLanes, At::kPaths>;
+   static constexpr int kMemories = Memory::kMemories + Delay::kMemories;
+   static constexpr int kReads = -2;                     ///< the address of what the row above passes on is there
+   static constexpr int kWrites = At::kPathCosts + 4;  ///< and that of what the row below gets
+
+   Memory memory;
+   Address read_address;
+   Word read_words[Pack::kWords];
+   // beside the costs
+   Word ready_words[Pack::kWords];
+   bool ready_top;
+   // a clock behind them
+   Value total[kLanes];
+   Tree tree;
+   Delay delay;
+   Value smallest_total, smallest;  ///< of the phases so far; of the column
+   // kPathCosts
+   Value cost[kLanes];  ///< K
+   // 1 clock behind it
+   Value held[kLanes];
+   Value lower_neighbour;  ///< K of the last lane of the phase before
+   PhaseCount<kPhases> count;
+   // 2, 3, 4
+   Value beside[kLanes], own[kLanes];
+   Passed step[kLanes];
+   State stay[kLanes];
+   Word write_words[Pack::kWords];
+   Address write_address;
+
+   template <class Source, int First>
+   HLS_INLINE PhaseAbove(Source& memories, MemoryId<First> first)
+       : memory(memories, first), delay(memories, MemoryId<First + Memory::kMemories>()) {
+      start(*this);
+   }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("read_address", read_address);
+      visit("read_words", read_words);
+      visit("ready_words", ready_words);
+      visit("ready_top", ready_top);
+      visit("total", total);
+      visit("tree", tree);
+      visit("delay", delay);
+      visit("smallest_total", smallest_total);
+      visit("smallest", smallest);
+      visit("cost", cost);
+      visit("held", held);
+      visit("lower_neighbour", lower_neighbour);
+      visit("count", count);
+      visit("beside", beside);
+      visit("own", own);
+      visit("step", step);
+      visit("stay", stay);
+      visit("write_words", write_words);
+      visit("write_address", write_address);
+   }
+
+   template <class Line>
+   HLS_INLINE void clock(const Line& line, const PathCost<C> (&costs)[kLanes]) {
+      Word stored[Pack::kWords];
+      memory.read(read_address.address, stored);
+      memory.write(write_address.address, write_words);
+      pass_on(line);
+      HLS_UNROLL
+      for (int l = 0; l < kLanes; ++l) cost[l] = Value(delay.lane(l) - smallest) & kMask;
+      smallest = select<Value>(line.template is_there<At::kPaths>(), smallest_total, smallest);
+      smallest_total =
+          smallest_so_far<Value>(line.template is_there<1 + At::kLevels>(), tree.root(), smallest_total);
+      tree.clock(total, AlwaysMoves());
+      delay.clock(total, AlwaysMoves());
+      HLS_UNROLL
+      for (int l = 0; l < kLanes; ++l) {
+         const State from_above = select<State>(ready_top, C.p2_above(), Pack::lane(ready_words, l));
+         total[l] = Value(from_above + costs[l]);
+      }
+      ready_top = select<bool>(line.template starts<-1>() & line.template at<-1>().first_column,
+                               line.template at<-1>().top, ready_top);
+      HLS_UNROLL
+      for (int w = 0; w < Pack::kWords; ++w) {
+         ready_words[w] = read_words[w];
+         read_words[w] = stored[w];
+      }
+      read_address.go_on(line.template starts<kReads - 1>(), line.template at<kReads - 1>().first_column);
+   }
+
+  private:
+   /// Neighbours, penalty, minimum.
+   template <class Line>
+   HLS_INLINE void pass_on(const Line& line) {
+      State lanes[kLanes];
+      Word packed[Pack::kWords];
+      HLS_UNROLL
+      for (int l = 0; l < kLanes; ++l) lanes[l] = State(select<Passed>(step[l] < stay[l], step[l], stay[l]));
+      Pack::pack(lanes, packed);
+      const bool starts = line.template starts<kWrites - 1>();
+      const bool moves = write_address.count.moves(starts);
+      HLS_UNROLL
+      for (int w = 0; w < Pack::kWords; ++w) write_words[w] = select<Word>(moves, packed[w], write_words[w]);
+      write_address.go_on(starts, line.template at<kWrites - 1>().first_column);
+      HLS_UNROLL
+      for (int l = 0; l < kLanes; ++l) {
+         step[l] = Passed(beside[l] + C.p1_above());
+         stay[l] = State(select<Value>(own[l] > C.p2_above(), C.p2_above(), own[l]));
+         beside[l] = smaller_of<Value>(lower(l), upper(l));
+         own[l] = held[l];
+      }
+      lower_neighbour = held[kLanes - 1];
+      count.clock(line.template starts<At::kPathCosts>());
+      HLS_UNROLL
+      for (int l = 0; l < kLanes; ++l) held[l] = cost[l];
+   }
+   /// K beside lane l; at an end of the disparity range that on the other side.
+   HLS_INLINE Value lower(int l) const {
+      if (l > 0) return held[l > 0 ? l - 1 : 0];
+      return select<Value>(count.is_first(), held[1], lower_neighbour);
+   }
+   HLS_INLINE Value upper(int l) const {
+      if (l < kLanes - 1) return held[l < kLanes - 1 ? l + 1 : 0];
+      return select<Value>(count.is_last(), held[kLanes - 2], cost[0]);
+   }
+};
+
+}  // namespace stereo::semi_global

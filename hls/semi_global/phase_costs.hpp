@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cost/column_cost.hpp"
+#include "cost/single_column.hpp"
+#include "semi_global/phase_shift.hpp"
+#include "semi_global/seen_cost.hpp"
+
+namespace stereo::semi_global {
+
+/// The costs that the paths see, of a phase a clock.
+template <const Config& C>
+struct PhaseCosts {
+   static constexpr const auto& kWindows = kWindowConfig<C>;
+   static constexpr int kLanes = Stages<C>::kLanes;
+   static constexpr int kTaps = kWindows.tap_rows();
+   using Shift = PhaseShift<C>;
+   using Column = ColumnBlock<kWindowConfig<C>, kLanes>;
+   using Window = SingleColumn<kWindowConfig<C>, kLanes>;
+   static constexpr int kMemories = Shift::kMemories + Column::kMemories + Window::kMemories;
+   /// From a pair's arrival to the costs of its first phase.
+   static constexpr int kClocks = Shift::kClocks + Column::kClocks + Window::kClocks + 1;
+
+   Shift shift;
+   Column column;
+   Window window;
+   PathCost<C> cost[kLanes];
+
+   template <class Source, int First>
+   HLS_INLINE PhaseCosts(Source& memories, MemoryId<First> first)
+       : shift(memories, first),
+         column(memories, MemoryId<First + Shift::kMemories>()),
+         window(memories, MemoryId<First + Shift::kMemories + Column::kMemories>()) {
+      start(*this);
+   }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit.block("shift", shift);
+      visit.block("column", column);
+      visit.block("window", window);
+      visit("cost", cost);
+   }
+
+   HLS_INLINE void clock(const Feature<kWindowConfig<C>> (&search)[kTaps],
+                         const Feature<kWindowConfig<C>> (&reference)[kTaps], const PixelTag& tag) {
+      HLS_UNROLL
+      for (int l = 0; l < kLanes; ++l) cost[l] = seen_cost<C>(window.sum[0][l]);
+      window.clock(column);
+      column.clock(shift);
+      shift.clock(search, reference, tag);
+   }
+};
+
+}  // namespace stereo::semi_global
