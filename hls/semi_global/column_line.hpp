@@ -41,6 +41,7 @@ struct ColumnLine {
    RowOrder<kWidth> order;
    ColumnPlace newest;
    bool comes[kFlags];           ///< [j]: a column's phase 0 is at stage First + j, of the map or not
+   bool starts_phases[kFlags];   ///< [j]: it is of the map; from j = 1 on
    ColumnPlace places[kPlaces];  ///< [j]: from stage First + j * kPhases + 1 on
 
    HLS_INLINE ColumnLine() { start(*this); }
@@ -51,6 +52,7 @@ struct ColumnLine {
       if constexpr (C.path_right) visit("order", order);
       visit("newest", newest);
       visit("comes", comes);
+      visit("starts_phases", starts_phases);
       visit("places", places);
    }
 
@@ -64,10 +66,11 @@ struct ColumnLine {
    HLS_INLINE bool is_there() const {
       return comes[Stage - First];
    }
-   /// Whether a column of the map is there.
+   /// Whether a column of the map is there. A register, as many choices depend on it.
    template <int Stage>
    HLS_INLINE bool starts() const {
-      return is_there<Stage>() & at<Stage>().map_column;
+      static_assert(Stage > First && Stage - First < kFlags);
+      return starts_phases[Stage - First];
    }
 
    HLS_INLINE void clock(const PixelTag& newest_tag) {
@@ -79,6 +82,8 @@ struct ColumnLine {
          show(entered.shown, order.turned, true);
       }
       take(places[0], entered, comes[0]);
+      HLS_UNROLL
+      for (int j = kFlags - 1; j > 0; --j) starts_phases[j] = j == 1 ? comes[0] & newest.map_column : starts_phases[j - 1];
       HLS_UNROLL
       for (int j = kFlags - 1; j > 0; --j) comes[j] = comes[j - 1];
 

@@ -96,7 +96,7 @@ struct PhaseAbove {
       for (int l = 0; l < kLanes; ++l) cost[l] = Value(delay.lane(l) - smallest) & kMask;
       smallest = select<Value>(line.template is_there<At::kPaths>(), smallest_total, smallest);
       smallest_total =
-          smallest_so_far<Value>(line.template is_there<1 + At::kLevels>(), tree.root(), smallest_total);
+          smallest_so_far<kTotalBits>(line.template is_there<1 + At::kLevels>(), tree.root(), smallest_total);
       tree.clock(total, AlwaysMoves());
       delay.clock(total, AlwaysMoves());
       HLS_UNROLL

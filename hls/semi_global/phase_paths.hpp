@@ -98,7 +98,7 @@ struct PhasePaths {
       }
       if constexpr (kHasRows) {
          smallest_cost =
-             smallest_so_far<PathCost<C>>(line.template is_there<At::kLevels>(), tree.root(), smallest_cost);
+             smallest_so_far<C.cost_bits()>(line.template is_there<At::kLevels>(), tree.root(), smallest_cost);
          tree.clock(costs.cost, AlwaysMoves());
          cost_delay.clock(costs.cost, AlwaysMoves());
       }

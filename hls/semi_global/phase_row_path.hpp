@@ -57,7 +57,8 @@ struct PhaseRowPath {
    Start room, start_cost[kLookBack - 1];  ///< for the next column; [j]: q of j columns before
    bool first;                             // 0: the column is the first of its row
    Value g, g_less;
-   PhaseCount<kPhases> read_count;  // a clock before the costs
+   // a clock before the costs
+   PhaseCount<kPhases> read_count, ahead_count;  ///< the latter is at the phase behind, if there is one
    // beside the costs
    PhaseCount<kPhases> count;
    Word read_words[Pack::kWords];
@@ -101,6 +102,7 @@ struct PhaseRowPath {
       visit("g", g);
       visit("g_less", g_less);
       visit("read_count", read_count);
+      visit("ahead_count", ahead_count);
       visit("count", count);
       visit("read_words", read_words);
       visit("read_neighbour", read_neighbour);
@@ -124,13 +126,11 @@ struct PhaseRowPath {
    HLS_INLINE void clock(const Line& line, PathCost<C> smallest_cost, const PathCost<C> (&costs)[kLanes]) {
       Word stored[Pack::kWords];
       Value neighbour[1];
-      const uint16_t ahead = select<uint16_t>(read_count.is_last(), 0, uint16_t(read_count.phase + 1));
-      const uint16_t ahead_address = at_most<kPhases - 1>(ahead);
       states.read(read_count.phase, stored);
-      neighbours.read(ahead_address, neighbour);
+      neighbours.read(ahead_count.phase, neighbour);
       Value low_read[1];
       lows.read(low_address, low_read);
-      const bool passes = write_count.phase == ahead_address;
+      const bool passes = write_count.phase == ahead_count.phase;
       const Value passing = cost[0];
       write();
       keep_low(line);
@@ -146,6 +146,7 @@ struct PhaseRowPath {
       read_neighbour[0] = neighbour[0];
       count = read_count;
       read_count.clock(line.template starts<At::kPaths - 2>());
+      ahead_count.clock(line.template starts<At::kPaths - 3>());
 
       const bool starts = line.template starts<At::kPaths - 1>();
       first = select<bool>(starts, line.template at<At::kPaths - 1>().first_column, first);
@@ -175,7 +176,7 @@ struct PhaseRowPath {
       lows.write(low_write_address, low);
       low_write_address = select<uint16_t>(line.template starts<kLow>(), wrapped<kLowPlaces>(low_write_address + 1u),
                                            low_write_address);
-      low[0] = smallest_so_far<Value>(line.template is_there<At::kPathCosts + At::kLevels>(), tree.root(), low[0]);
+      low[0] = smallest_so_far<kBits>(line.template is_there<At::kPathCosts + At::kLevels>(), tree.root(), low[0]);
       tree.clock(cost, AlwaysMoves());
    }
 

@@ -79,10 +79,12 @@ struct PhaseAddress {
    }
 };
 
-/// The smallest number of all phases. `starts`: the number of phase 0 is there.
-template <class Value>
+/// The smallest number of all phases, of so many bits. `starts`: the number of phase 0 is there. It replaces what is
+/// compared and not the comparison's result, of which the tool would make a table, bit by bit.
+template <int Bits, class Value>
 HLS_INLINE Value smallest_so_far(bool starts, Value now, Value before) {
-   return select<Value>(starts | (now < before), now, before);
+   constexpr Value kNone = Value((uint64_t(1) << Bits) - 1);
+   return smaller_of<Value>(select<Value>(starts, kNone, before), now);
 }
 
 }  // namespace stereo::semi_global
