@@ -18,13 +18,13 @@ struct PhaseAbove {
    static constexpr int kLanes = At::kLanes;
    static constexpr int kStateBits = bits_for(C.p2_above());
    static constexpr int kTotalBits = bits_for(C.largest_path_above());
-   using Pack = Packed<kStateBits, kLanes>;
+   static constexpr int kWords = C.output_width_px() * kPhases;
+   using Pack = Packed<kStateBits, kLanes, deep_word_bits(kWords)>;
    using State = typename Pack::Lane;
    using Word = typename Pack::Word;
    using Value = AbovePathValue<C>;
    static constexpr Value kMask = Value((uint64_t(1) << kTotalBits) - 1);
    using Passed = uint_of_bits<bits_for(C.largest_path_above() + C.p1_above())>;
-   static constexpr int kWords = C.output_width_px() * kPhases;
    using Memory = MemoryBank<Word, kWords, Pack::kWords>;
    using Address = PhaseAddress<kPhases, kWords>;
    using Tree = MinimumTree<Value, kLanes>;

@@ -18,8 +18,8 @@ struct PhaseTurn {
    static constexpr int kWidth = C.output_width_px();
    static constexpr int kWords = kWidth * kPhases;
    static constexpr bool kHasSums = C.path_left || C.path_above;
-   using Sums = Packed<bits_for(C.largest_forward_sum()), kLanes>;
-   using Costs = Packed<C.cost_bits(), kLanes>;
+   using Sums = Packed<bits_for(C.largest_forward_sum()), kLanes, deep_word_bits(kWords)>;
+   using Costs = Packed<C.cost_bits(), kLanes, deep_word_bits(kWords)>;
    using SumMemory = MemoryBank<typename Sums::Word, kWords, (kHasSums ? Sums::kWords : 0)>;
    using CostMemory = MemoryBank<typename Costs::Word, kWords, Costs::kWords>;
    using SmallestMemory = MemoryBank<PathCost<C>, kWidth, 1>;

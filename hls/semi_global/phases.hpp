@@ -26,6 +26,9 @@ struct Stages {
    static constexpr int kBest = kWinners + kPhases;        ///< that of all phases is there for one clock
 };
 
+/// Bits of the words of a deep memory: of one of more than 100,000 bits the tool makes another cell.
+constexpr int deep_word_bits(int words) { return words * 32 <= 100'000 ? 32 : words * 16 <= 100'000 ? 16 : 8; }
+
 /// What has no bubbles.
 struct AlwaysMoves {
    static HLS_INLINE constexpr bool lane(int) { return true; }
