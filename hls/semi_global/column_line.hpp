@@ -3,7 +3,7 @@
 
 #include "cost/centre_tag.hpp"
 #include "frontend/pixel_tag.hpp"
-#include "semi_global/path_sums.hpp"
+#include "semi_global/map_place.hpp"
 #include "semi_global/phases.hpp"
 #include "semi_global/row_order.hpp"
 

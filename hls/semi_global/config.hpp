@@ -153,8 +153,8 @@ struct Config : Image, Matching, Structure {
       if (clocks_per_pixel < 4) return "the loop of a semi-global path takes four clocks a pixel pair or more, or one";
       if (phase_disparities() < 2)
          return "with several clocks a pixel pair two disparities or more must be left for each";
-      if (window_px != 1 || aggregation != Aggregation::direct)
-         return "with several clocks a pixel pair semi-global costs are those of single pixels";
+      if (aggregation != Aggregation::direct)
+         return "with several clocks a pixel pair semi-global costs have no recursive sums";
       if (full_width) return "with several clocks a pixel pair there is no map of full width";
       if (has_relief()) return "with several clocks a pixel pair P2 does not fall";
       if (has_left_right_check()) return "with several clocks a pixel pair there is no left/right check";

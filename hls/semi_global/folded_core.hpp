@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "semi_global/column_line.hpp"
 #include "semi_global/core.hpp"
 #include "semi_global/phase_costs.hpp"
 #include "semi_global/phase_paths.hpp"
@@ -23,6 +24,7 @@ struct Core<C> {
    using MapBlock =
        std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>;
    static constexpr bool kHasMapBlock = C.median || C.subpixel;
+   using Line = ColumnLine<C, 1 - PhaseCosts<C>::kClocks>;
    using Settings = semi_global::Settings;
 
    //            a pixel pair              once in F clocks
@@ -43,7 +45,8 @@ struct Core<C> {
    BLOCK(transform, Optional<kWindows.has_transform(), Transform<kWindowConfig<C>>>)                                   \
    BLOCK(raster, Raster<kWindowConfig<C>>)                                                                             \
    BLOCK(delay, PairDelay<kWindowConfig<C>>)                                                                           \
-   BLOCK(rows, SingleRow<kWindowConfig<C>>)                                                                            \
+   BLOCK(rows, std::conditional_t<kWindows.window_px == 1, SingleRow<kWindowConfig<C>>, LineBuffer<kWindowConfig<C>>>) \
+   BESIDE(line, Line)                                                                                                  \
    BLOCK(costs, PhaseCosts<C>)                                                                                         \
    BLOCK(paths, PhasePaths<C>)                                                                                         \
    BLOCK(winners, PhaseWinners<C>)                                                                                     \
@@ -68,9 +71,10 @@ struct Core<C> {
       else if constexpr (kHasMapBlock) map.clock(turned());
       if constexpr (C.path_right) turn.clock(refinement.output(winners, NoTexture()));
       refinement.clock(winners, NoTexture());
-      winners.clock(paths);
-      paths.clock(costs, rows.tag);
-      costs.clock(rows.search, rows.reference, rows.tag);
+      winners.clock(paths, line);
+      paths.clock(costs, line);
+      costs.clock(rows.search, rows.reference, rows.tag, line);
+      line.clock(rows.tag);
       rows.clock(delay);
       delay.clock(raster);
       if constexpr (kWindows.has_transform()) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <type_traits>
+
 #include "cost/column_cost.hpp"
 #include "cost/single_column.hpp"
 #include "semi_global/phase_shift.hpp"
+#include "semi_global/phase_window.hpp"
 #include "semi_global/seen_cost.hpp"
 
 namespace stereo::semi_global {
@@ -16,7 +19,9 @@ struct PhaseCosts {
    static constexpr int kTaps = kWindows.tap_rows();
    using Shift = PhaseShift<C>;
    using Column = ColumnBlock<kWindowConfig<C>, kLanes>;
-   using Window = SingleColumn<kWindowConfig<C>, kLanes>;
+   static constexpr bool kIsSingle = kWindows.window_px == 1;
+   using Window = typename std::conditional_t<kIsSingle, std::type_identity<SingleColumn<kWindowConfig<C>, kLanes>>,
+                                              std::type_identity<PhaseWindow<C>>>::type;
    static constexpr int kMemories = Shift::kMemories + Column::kMemories + Window::kMemories;
    /// From a pair's arrival to the costs of its first phase.
    static constexpr int kClocks = Shift::kClocks + Column::kClocks + Window::kClocks + 1;
@@ -42,11 +47,13 @@ struct PhaseCosts {
       visit("cost", cost);
    }
 
+   template <class Line>
    HLS_INLINE void clock(const Feature<kWindowConfig<C>> (&search)[kTaps],
-                         const Feature<kWindowConfig<C>> (&reference)[kTaps], const PixelTag& tag) {
+                         const Feature<kWindowConfig<C>> (&reference)[kTaps], const PixelTag& tag, const Line& line) {
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) cost[l] = seen_cost<C>(window.sum[0][l]);
-      window.clock(column);
+      if constexpr (kIsSingle) window.clock(column);
+      else window.clock(column, line);
       column.clock(shift);
       shift.clock(search, reference, tag);
    }

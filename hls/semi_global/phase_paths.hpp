@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "semi_global/column_line.hpp"
 #include "semi_global/phase_above.hpp"
 #include "semi_global/phase_costs.hpp"
 #include "semi_global/phase_row_path.hpp"
@@ -18,7 +17,6 @@ struct PhasePaths {
    using At = Stages<C>;
    static constexpr int kLanes = At::kLanes;
    static constexpr bool kHasRows = C.path_left || C.path_right;
-   using Line = ColumnLine<C, 1 - PhaseCosts<C>::kClocks>;
    using Tree = MinimumTree<PathCost<C>, kLanes>;
    using CostDelay = Optional<kHasRows, MoveDelay<C.cost_bits(), kLanes, At::kPaths>>;
    using Left = Optional<C.path_left, PhaseRowPath<C>>;
@@ -31,7 +29,6 @@ struct PhasePaths {
    static constexpr int kLagGroups = C.path_right ? C.width_px : 0;
    using Sum = WindowCost<kSumConfig<C>>;
 
-   Line line;
    Tree tree;
    PathCost<C> smallest_cost;  ///< of the phases so far
    CostDelay cost_delay;
@@ -56,7 +53,6 @@ struct PhasePaths {
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
-      visit.block("line", line);
       if constexpr (kHasRows) {
          visit("tree", tree);
          visit("smallest_cost", smallest_cost);
@@ -79,8 +75,8 @@ struct PhasePaths {
       else return forward[lane];
    }
 
-   /// newest: the tag of the pair that comes to the costs.
-   HLS_INLINE void clock(const PhaseCosts<C>& costs, const PixelTag& newest) {
+   template <class Line>
+   HLS_INLINE void clock(const PhaseCosts<C>& costs, const Line& line) {
       if constexpr (C.path_right) {
          add_right();
          PathCost<C> late_costs[kLanes], turned_costs[kLanes];
@@ -89,7 +85,7 @@ struct PhasePaths {
          right.clock(line, turn.ready_smallest[0], turned_costs);
          turn.clock(line, smallest_cost, late_costs, forward);
       }
-      add_forward();
+      add_forward(line);
       if constexpr (C.path_above) above.clock(line, costs.cost);
       if constexpr (C.path_left) {
          PathCost<C> late_costs[kLanes];
@@ -102,7 +98,6 @@ struct PhasePaths {
          tree.clock(costs.cost, AlwaysMoves());
          cost_delay.clock(costs.cost, AlwaysMoves());
       }
-      line.clock(newest);
    }
 
   private:
@@ -111,7 +106,8 @@ struct PhasePaths {
       for (int l = 0; l < kLanes; ++l) out[l] = cost_delay.lane(l);
    }
 
-   HLS_INLINE void add_forward() {
+   template <class Line>
+   HLS_INLINE void add_forward([[maybe_unused]] const Line& line) {
       bool moves = true;
       if constexpr (C.path_right) {
          const bool starts = line.template starts<At::kPathCosts>();

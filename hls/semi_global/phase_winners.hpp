@@ -48,15 +48,15 @@ struct PhaseWinners {
       visit("best_tag", best_tag);
    }
 
-   template <class Paths>
-   HLS_INLINE void clock(const Paths& paths) {
-      const bool first = paths.line.template is_there<At::kWinners>();
+   template <class Paths, class Line>
+   HLS_INLINE void clock(const Paths& paths, const Line& line) {
+      const bool first = line.template is_there<At::kWinners>();
       if constexpr (Candidate::kHasSecond) join_losers();
       join(first);
       was_first = first;
       const uint8_t next = uint8_t(kFalls ? base - kLanes : base + kLanes);
-      base = select<uint8_t>(paths.line.template is_there<At::kWinners - 1>(), kFirstBase, next);
-      tell(paths.line);
+      base = select<uint8_t>(line.template is_there<At::kWinners - 1>(), kFirstBase, next);
+      tell(line);
       Value sums[1][kLanes];
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) sums[0][l] = paths.shown(kFalls ? kLanes - 1 - l : l);
