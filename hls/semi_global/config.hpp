@@ -157,7 +157,6 @@ struct Config : Image, Matching, Structure {
          return "with several clocks a pixel pair semi-global costs have no recursive sums";
       if (full_width) return "with several clocks a pixel pair there is no map of full width";
       if (has_relief()) return "with several clocks a pixel pair P2 does not fall";
-      if (has_left_right_check()) return "with several clocks a pixel pair there is no left/right check";
       if (run_time_settings) return "with several clocks a pixel pair there are no run-time settings";
       if (run_time_size) return "with several clocks a pixel pair there is no run-time size";
       if (has_post_processing()) return "with several clocks a pixel pair there is no post-processing";

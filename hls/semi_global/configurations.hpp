@@ -97,6 +97,9 @@ STEREO_ROW(tiny_sgm_f4_all_left, option, tiny_sgm_f8_all, disparities = 16, cloc
            reference = Reference::left, ties = Ties::largest, winner_group = 3);
 STEREO_ROW(tiny_sgm_f4_w3, option, tiny_sgm, window_px = 3, cost_shift = 4, clocks_per_pixel = 4);
 STEREO_ROW(tiny_sgm_f6_w4_sad, option, tiny_sgm_sad, window_px = 4, clocks_per_pixel = 6, reference = Reference::left);
+STEREO_ROW(tiny_sgm_f6_lr, option, tiny_sgm_w1, clocks_per_pixel = 6, left_right_threshold = 1);
+STEREO_ROW(tiny_sgm_f4_lr_left, option, tiny_sgm_w1, clocks_per_pixel = 4, left_right_threshold = 0, reference = Reference::left, ties = Ties::largest);
+STEREO_ROW(tiny_sgm_f4_lr_forward, option, tiny_sgm_f6_lr, disparities = 16, clocks_per_pixel = 4, path_right = false, subpixel = true);
 
 // A cost beside the border of the other image, and the post-processing. The VHDL of those that are planned is not made yet.
 STEREO_ROW(tiny_sgm_border, option, tiny_sgm_full, border_cost = 3);

@@ -4,6 +4,7 @@
 #include "semi_global/column_line.hpp"
 #include "semi_global/core.hpp"
 #include "semi_global/phase_costs.hpp"
+#include "semi_global/phase_other.hpp"
 #include "semi_global/phase_paths.hpp"
 #include "semi_global/phase_winners.hpp"
 
@@ -24,6 +25,7 @@ struct Core<C> {
    using MapBlock =
        std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>;
    static constexpr bool kHasMapBlock = C.median || C.subpixel;
+   using Check = LeftRightCheck<kSumConfig<C>, Stages<C>::kWinnerLevels + Refine::kClocks>;
    using Line = ColumnLine<C, 1 - PhaseCosts<C>::kClocks>;
    using Settings = semi_global::Settings;
 
@@ -37,6 +39,7 @@ struct Core<C> {
    //            winners                   log2(D/F) + F
    //                 |                    from here on, once in F clocks again
    //            refinement                0, 4, 12    uniqueness, subpixel
+   //            leftright                 4 or none   also from the sums, ahead of the refinement
    //            turn                      3 or none   rows turned back
    //            map                       11, 1, none median or register
    //                 |
@@ -50,7 +53,9 @@ struct Core<C> {
    BLOCK(costs, PhaseCosts<C>)                                                                                         \
    BLOCK(paths, PhasePaths<C>)                                                                                         \
    BLOCK(winners, PhaseWinners<C>)                                                                                     \
+   BESIDE(other, Optional<C.has_left_right_check(), PhaseOther<C>>)                                                    \
    BLOCK(refinement, Refine)                                                                                           \
+   BLOCK(leftright, Optional<C.has_left_right_check(), Check>)                                                         \
    BLOCK(turn, Optional<C.path_right, WinnerTurn<C>>)                                                                  \
    BLOCK(map, MapBlock)
    STEREO_CORE(STEREO_BLOCKS);
@@ -69,9 +74,11 @@ struct Core<C> {
    HLS_INLINE void clock(const CoreInput<C>& in) {
       if constexpr (C.median) map.clock(turned(), FixedSize<kWindowConfig<C>>());
       else if constexpr (kHasMapBlock) map.clock(turned());
-      if constexpr (C.path_right) turn.clock(refinement.output(winners, NoTexture()));
+      if constexpr (C.path_right) turn.clock(checked());
+      if constexpr (C.has_left_right_check()) check();
       refinement.clock(winners, NoTexture());
       winners.clock(paths, line);
+      if constexpr (C.has_left_right_check()) other.clock(paths, line);
       paths.clock(costs, line);
       costs.clock(rows.search, rows.reference, rows.tag, line);
       line.clock(rows.tag);
@@ -88,10 +95,20 @@ struct Core<C> {
   private:
    struct NoTexture {};
 
+   HLS_INLINE void check() {
+      const uint8_t other_winner[1] = {other.leaving()};
+      leftright.clock(refinement.output(winners, NoTexture()), other_winner);
+   }
+
+   HLS_INLINE Winners<kSumConfig<C>> checked() const {
+      if constexpr (C.has_left_right_check()) return leftright.checked;
+      else return refinement.output(winners, NoTexture());
+   }
+
    /// In raster order.
    HLS_INLINE Winners<kSumConfig<C>> turned() const {
       if constexpr (C.path_right) return turn.output();
-      else return refinement.output(winners, NoTexture());
+      else return checked();
    }
 
    HLS_INLINE MapGroup<kSumConfig<C>> shown_group() const {
