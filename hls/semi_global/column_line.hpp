@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cost/centre_tag.hpp"
+#include "frontend/image_size.hpp"
 #include "frontend/pixel_tag.hpp"
 #include "semi_global/map_place.hpp"
 #include "semi_global/phases.hpp"
@@ -38,7 +39,7 @@ struct ColumnLine {
    static constexpr int kWidth = C.output_width_px();
 
    CentreTag<kWindowConfig<C>> centre;
-   RowOrder<kWidth> order;
+   RowOrder<kWidth, typename OfWidth<C, kWidth - 1>::Type> order;
    ColumnPlace newest;
    bool comes[kFlags];           ///< [j]: a column's phase 0 is at stage First + j, of the map or not
    bool starts_phases[kFlags];   ///< [j]: it is of the map; from j = 1 on
@@ -73,7 +74,8 @@ struct ColumnLine {
       return starts_phases[Stage - First];
    }
 
-   HLS_INLINE void clock(const PixelTag& newest_tag) {
+   template <class Size>
+   HLS_INLINE void clock(const PixelTag& newest_tag, [[maybe_unused]] const Size& size) {
       HLS_UNROLL
       for (int j = kPlaces - 1; j > 0; --j) take(places[j], places[j - 1], comes[j * kPhases]);
       ColumnPlace entered = newest;
@@ -92,7 +94,7 @@ struct ColumnLine {
       newest.map_column = select<bool>(in.valid, in.map_column, newest.map_column);
       newest.first_column = select<bool>(in.valid, in.first_column, newest.first_column);
       newest.top = select<bool>(in.valid, in.start_of_frame, newest.top);
-      if constexpr (C.path_right) order.clock(in, FixedSize<kWindowConfig<C>>());
+      if constexpr (C.path_right) order.clock(in, size);
       else show(newest.shown, in, in.valid);
    }
 

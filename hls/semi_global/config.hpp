@@ -108,7 +108,7 @@ struct Config : Image, Matching, Structure {
    constexpr bool has_check() const { return Matching::has_check() || windows().has_lost_pixels(); }
 
    /// Clocks that are enough from the last group that a disparity depends on to the last check.
-   constexpr int clocks_to_last_check() const { return 64 + disparities; }
+   constexpr int clocks_to_last_check() const { return 64 + disparities + (is_folded() ? 2 * clocks_per_pixel : 0); }
    /// Groups that are enough from the start of a frame to the last one that the check of its first disparity needs.
    constexpr int groups_to_last_check() const {
       const int turn = path_right ? width_px : 0, moves = tree_levels() + 10;
@@ -155,11 +155,7 @@ struct Config : Image, Matching, Structure {
          return "with several clocks a pixel pair two disparities or more must be left for each";
       if (aggregation != Aggregation::direct)
          return "with several clocks a pixel pair semi-global costs have no recursive sums";
-      if (full_width) return "with several clocks a pixel pair there is no map of full width";
       if (has_relief()) return "with several clocks a pixel pair P2 does not fall";
-      if (run_time_settings) return "with several clocks a pixel pair there are no run-time settings";
-      if (run_time_size) return "with several clocks a pixel pair there is no run-time size";
-      if (has_post_processing()) return "with several clocks a pixel pair there is no post-processing";
       if (output_width_px() * clocks_per_pixel > 1 << 16)
          return "with so many clocks a pixel pair a row of the map must be shorter";
       return {};

@@ -85,6 +85,18 @@ STEREO_ROW(tiny_sgm_size_all, option, tiny_sgm_all, height_px = 20, run_time_set
 STEREO_ROW(tiny_sgm_size_full, option, tiny_sgm_full_all, height_px = 20, run_time_settings = true,
            run_time_size = true);
 
+// A cost beside the border of the other image, and the post-processing. The VHDL of those that are planned is not made yet.
+STEREO_ROW(tiny_sgm_border, option, tiny_sgm_full, border_cost = 3);
+STEREO_ROW(tiny_sgm_border_part, option, tiny_sgm_full_all, height_px = 20, p1 = 10, p2 = 40, border_cost = 2,
+           run_time_settings = true);
+STEREO_ROW(tiny_sgm_confidence, option, tiny_sgm, support_threshold = 5, confidence = true);
+STEREO_ROW(tiny_sgm_dense, option, tiny_sgm, reference = Reference::left, full_width = true, border_cost = 3,
+           left_right_threshold = 1, subpixel = true, median = true, support_threshold = 5, confidence = true,
+           fill_holes = true);
+STEREO_ROW(tiny_sgm_dense_forward, option, tiny_sgm, path_right = false, full_width = true, border_cost = 0,
+           left_right_threshold = 1, uniqueness_distance = 2, support_threshold = 3, fill_holes = true);
+STEREO_ROW(tiny_sgm_dense_size, option, tiny_sgm_dense, height_px = 20, run_time_settings = true, run_time_size = true);
+
 // Several clocks a pixel pair.
 STEREO_ROW(tiny_sgm_f4, option, tiny_sgm_w1, clocks_per_pixel = 4);
 STEREO_ROW(tiny_sgm_f6_left, option, tiny_sgm_w1, clocks_per_pixel = 6, reference = Reference::left, min_disparity = 2,
@@ -100,18 +112,12 @@ STEREO_ROW(tiny_sgm_f6_w4_sad, option, tiny_sgm_sad, window_px = 4, clocks_per_p
 STEREO_ROW(tiny_sgm_f6_lr, option, tiny_sgm_w1, clocks_per_pixel = 6, left_right_threshold = 1);
 STEREO_ROW(tiny_sgm_f4_lr_left, option, tiny_sgm_w1, clocks_per_pixel = 4, left_right_threshold = 0, reference = Reference::left, ties = Ties::largest);
 STEREO_ROW(tiny_sgm_f4_lr_forward, option, tiny_sgm_f6_lr, disparities = 16, clocks_per_pixel = 4, path_right = false, subpixel = true);
-
-// A cost beside the border of the other image, and the post-processing. The VHDL of those that are planned is not made yet.
-STEREO_ROW(tiny_sgm_border, option, tiny_sgm_full, border_cost = 3);
-STEREO_ROW(tiny_sgm_border_part, option, tiny_sgm_full_all, height_px = 20, p1 = 10, p2 = 40, border_cost = 2,
-           run_time_settings = true);
-STEREO_ROW(tiny_sgm_confidence, option, tiny_sgm, support_threshold = 5, confidence = true);
-STEREO_ROW(tiny_sgm_dense, option, tiny_sgm, reference = Reference::left, full_width = true, border_cost = 3,
-           left_right_threshold = 1, subpixel = true, median = true, support_threshold = 5, confidence = true,
-           fill_holes = true);
-STEREO_ROW(tiny_sgm_dense_forward, option, tiny_sgm, path_right = false, full_width = true, border_cost = 0,
-           left_right_threshold = 1, uniqueness_distance = 2, support_threshold = 3, fill_holes = true);
-STEREO_ROW(tiny_sgm_dense_size, option, tiny_sgm_dense, height_px = 20, run_time_settings = true, run_time_size = true);
+STEREO_ROW(tiny_sgm_f4_full, option, tiny_sgm_full, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f4_full_all, option, tiny_sgm_full_all, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f6_border, option, tiny_sgm_border_part, clocks_per_pixel = 6);
+STEREO_ROW(tiny_sgm_f4_settings, option, tiny_sgm_settings_full, height_px = 16, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f6_size, option, tiny_sgm_size_full, clocks_per_pixel = 6);
+STEREO_ROW(tiny_sgm_f4_dense, option, tiny_sgm_dense, clocks_per_pixel = 4);
 
 // sgm_450 as a depth map without holes: of full width, checked, in sixteenths, filtered, with a confidence, filled. A smaller
 // P2 for a room; docs/post_processing.md has its figures.

@@ -22,12 +22,15 @@ struct Core<C> {
    static constexpr const auto& kWindows = kWindowConfig<C>;
 
    using Refine = Refinement<kSumConfig<C>>;
-   using MapBlock =
-       std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>;
-   static constexpr bool kHasMapBlock = C.median || C.subpixel;
+   using MapBlock = std::conditional_t<
+       C.has_post_processing(), PostProcessor<C>,
+       std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>>;
+   static constexpr bool kHasMapBlock = C.median || C.subpixel || C.has_post_processing();
    using Check = LeftRightCheck<kSumConfig<C>, Stages<C>::kWinnerLevels + Refine::kClocks>;
    using Line = ColumnLine<C, 1 - PhaseCosts<C>::kClocks>;
-   using Settings = semi_global::Settings;
+   using Settings = std::conditional_t<C.run_time_size, SizedSettings<semi_global::Settings>, semi_global::Settings>;
+   using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
+   using Size = std::conditional_t<C.run_time_size, RunTimeSize<kWindowConfig<C>>, FixedSize<kWindowConfig<C>>>;
 
    //            a pixel pair              once in F clocks
    //                 |
@@ -45,6 +48,8 @@ struct Core<C> {
    //                 |
    //            a disparity
 #define STEREO_BLOCKS(BLOCK, BESIDE, PORTS)                                                                            \
+   PORTS(settings, SettingsBlock)                                                                                      \
+   PORTS(size, Size)                                                                                                   \
    BLOCK(transform, Optional<kWindows.has_transform(), Transform<kWindowConfig<C>>>)                                   \
    BLOCK(raster, Raster<kWindowConfig<C>>)                                                                             \
    BLOCK(delay, PairDelay<kWindowConfig<C>>)                                                                           \
@@ -66,30 +71,44 @@ struct Core<C> {
       schedule.clocks_per_group = C.clocks_per_pixel;
       return schedule;
    }();
+   static_assert(!C.run_time_settings || kBlocks.before(map_number).clocks < C.clocks_to_last_check(),
+                 "the bound in Config is too low");
+   static_assert(!C.run_time_settings ||
+                     window_schedule(C, kWindows, kBlocks.before(turn_number)).groups_to_first_output <=
+                         C.groups_to_last_check(),
+                 "the bound in Config is too low");
 
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE StereoOutput output() const { return shown(shown_group()); }
+   HLS_INLINE auto output() const { return shown(shown_group()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (C.median) map.clock(turned(), FixedSize<kWindowConfig<C>>());
+      if constexpr (C.median || C.has_post_processing()) map.clock(turned(), size);
       else if constexpr (kHasMapBlock) map.clock(turned());
-      if constexpr (C.path_right) turn.clock(checked());
+      if constexpr (C.path_right) turn.clock(checked(), size);
       if constexpr (C.has_left_right_check()) check();
-      refinement.clock(winners, NoTexture());
-      winners.clock(paths, line);
-      if constexpr (C.has_left_right_check()) other.clock(paths, line);
-      paths.clock(costs, line);
-      costs.clock(rows.search, rows.reference, rows.tag, line);
-      line.clock(rows.tag);
+      refinement.clock(winners, NoTexture(), settings);
+      if constexpr (C.has_left_right_check()) other.clock(paths, line, winners.mask);
+      winners.clock(paths, line, settings, size);
+      paths.clock(costs, line, settings);
+      costs.clock(rows.search, rows.reference, rows.tag, line, settings, size);
+      line.clock(rows.tag, size);
       rows.clock(delay);
-      delay.clock(raster);
+      delay.clock(raster, size);
       if constexpr (kWindows.has_transform()) {
-         raster.clock(transform.output());
-         transform.clock(in);
+         raster.clock(transform.output(), size);
+         transform.clock(in, size);
       } else {
-         raster.clock(grey_values<kWindowConfig<C>>(in));
+         raster.clock(grey_values<kWindowConfig<C>>(in), size);
       }
+   }
+
+   /// The same where the configuration has run-time settings or a run-time size. `now`: what the ports show. Settings
+   /// count in the clock of a start of frame; the size is that of all frames from one reset to the next.
+   HLS_INLINE void clock(const CoreInput<C>& in, const Settings& now) {
+      clock(in);
+      if constexpr (C.run_time_settings) settings.clock(in, now);
+      if constexpr (C.run_time_size) size.clock(now.image_width, now.image_height);
    }
 
   private:
@@ -97,7 +116,7 @@ struct Core<C> {
 
    HLS_INLINE void check() {
       const uint8_t other_winner[1] = {other.leaving()};
-      leftright.clock(refinement.output(winners, NoTexture()), other_winner);
+      leftright.clock(refinement.output(winners, NoTexture()), other_winner, settings);
    }
 
    HLS_INLINE Winners<kSumConfig<C>> checked() const {
@@ -111,8 +130,9 @@ struct Core<C> {
       else return checked();
    }
 
-   HLS_INLINE MapGroup<kSumConfig<C>> shown_group() const {
-      if constexpr (kHasMapBlock) return map.out;
+   HLS_INLINE auto shown_group() const {
+      if constexpr (C.has_post_processing()) return map.group();
+      else if constexpr (kHasMapBlock) return map.out;
       else return map_group<kSumConfig<C>>(turned());
    }
 };

@@ -39,6 +39,7 @@ struct PhaseAbove {
    // beside the costs
    Word ready_words[Pack::kWords];
    bool ready_top;
+   [[no_unique_address]] SecondPenaltyAbove<C> top_p2;
    // a clock behind them
    Value total[kLanes];
    Tree tree;
@@ -52,6 +53,8 @@ struct PhaseAbove {
    PhaseCount<kPhases> count;
    // 2, 3, 4
    Value beside[kLanes], own[kLanes];
+   [[no_unique_address]] FirstPenaltyAbove<C> p1;
+   [[no_unique_address]] SecondPenaltyAbove<C> p2;
    Passed step[kLanes];
    State stay[kLanes];
    Word write_words[Pack::kWords];
@@ -69,6 +72,7 @@ struct PhaseAbove {
       visit("read_words", read_words);
       visit("ready_words", ready_words);
       visit("ready_top", ready_top);
+      if constexpr (C.run_time_settings) visit("top_p2", top_p2.value, C.p2_above());
       visit("total", total);
       visit("tree", tree);
       visit("delay", delay);
@@ -80,6 +84,10 @@ struct PhaseAbove {
       visit("count", count);
       visit("beside", beside);
       visit("own", own);
+      if constexpr (C.run_time_settings) {
+         visit("p1", p1.value, C.p1_above());
+         visit("p2", p2.value, C.p2_above());
+      }
       visit("step", step);
       visit("stay", stay);
       visit("write_words", write_words);
@@ -101,7 +109,7 @@ struct PhaseAbove {
       delay.clock(total, AlwaysMoves());
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) {
-         const State from_above = select<State>(ready_top, C.p2_above(), Pack::lane(ready_words, l));
+         const State from_above = select<State>(ready_top, top_p2.get(), Pack::lane(ready_words, l));
          total[l] = Value(from_above + costs[l]);
       }
       ready_top = select<bool>(line.template starts<-1>() & line.template at<-1>().first_column,
@@ -114,7 +122,30 @@ struct PhaseAbove {
       read_address.go_on(line.template starts<kReads - 1>(), line.template at<kReads - 1>().first_column);
    }
 
+   /// Behind clock().
+   template <class Line, class Settings>
+   HLS_INLINE void take(const Line& line, const Settings& settings) {
+      uint16_t p1_now = 0, p2_now = 0;
+      if constexpr (C.has_penalties_above()) {
+         p1_now = settings.above_p1;
+         p2_now = settings.above_p2;
+      } else {
+         p1_now = settings.p1;
+         p2_now = settings.p2;
+      }
+      const bool enters = starts_frame<-1>(line), leaves = starts_frame<At::kPathCosts + 1>(line);
+      top_p2.take(enters, p2_now);
+      p1.take(leaves, p1_now);
+      p2.take(leaves, p2_now);
+   }
+
   private:
+   template <int Stage, class Line>
+   static HLS_INLINE bool starts_frame(const Line& line) {
+      const auto& place = line.template at<Stage>();
+      return line.template starts<Stage>() & place.first_column & place.top;
+   }
+
    /// Neighbours, penalty, minimum.
    template <class Line>
    HLS_INLINE void pass_on(const Line& line) {
@@ -130,8 +161,8 @@ struct PhaseAbove {
       write_address.go_on(starts, line.template at<kWrites - 1>().first_column);
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) {
-         step[l] = Passed(beside[l] + C.p1_above());
-         stay[l] = State(select<Value>(own[l] > C.p2_above(), C.p2_above(), own[l]));
+         step[l] = Passed(beside[l] + p1.get());
+         stay[l] = State(select<Value>(own[l] > p2.get(), p2.get(), own[l]));
          beside[l] = smaller_of<Value>(lower(l), upper(l));
          own[l] = held[l];
       }

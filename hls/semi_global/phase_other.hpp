@@ -19,7 +19,7 @@ struct PhaseOther {
    static constexpr bool kRises = !C.path_right;  ///< pixels enter at lane 0 of phase 0
    static constexpr bool kFalls = C.reference == Reference::right;  ///< lane 0 of phase 0 has the highest disparity
    using Value = WindowCost<kSumConfig<C>>;
-   static constexpr int kCostBits = bits_for(C.largest_sum());
+   static constexpr int kCostBits = bits_for(C.largest_sum() + (C.full_width ? 1 : 0));
    static constexpr int kWinnerBits = bits_for(C.disparities - 1);
    using Pack = Packed<(kCostBits > kWinnerBits ? kCostBits : kWinnerBits), 2 * kLanes>;
    using Word = typename Pack::Word;
@@ -73,8 +73,9 @@ struct PhaseOther {
       else return left;
    }
 
-   template <class Paths, class Line>
-   HLS_INLINE void clock(const Paths& paths, const Line& line) {
+   /// mask: with full_width, of the sums.
+   template <class Paths, class Line, class Mask>
+   HLS_INLINE void clock(const Paths& paths, const Line& line, const Mask& mask) {
       Word stored[Pack::kWords], kept[Pack::kWords];
       typename Pack::Lane lanes[2 * kLanes];
       HLS_UNROLL
@@ -86,7 +87,7 @@ struct PhaseOther {
       memory.read(read_count.phase, stored);
       memory.write(write_count.phase, kept);
       if constexpr (!kRises) left = select<uint8_t>(write_count.is_first(), winner[0], left);
-      meet(paths, line.template is_there<At::kSums>());
+      meet(paths, line.template is_there<At::kSums>(), mask);
       if constexpr (kRises) {
          handed_cost = cost_of(words, kLanes - 1);
          handed_winner = winner_of(words, kLanes - 1);
@@ -117,15 +118,20 @@ struct PhaseOther {
       return kLargerAreOlder == (C.ties == Ties::smallest) ? now <= old : now < old;
    }
 
-   template <class Paths>
-   HLS_INLINE void meet(const Paths& paths, bool comes) {
+   template <class Paths, class Mask>
+   HLS_INLINE void meet(const Paths& paths, bool comes, [[maybe_unused]] const Mask& mask) {
       const bool move = write_count.moves(comes);
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) {
          const bool enters = kRises ? l == 0 && count.is_first() : l == kLanes - 1 && count.is_last();
-         const Value now = paths.shown(l), old = old_cost(l);
+         const Value now = paths.shown(l);
+         Value old = old_cost(l);
          const bool has_rival = (!first_column) & (!enters);
-         const bool wins = output_column & ((!has_rival) | beats(now, old));
+         bool wins = output_column & ((!has_rival) | beats(now, old));
+         if constexpr (C.full_width) {
+            wins = wins & mask.has_candidate(l);
+            if constexpr (Mask::kLeavesOut) old = select<Value>(has_rival, old, kMaskedCost<kSumConfig<C>>);
+         }
          const uint8_t disparity = uint8_t(kFalls ? base - l : base + l);
          cost[l] = select<Value>(move, select<Value>(wins, now, old), cost[l]);
          winner[l] = select<uint8_t>(move, select<uint8_t>(wins, disparity, old_winner(l)), winner[l]);

@@ -75,22 +75,25 @@ struct PhasePaths {
       else return forward[lane];
    }
 
-   template <class Line>
-   HLS_INLINE void clock(const PhaseCosts<C>& costs, const Line& line) {
+   template <class Line, class Settings>
+   HLS_INLINE void clock(const PhaseCosts<C>& costs, const Line& line, [[maybe_unused]] const Settings& settings) {
       if constexpr (C.path_right) {
          add_right();
          PathCost<C> late_costs[kLanes], turned_costs[kLanes];
          delayed(late_costs);
          turn.costs(turned_costs);
          right.clock(line, turn.ready_smallest[0], turned_costs);
+         if constexpr (C.run_time_settings) right.template take<true>(line, settings);
          turn.clock(line, smallest_cost, late_costs, forward);
       }
       add_forward(line);
       if constexpr (C.path_above) above.clock(line, costs.cost);
+      if constexpr (C.path_above && C.run_time_settings) above.take(line, settings);
       if constexpr (C.path_left) {
          PathCost<C> late_costs[kLanes];
          delayed(late_costs);
          left.clock(line, smallest_cost, late_costs);
+         if constexpr (C.run_time_settings) left.template take<false>(line, settings);
       }
       if constexpr (kHasRows) {
          smallest_cost =

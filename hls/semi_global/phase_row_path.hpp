@@ -86,6 +86,10 @@ struct PhaseRowPath {
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      if constexpr (C.run_time_settings) {
+         visit("p1", p1.value, C.p1);
+         visit("p2", p2.value, C.p2);
+      }
       visit("low_address", low_address, kLowPlaces - 1 - kLookBack);
       visit("lowest", lowest);
       visit("lost", lost);
@@ -153,6 +157,16 @@ struct PhaseRowPath {
       g = select<Value>(starts, Value(smallest_cost + q_now) & kMask, g);
       g_less = select<Value>(starts, Value(smallest_cost + q_less) & kMask, g_less);
       find_start(line, low_read[0]);
+   }
+
+   /// Behind clock(). Turned: as for PhaseMask.
+   template <bool Turned, class Line, class Settings>
+   HLS_INLINE void take(const Line& line, const Settings& settings) {
+      const auto& place = line.template at<At::kPaths - 4>();
+      const bool of_frame = Turned ? place.shown.start_of_frame : place.first_column & place.top;
+      const bool now = line.template starts<At::kPaths - 4>() & of_frame;
+      p1.take(now, settings.p1);
+      p2.take(now, settings.p2);
    }
 
   private:

@@ -14,10 +14,10 @@ template <const Config& C>
 struct PhaseWindow {
    static constexpr const auto& kWindows = kWindowConfig<C>;
    static constexpr int kClocks = 1;
-   static constexpr int kPhases = Stages<C>::kPhases;
-   static constexpr int kLanes = Stages<C>::kLanes;
+   using At = Stages<C>;
+   static constexpr int kPhases = At::kPhases;
+   static constexpr int kLanes = At::kLanes;
    static constexpr int kPartials = kWindows.window_px - 1;
-   static constexpr int kSum = -1;  ///< the stage of the window costs
    using Sum = WindowCost<kWindowConfig<C>>;
    using Pack = Packed<bits_for(kWindows.largest_column_cost() * kPartials), kPartials * kLanes>;
    using Word = typename Pack::Word;
@@ -52,7 +52,7 @@ struct PhaseWindow {
       memory.read(read_count.phase, stored);
       Pack::pack(partial, moved);
       memory.write(write_count.phase, moved);
-      const bool comes = line.template is_there<kSum - 1>();
+      const bool comes = line.template is_there<At::kWindows - 1>();
       const bool move = write_count.moves(comes);
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) {
@@ -68,7 +68,7 @@ struct PhaseWindow {
       write_count.clock(comes);
       HLS_UNROLL
       for (int w = 0; w < Pack::kWords; ++w) read_words[w] = stored[w];
-      read_count.clock(line.template is_there<kSum - 3>());
+      read_count.clock(line.template is_there<At::kWindows - 3>());
    }
 };
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "frontend/pixel_tag.hpp"
+#include "semi_global/path_winners.hpp"
+#include "semi_global/phase_mask.hpp"
 #include "semi_global/phases.hpp"
 #include "winner/candidate.hpp"
 #include "winner/candidates.hpp"
@@ -29,27 +31,37 @@ struct PhaseWinners {
    using Others = WindowLosers<kSumConfig<C>>;
    using Value = WindowCost<kSumConfig<C>>;
    using Tree = WinnerBlock<At::kIsGated, Candidate, NoTag, 1, C.winner_group, kLanes, At::kWinnerLevels>;
+   /// As in PathWinners.
+   static constexpr bool kHides = PathWinners<C>::kHides;
+   static constexpr bool kHasMask = PathWinners<C>::kHasMask;
+   using Mask = std::conditional_t<kHasMask, PhaseMask<C, C.path_right, At::kSums>, NoMask>;
+   using Partner = std::conditional_t<C.has_border_cost(), WinnerPartner<C>, NoPartner>;
    static constexpr int kFirstBase = kFalls ? C.disparities - kLanes : 0;
 
+   [[no_unique_address]] Mask mask;
    Tree winner;
    uint8_t base;  ///< the lowest disparity of the phase
    bool was_first;
    Candidates<Candidate, 1, 1> best;
    PixelTag best_tag;
+   [[no_unique_address]] Partner partner;
 
    HLS_INLINE PhaseWinners() { start(*this); }
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      if constexpr (kHasMask) visit.block("mask", mask);
       winner.levels(visit);
       visit("base", base, kFirstBase);
       visit("was_first", was_first);
       visit("best", best);
       visit("best_tag", best_tag);
+      if constexpr (C.has_border_cost()) visit("partner", partner);
    }
 
-   template <class Paths, class Line>
-   HLS_INLINE void clock(const Paths& paths, const Line& line) {
+   template <class Paths, class Line, class Settings, class Size>
+   HLS_INLINE void clock(const Paths& paths, const Line& line, [[maybe_unused]] const Settings& settings,
+                         [[maybe_unused]] const Size& size) {
       const bool first = line.template is_there<At::kWinners>();
       if constexpr (Candidate::kHasSecond) join_losers();
       join(first);
@@ -59,11 +71,22 @@ struct PhaseWinners {
       tell(line);
       Value sums[1][kLanes];
       HLS_UNROLL
-      for (int l = 0; l < kLanes; ++l) sums[0][l] = paths.shown(kFalls ? kLanes - 1 - l : l);
+      for (int l = 0; l < kLanes; ++l) {
+         const int lane = kFalls ? kLanes - 1 - l : l;
+         sums[0][l] = paths.shown(lane);
+         if constexpr (kHides) sums[0][l] |= select<Value>(is_compared(lane), 0, kMaskedCost<kSumConfig<C>>);
+      }
       winner.clock(sums, NoTag());
+      if constexpr (kHasMask) mask.clock(line, settings, size);
+      if constexpr (C.has_border_cost()) partner.resize(size);
    }
 
   private:
+   HLS_INLINE bool is_compared(int lane) const {
+      if constexpr (C.has_border_cost()) return mask.is_searched(lane);
+      else return mask.has_candidate(lane);
+   }
+
    template <class Line>
    HLS_INLINE void tell(const Line& line) {
       const auto& place = line.template at<At::kBest - 1>().shown;
@@ -73,6 +96,7 @@ struct PhaseWinners {
       best_tag.first_column = place.first_column;
       best_tag.start_of_frame = place.start_of_frame;
       best_tag.end_of_line = place.end_of_line;
+      if constexpr (C.has_border_cost()) partner.clock(best.index[0][0], best_tag);
    }
 
    /// Of two ranges, the phases before and this one, which lies above them or, if they fall, below.

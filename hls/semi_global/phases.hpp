@@ -14,7 +14,8 @@ struct Stages {
    static constexpr int kPhases = C.clocks_per_pixel;
    static constexpr int kLanes = C.phase_disparities();
    static constexpr int kLevels = MinimumTree<uint8_t, kLanes>::kLevels;
-   static constexpr int kCosts = 0;
+   static constexpr int kWindows = -1;  ///< window costs
+   static constexpr int kCosts = 0;     ///< those that the paths see
    /// The costs again, when the smallest of all phases is known.
    static constexpr int kPaths = kPhases + kLevels + 1;
    static constexpr int kPathCosts = kPaths + 2;  ///< K of all paths
