@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "semi_global/phase_memory.hpp"
 #include "semi_global/phases.hpp"
 #include "semi_global/settings.hpp"
-#include "support/memory_bank.hpp"
 #include "support/move_delay.hpp"
 #include "support/packed.hpp"
 
@@ -25,20 +25,17 @@ struct PhaseAbove {
    using Value = AbovePathValue<C>;
    static constexpr Value kMask = Value((uint64_t(1) << kTotalBits) - 1);
    using Passed = uint_of_bits<bits_for(C.largest_path_above() + C.p1_above())>;
-   using Memory = MemoryBank<Word, kWords, Pack::kWords>;
+   using Memory = PhaseMemory<Word, kWords, Pack::kWords>;
    using Address = PhaseAddress<kPhases, kWords>;
    using Tree = MinimumTree<Value, kLanes>;
    using Delay = MoveDelay<kTotalBits, kLanes, At::kPaths>;
    static constexpr int kMemories = Memory::kMemories + Delay::kMemories;
    static constexpr int kReads = -2;                     ///< the address of what the row above passes on is there
-   static constexpr int kWrites = At::kPathCosts + 4;  ///< and that of what the row below gets
+   static constexpr int kWrites = At::kPathCosts + 3;  ///< and that of what the row below gets
 
    Memory memory;
    Address read_address;
-   Word read_words[Pack::kWords];
-   // beside the costs
-   Word ready_words[Pack::kWords];
-   bool ready_top;
+   bool ready_top;  // beside the costs
    [[no_unique_address]] SecondPenaltyAbove<C> top_p2;
    // a clock behind them
    Value total[kLanes];
@@ -51,13 +48,12 @@ struct PhaseAbove {
    Value held[kLanes];
    Value lower_neighbour;  ///< K of the last lane of the phase before
    PhaseCount<kPhases> count;
-   // 2, 3, 4
+   // 2, 3
    Value beside[kLanes], own[kLanes];
    [[no_unique_address]] FirstPenaltyAbove<C> p1;
    [[no_unique_address]] SecondPenaltyAbove<C> p2;
    Passed step[kLanes];
    State stay[kLanes];
-   Word write_words[Pack::kWords];
    Address write_address;
 
    template <class Source, int First>
@@ -68,9 +64,8 @@ struct PhaseAbove {
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      visit("memory", memory);
       visit("read_address", read_address);
-      visit("read_words", read_words);
-      visit("ready_words", ready_words);
       visit("ready_top", ready_top);
       if constexpr (C.run_time_settings) visit("top_p2", top_p2.value, C.p2_above());
       visit("total", total);
@@ -90,16 +85,13 @@ struct PhaseAbove {
       }
       visit("step", step);
       visit("stay", stay);
-      visit("write_words", write_words);
       visit("write_address", write_address);
    }
 
    template <class Line>
    HLS_INLINE void clock(const Line& line, const PathCost<C> (&costs)[kLanes]) {
-      Word stored[Pack::kWords];
-      memory.read(read_address.address, stored);
-      memory.write(write_address.address, write_words);
-      pass_on(line);
+      Word passed_on[Pack::kWords];
+      pass_on(line, passed_on);
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) cost[l] = Value(delay.lane(l) - smallest) & kMask;
       smallest = select<Value>(line.template is_there<At::kPaths>(), smallest_total, smallest);
@@ -109,16 +101,13 @@ struct PhaseAbove {
       delay.clock(total, AlwaysMoves());
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) {
-         const State from_above = select<State>(ready_top, top_p2.get(), Pack::lane(ready_words, l));
+         const State from_above = select<State>(ready_top, top_p2.get(), Pack::lane(memory.ready_words, l));
          total[l] = Value(from_above + costs[l]);
       }
       ready_top = select<bool>(line.template starts<-1>() & line.template at<-1>().first_column,
                                line.template at<-1>().top, ready_top);
-      HLS_UNROLL
-      for (int w = 0; w < Pack::kWords; ++w) {
-         ready_words[w] = read_words[w];
-         read_words[w] = stored[w];
-      }
+      memory.clock(read_address.address, write_address.is_here, write_address.address, passed_on);
+      write_address.go_on(line.template starts<kWrites - 1>(), line.template at<kWrites - 1>().first_column);
       read_address.go_on(line.template starts<kReads - 1>(), line.template at<kReads - 1>().first_column);
    }
 
@@ -148,17 +137,11 @@ struct PhaseAbove {
 
    /// Neighbours, penalty, minimum.
    template <class Line>
-   HLS_INLINE void pass_on(const Line& line) {
+   HLS_INLINE void pass_on(const Line& line, Word (&passed_on)[Pack::kWords]) {
       State lanes[kLanes];
-      Word packed[Pack::kWords];
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) lanes[l] = State(select<Passed>(step[l] < stay[l], step[l], stay[l]));
-      Pack::pack(lanes, packed);
-      const bool starts = line.template starts<kWrites - 1>();
-      const bool moves = write_address.count.moves(starts);
-      HLS_UNROLL
-      for (int w = 0; w < Pack::kWords; ++w) write_words[w] = select<Word>(moves, packed[w], write_words[w]);
-      write_address.go_on(starts, line.template at<kWrites - 1>().first_column);
+      Pack::pack(lanes, passed_on);
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) {
          step[l] = Passed(beside[l] + p1.get());

@@ -34,8 +34,7 @@ struct PhasePaths {
    CostDelay cost_delay;
    Left left;
    Above above;
-   ForwardSum<C> forward[kLanes];  ///< held between columns
-   PhaseCount<At::kPhases> forward_count;
+   ForwardSum<C> forward[kLanes];  ///< without a path from the right
    Turn turn;
    Right right;
    Sum sum[kLanes];
@@ -60,9 +59,8 @@ struct PhasePaths {
       }
       if constexpr (C.path_left) visit.block("left", left);
       if constexpr (C.path_above) visit.block("above", above);
-      visit("forward", forward);
+      if constexpr (!C.path_right) visit("forward", forward);
       if constexpr (C.path_right) {
-         visit("forward_count", forward_count);
          visit.block("turn", turn);
          visit.block("right", right);
          visit("sum", sum);
@@ -80,13 +78,16 @@ struct PhasePaths {
       if constexpr (C.path_right) {
          add_right();
          PathCost<C> late_costs[kLanes], turned_costs[kLanes];
+         ForwardSum<C> sums[kLanes];
          delayed(late_costs);
+         add_forward(sums);
          turn.costs(turned_costs);
          right.clock(line, turn.ready_smallest[0], turned_costs);
          if constexpr (C.run_time_settings) right.template take<true>(line, settings);
-         turn.clock(line, smallest_cost, late_costs, forward);
+         turn.clock(line, smallest_cost, late_costs, sums);
+      } else {
+         add_forward(forward);
       }
-      add_forward(line);
       if constexpr (C.path_above) above.clock(line, costs.cost);
       if constexpr (C.path_above && C.run_time_settings) above.take(line, settings);
       if constexpr (C.path_left) {
@@ -109,20 +110,13 @@ struct PhasePaths {
       for (int l = 0; l < kLanes; ++l) out[l] = cost_delay.lane(l);
    }
 
-   template <class Line>
-   HLS_INLINE void add_forward([[maybe_unused]] const Line& line) {
-      bool moves = true;
-      if constexpr (C.path_right) {
-         const bool starts = line.template starts<At::kPathCosts>();
-         moves = forward_count.moves(starts);
-         forward_count.clock(starts);
-      }
+   HLS_INLINE void add_forward(ForwardSum<C> (&sums)[kLanes]) const {
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) {
          ForwardSum<C> total = 0;
          if constexpr (C.path_left) total = ForwardSum<C>(total + left.cost[l]);
          if constexpr (C.path_above) total = ForwardSum<C>(total + above.cost[l]);
-         forward[l] = select<ForwardSum<C>>(moves, total & kForwardMask, forward[l]);
+         sums[l] = total & kForwardMask;
       }
    }
 

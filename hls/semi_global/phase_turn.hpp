@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "semi_global/phase_memory.hpp"
 #include "semi_global/phases.hpp"
 #include "support/memory_bank.hpp"
+#include "support/optional_block.hpp"
 #include "support/packed.hpp"
 
 namespace stereo::semi_global {
@@ -20,13 +22,13 @@ struct PhaseTurn {
    static constexpr bool kHasSums = C.path_left || C.path_above;
    using Sums = Packed<bits_for(C.largest_forward_sum()), kLanes, deep_word_bits(kWords)>;
    using Costs = Packed<C.cost_bits(), kLanes, deep_word_bits(kWords)>;
-   using SumMemory = MemoryBank<typename Sums::Word, kWords, (kHasSums ? Sums::kWords : 0)>;
-   using CostMemory = MemoryBank<typename Costs::Word, kWords, Costs::kWords>;
+   using SumMemory = Optional<kHasSums, PhaseMemory<typename Sums::Word, kWords, Sums::kWords>>;
+   using CostMemory = PhaseMemory<typename Costs::Word, kWords, Costs::kWords>;
    using SmallestMemory = MemoryBank<PathCost<C>, kWidth, 1>;
    static constexpr int kMemories = SumMemory::kMemories + CostMemory::kMemories + SmallestMemory::kMemories;
    using Address = PhaseAddress<kPhases, kWords>;
    static constexpr int kReads = At::kPaths - 2;       ///< of costs; sums follow them two clocks later
-   static constexpr int kWrites = At::kPaths + 1;      ///< the same
+   static constexpr int kWrites = At::kPaths;          ///< the same
    static constexpr int kReadsSmallest = At::kPaths - 4;
 
    SumMemory sum_memory;
@@ -36,14 +38,12 @@ struct PhaseTurn {
    PathCost<C> read_smallest[1], ready_smallest[1];
    Address read_address;
    uint16_t sum_read_address[2];
-   typename Costs::Word read_costs[Costs::kWords], ready_costs[Costs::kWords];
-   typename Sums::Word read_sums[Sums::kWords], ready_sums[Sums::kWords];
    // what is written
    PathCost<C> write_smallest[1];
    uint16_t write_smallest_address;
    Address write_address;
    uint16_t sum_write_address[2];
-   typename Costs::Word write_costs[Costs::kWords];
+   bool writes_sums[2];
 
    template <class Source, int First>
    HLS_INLINE PhaseTurn(Source& memories, MemoryId<First> first)
@@ -55,49 +55,36 @@ struct PhaseTurn {
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      if constexpr (kHasSums) visit("sum_memory", sum_memory);
+      visit("cost_memory", cost_memory);
       visit("smallest_address", smallest_address);
       visit("read_smallest", read_smallest);
       visit("ready_smallest", ready_smallest);
       visit("read_address", read_address);
       if constexpr (kHasSums) visit("sum_read_address", sum_read_address);
-      visit("read_costs", read_costs);
-      visit("ready_costs", ready_costs);
-      if constexpr (kHasSums) visit("read_sums", read_sums);
-      if constexpr (kHasSums) visit("ready_sums", ready_sums);
       visit("write_smallest", write_smallest);
       visit("write_smallest_address", write_smallest_address);
       visit("write_address", write_address);
       if constexpr (kHasSums) visit("sum_write_address", sum_write_address);
-      visit("write_costs", write_costs);
+      if constexpr (kHasSums) visit("writes_sums", writes_sums);
    }
 
    HLS_INLINE void costs(PathCost<C> (&out)[kLanes]) const {
       HLS_UNROLL
-      for (int l = 0; l < kLanes; ++l) out[l] = PathCost<C>(Costs::lane(ready_costs, l));
+      for (int l = 0; l < kLanes; ++l) out[l] = PathCost<C>(Costs::lane(cost_memory.ready_words, l));
    }
-   HLS_INLINE typename Sums::Lane sum(int lane) const { return Sums::lane(ready_sums, lane); }
+   HLS_INLINE typename Sums::Lane sum(int lane) const { return Sums::lane(sum_memory.ready_words, lane); }
 
-   /// smallest_cost: of the column whose costs begin in the next clock; sums: of the forward paths, at the stage kSums,
-   /// held between columns.
+   /// smallest_cost: of the column whose costs begin in the next clock; sums: of the forward paths, beside K of the paths.
    template <class Line>
    HLS_INLINE void clock(const Line& line, PathCost<C> smallest_cost, const PathCost<C> (&costs_in)[kLanes],
-                         const ForwardSum<C> (&sums)[kLanes]) {
+                         [[maybe_unused]] const ForwardSum<C> (&sums)[kLanes]) {
       turn_smallest(line, smallest_cost);
       if constexpr (kHasSums) turn_sums(sums);
-
-      typename Costs::Word stored[Costs::kWords], packed[Costs::kWords];
-      cost_memory.read(read_address.address, stored);
-      cost_memory.write(write_address.address, write_costs);
-      const bool starts = line.template starts<kWrites - 1>();
-      const bool moves = write_address.count.moves(starts);
+      typename Costs::Word packed[Costs::kWords];
       Costs::pack(costs_in, packed);
-      HLS_UNROLL
-      for (int w = 0; w < Costs::kWords; ++w) {
-         write_costs[w] = select<typename Costs::Word>(moves, packed[w], write_costs[w]);
-         ready_costs[w] = read_costs[w];
-         read_costs[w] = stored[w];
-      }
-      write_address.clock(starts, base(line.template at<kWrites - 1>().address));
+      cost_memory.clock(read_address.address, write_address.is_here, write_address.address, packed);
+      write_address.clock(line.template starts<kWrites - 1>(), base(line.template at<kWrites - 1>().address));
       read_address.clock(line.template starts<kReads - 1>(), base(line.template at<kReads - 1>().address));
    }
 
@@ -120,19 +107,15 @@ struct PhaseTurn {
    }
 
    HLS_INLINE void turn_sums(const ForwardSum<C> (&sums)[kLanes]) {
-      typename Sums::Word stored[Sums::kWords], packed[Sums::kWords];
-      sum_memory.read(sum_read_address[1], stored);
+      typename Sums::Word packed[Sums::kWords];
       Sums::pack(sums, packed);
-      sum_memory.write(sum_write_address[1], packed);
-      HLS_UNROLL
-      for (int w = 0; w < Sums::kWords; ++w) {
-         ready_sums[w] = read_sums[w];
-         read_sums[w] = stored[w];
-      }
+      sum_memory.clock(sum_read_address[1], writes_sums[1], sum_write_address[1], packed);
       sum_read_address[1] = sum_read_address[0];
       sum_read_address[0] = read_address.address;
       sum_write_address[1] = sum_write_address[0];
       sum_write_address[0] = write_address.address;
+      writes_sums[1] = writes_sums[0];
+      writes_sums[0] = write_address.is_here;
    }
 };
 

@@ -28,7 +28,7 @@ struct Stages {
 };
 
 /// Bits of the words of a deep memory: of one of more than 100,000 bits the tool makes another cell.
-constexpr int deep_word_bits(int words) { return words * 32 <= 100'000 ? 32 : words * 16 <= 100'000 ? 16 : 8; }
+constexpr int deep_word_bits(int words) { return words * 32 <= 100'000 ? 32 : 16; }
 
 /// What has no bubbles.
 struct AlwaysMoves {
@@ -61,6 +61,7 @@ struct PhaseCount {
 template <int Phases, int Words>
 struct PhaseAddress {
    uint16_t address;
+   bool is_here;  ///< this clock has a phase
    PhaseCount<Phases> count;
 
    HLS_INLINE PhaseAddress() { start(*this); }
@@ -68,12 +69,14 @@ struct PhaseAddress {
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit("address", address);
+      visit("is_here", is_here);
       visit("count", count);
    }
 
    /// base: the address of the column that starts.
    HLS_INLINE void clock(bool starts, uint16_t base) {
       const uint16_t next = select<uint16_t>(starts, base, uint16_t(address + 1));
+      is_here = count.moves(starts);
       address = at_most<Words - 1>(select<uint16_t>(count.moves(starts), next, address));
       count.clock(starts);
    }
