@@ -106,9 +106,9 @@ struct PhaseAbove {
       }
       ready_top = select<bool>(line.template starts<-1>() & line.template at<-1>().first_column,
                                line.template at<-1>().top, ready_top);
+      read_address.go_on(line.template starts<kReads - 1>(), line.template at<kReads - 1>().first_column);
       memory.clock(read_address.address, write_address.is_here, write_address.address, passed_on);
       write_address.go_on(line.template starts<kWrites - 1>(), line.template at<kWrites - 1>().first_column);
-      read_address.go_on(line.template starts<kReads - 1>(), line.template at<kReads - 1>().first_column);
    }
 
    /// Behind clock().

@@ -71,12 +71,14 @@ struct PhaseMemory {
    static_assert(kBankWords == 1 << kBankBits);
 
    Banks banks;
-   // clock 1
    uint16_t read_address[kBanks];
    uint8_t bank;
-   // clock 2
+   // clock 1
    Word read_words[kBanks][Count];
    uint8_t read_bank;
+   // clock 2: block RAM is slow to show its data
+   Word held_words[kBanks][Count];
+   uint8_t held_bank;
    // clock 3
    Word ready_words[Count];
    // what is written
@@ -94,25 +96,31 @@ struct PhaseMemory {
       if constexpr (kBanks > 1) visit("bank", bank);
       visit("read_words", read_words);
       if constexpr (kBanks > 1) visit("read_bank", read_bank);
+      visit("held_words", held_words);
+      if constexpr (kBanks > 1) visit("held_bank", held_bank);
       visit("ready_words", ready_words);
       visit("write_words", write_words);
       visit("write_address", write_address);
    }
 
-   /// writes: `in` is to be written at `to`.
+   /// from: the address that is read in the next clock; writes: `in` is to be written at `to`.
    HLS_INLINE void clock(uint16_t from, bool writes, uint16_t to, const Word (&in)[Count]) {
       Word stored[kBanks][Count];
       banks.read(read_address, stored);
       banks.write(write_address, write_words);
       HLS_UNROLL
       for (int w = 0; w < Count; ++w) {
-         Word chosen = read_words[0][w];
+         Word chosen = held_words[0][w];
          HLS_UNROLL
-         for (int b = 1; b < kBanks; ++b) chosen = select<Word>(read_bank == b, read_words[b][w], chosen);
+         for (int b = 1; b < kBanks; ++b) chosen = select<Word>(held_bank == b, held_words[b][w], chosen);
          ready_words[w] = chosen;
          HLS_UNROLL
-         for (int b = 0; b < kBanks; ++b) read_words[b][w] = stored[b][w];
+         for (int b = 0; b < kBanks; ++b) {
+            held_words[b][w] = read_words[b][w];
+            read_words[b][w] = stored[b][w];
+         }
       }
+      held_bank = read_bank;
       read_bank = bank;
       bank = uint8_t(from >> kBankBits);
       HLS_UNROLL

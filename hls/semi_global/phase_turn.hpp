@@ -37,7 +37,7 @@ struct PhaseTurn {
    uint16_t smallest_address;
    PathCost<C> read_smallest[1], ready_smallest[1];
    Address read_address;
-   uint16_t sum_read_address[2];
+   uint16_t sum_read_address;
    // what is written
    PathCost<C> write_smallest[1];
    uint16_t write_smallest_address;
@@ -84,9 +84,9 @@ struct PhaseTurn {
       if constexpr (kHasSums) turn_sums(sums);
       typename Costs::Word packed[Costs::kWords];
       Costs::pack(costs_in, packed);
+      read_address.clock(line.template starts<kReads - 1>(), base(line.template at<kReads - 1>().address));
       cost_memory.clock(read_address.address, write_address.is_here, write_address.address, packed);
       write_address.clock(line.template starts<kWrites - 1>(), base(line.template at<kWrites - 1>().address));
-      read_address.clock(line.template starts<kReads - 1>(), base(line.template at<kReads - 1>().address));
    }
 
   private:
@@ -110,9 +110,8 @@ struct PhaseTurn {
    HLS_INLINE void turn_sums(const ForwardSum<C> (&sums)[kLanes]) {
       typename Sums::Word packed[Sums::kWords];
       Sums::pack(sums, packed);
-      sum_memory.clock(sum_read_address[1], writes_sums[1], sum_write_address[1], packed);
-      sum_read_address[1] = sum_read_address[0];
-      sum_read_address[0] = read_address.address;
+      sum_memory.clock(sum_read_address, writes_sums[1], sum_write_address[1], packed);
+      sum_read_address = read_address.address;
       sum_write_address[1] = sum_write_address[0];
       sum_write_address[0] = write_address.address;
       writes_sums[1] = writes_sums[0];
