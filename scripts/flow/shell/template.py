@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import NamedTuple, Union
 
 from ..base import committed, files, rtl
+from ..base.configurations import clocks_per_pixel
 from ..cosim.bench import SETTING_BITS
 from ..synthesis import manifest
 from . import design, registers
@@ -74,7 +75,6 @@ def core_id(entry: manifest.Manifest) -> str:
 
 def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None = None) -> str:
     """The text of stereo_ip_CONFIG. `of_the_shell`: generics that are not those of the core, for tests."""
-    design.require_shell(config, entry["parameters"])
     values = design.generics(entry)
     pixel_bits = rtl.pixel_bits_of(entry["parameters"])
     name, outside = rtl.ip_entity(config), ports(values, pixel_bits)
@@ -92,6 +92,7 @@ def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None 
         **({f"settings_{what}": _values(settings, what) for what in ("largest", "start")} if settings else {}),
         **({"settings_least": _values(settings, "least")} if any(setting.least for setting in settings) else {}),
         **pixel_generics(pixel_bits),
+        **({"clocks_per_group": clocks} if (clocks := clocks_per_pixel(entry["parameters"])) > 1 else {}),
         **(of_the_shell or {}),
     }
     inside = {port.name: port.name.removeprefix("core_") for port in to_core}
