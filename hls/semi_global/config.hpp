@@ -36,7 +36,12 @@ using Structure = block_matching::Structure;
 /// One hardware configuration of the semi-global core. Every block is a template over one; the named ones are in
 /// configurations.hpp.
 struct Config : Image, Matching, Structure {
-   constexpr WindowConfig windows() const { return {{Image(*this), window_costs(), Structure(*this)}}; }
+   /// The phases of a pixel are the paths' alone.
+   constexpr WindowConfig windows() const {
+      WindowConfig config{{Image(*this), window_costs(), Structure(*this)}};
+      config.clocks_per_pixel = 1;
+      return config;
+   }
 
    constexpr int output_width_px() const { return windows().output_width_px(); }
    constexpr int disparity_bits() const { return (subpixel || fill_holes ? 16 : 8) + (confidence ? 8 : 0); }
@@ -95,11 +100,15 @@ struct Config : Image, Matching, Structure {
    /// Moves behind the last column of a row before its last word is in the memory that turns the row round.
    constexpr int turn_columns() const { return tree_levels() + 7; }
 
+   // With several clocks a pixel its disparities come in as many phases (phases.hpp).
+   constexpr bool is_folded() const { return clocks_per_pixel > 1; }
+   constexpr int phase_disparities() const { return disparities / clocks_per_pixel; }
+
    /// As in Matching; ports may leave any disparity out.
    constexpr bool has_check() const { return Matching::has_check() || windows().has_lost_pixels(); }
 
    /// Clocks that are enough from the last group that a disparity depends on to the last check.
-   constexpr int clocks_to_last_check() const { return 64 + disparities; }
+   constexpr int clocks_to_last_check() const { return 64 + disparities + (is_folded() ? 2 * clocks_per_pixel : 0); }
    /// Groups that are enough from the start of a frame to the last one that the check of its first disparity needs.
    constexpr int groups_to_last_check() const {
       const int turn = path_right ? width_px : 0, moves = tree_levels() + 10;
@@ -120,6 +129,7 @@ struct Config : Image, Matching, Structure {
       if (const Sentence sentence = windows().problem(); !sentence.empty()) return sentence;
       if (const Sentence sentence = post_processing_problem(*this); !sentence.empty()) return sentence;
       if (pixels_per_clock != 1) return "the semi-global core takes one pixel pair a clock";
+      if (const Sentence sentence = folding_problem(); !sentence.empty()) return sentence;
       if (disparities < 8) return "the disparity range must be 8 ... 256";
       if (run_time_settings && groups_to_last_check() + clocks_to_last_check() >= row_groups() * width_px)
          return "with run-time settings the image must be higher, for a frame's first disparity to leave before the "
@@ -128,11 +138,26 @@ struct Config : Image, Matching, Structure {
          Sentence sentence = "with a map of full width the image must be ";
          return sentence << turn_columns() + 4 << " columns wide or more";
       }
-      if (!full_width && width_px - output_width_px() < turn_columns()) {
+      if (!full_width && !is_folded() && width_px - output_width_px() < turn_columns()) {
          Sentence sentence = "the disparity range must leave ";
          return sentence << turn_columns() << " columns between the maps of two rows but leaves "
                          << width_px - output_width_px();
       }
+      return {};
+   }
+
+  private:
+   constexpr Sentence folding_problem() const {
+      if (!is_folded()) return {};
+      if (disparities % clocks_per_pixel != 0) return "the clocks a pixel pair must divide the disparity range";
+      if (clocks_per_pixel < 4) return "the loop of a semi-global path takes four clocks a pixel pair or more, or one";
+      if (phase_disparities() < 2)
+         return "with several clocks a pixel pair two disparities or more must be left for each";
+      if (aggregation != Aggregation::direct)
+         return "with several clocks a pixel pair semi-global costs have no recursive sums";
+      if (has_relief()) return "with several clocks a pixel pair P2 does not fall";
+      if (output_width_px() * clocks_per_pixel > 1 << 16)
+         return "with so many clocks a pixel pair a row of the map must be shorter";
       return {};
    }
 };

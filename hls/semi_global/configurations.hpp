@@ -24,6 +24,8 @@ STEREO_ROW(sgm_1280, system, sgm_450, width_px = 1280, height_px = 720, window_p
 STEREO_ROW(sgm_640, system, Config(), width_px = 640, height_px = 480, disparities = 128, window_px = 1,
            reference = Reference::left, census_width_px = 9, cost_shift = 2, p1 = 4, p2 = 24, median = true,
            slice_disparities = 16);
+// Eight clocks a pixel pair, for a small FPGA behind a camera.
+STEREO_ROW(sgm_640_64_f8, system, sgm_640, disparities = 64, clocks_per_pixel = 8);
 
 // option: one option after the other, alone and together, at a size that a test can afford.
 STEREO_ROW(tiny_sgm_left, option, tiny_sgm, reference = Reference::left);
@@ -94,6 +96,28 @@ STEREO_ROW(tiny_sgm_dense, option, tiny_sgm, reference = Reference::left, full_w
 STEREO_ROW(tiny_sgm_dense_forward, option, tiny_sgm, path_right = false, full_width = true, border_cost = 0,
            left_right_threshold = 1, uniqueness_distance = 2, support_threshold = 3, fill_holes = true);
 STEREO_ROW(tiny_sgm_dense_size, option, tiny_sgm_dense, height_px = 20, run_time_settings = true, run_time_size = true);
+
+// Several clocks a pixel pair.
+STEREO_ROW(tiny_sgm_f4, option, tiny_sgm_w1, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f6_left, option, tiny_sgm_w1, clocks_per_pixel = 6, reference = Reference::left, min_disparity = 2,
+           ties = Ties::largest);
+STEREO_ROW(tiny_sgm_f5_forward, option, tiny_sgm_w1_sad_left, disparities = 15, clocks_per_pixel = 5,
+           path_right = false);
+STEREO_ROW(tiny_sgm_f8_all, option, tiny_sgm_w1, disparities = 24, clocks_per_pixel = 8, uniqueness_distance = 3,
+           subpixel = true, median = true);
+STEREO_ROW(tiny_sgm_f4_all_left, option, tiny_sgm_f8_all, disparities = 16, clocks_per_pixel = 4,
+           reference = Reference::left, ties = Ties::largest, winner_group = 3);
+STEREO_ROW(tiny_sgm_f4_w3, option, tiny_sgm, window_px = 3, cost_shift = 4, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f6_w4_sad, option, tiny_sgm_sad, window_px = 4, clocks_per_pixel = 6, reference = Reference::left);
+STEREO_ROW(tiny_sgm_f6_lr, option, tiny_sgm_w1, clocks_per_pixel = 6, left_right_threshold = 1);
+STEREO_ROW(tiny_sgm_f4_lr_left, option, tiny_sgm_w1, clocks_per_pixel = 4, left_right_threshold = 0, reference = Reference::left, ties = Ties::largest);
+STEREO_ROW(tiny_sgm_f4_lr_forward, option, tiny_sgm_f6_lr, disparities = 16, clocks_per_pixel = 4, path_right = false, subpixel = true);
+STEREO_ROW(tiny_sgm_f4_full, option, tiny_sgm_full, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f4_full_all, option, tiny_sgm_full_all, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f6_border, option, tiny_sgm_border_part, clocks_per_pixel = 6);
+STEREO_ROW(tiny_sgm_f4_settings, option, tiny_sgm_settings_full, height_px = 16, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f6_size, option, tiny_sgm_size_full, clocks_per_pixel = 6);
+STEREO_ROW(tiny_sgm_f4_dense, option, tiny_sgm_dense, clocks_per_pixel = 4);
 
 // sgm_450 as a depth map without holes: of full width, checked, in sixteenths, filtered, with a confidence, filled. A smaller
 // P2 for a room; docs/post_processing.md has its figures.

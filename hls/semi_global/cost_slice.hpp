@@ -6,6 +6,7 @@
 #include "cost/single_column.hpp"
 #include "cost/window_sum.hpp"
 #include "semi_global/config.hpp"
+#include "semi_global/seen_cost.hpp"
 #include "winner/candidate_mask.hpp"
 
 namespace stereo::semi_global {
@@ -115,7 +116,7 @@ struct CostSlice {
       }
       HLS_UNROLL
       for (int i = 0; i < kCount; ++i) {
-         Value seen = scaled(window.sum[0][i]);
+         Value seen = seen_cost<C>(window.sum[0][i]);
          if constexpr (kHasBorderCost) seen = beside_border(seen, i);
          else if constexpr (C.full_width) seen = select<Value>(mask.has_candidate(i), seen, kLargest);
          held[0][i] = seen;
@@ -138,15 +139,6 @@ struct CostSlice {
       constexpr Value kBorder = C.border_cost < int(kLargest) ? Value(C.border_cost) : kLargest;
       const Value inside = select<Value>(mask.inside[i], seen, kBorder);
       return select<Value>(mask.is_searched(i), inside, kLargest);
-   }
-
-   static constexpr bool kHasCap = (kWindows.largest_window_cost() >> C.cost_shift) > C.cost_cap;
-
-   static HLS_INLINE Value scaled(WindowCost<kWindowConfig<C>> sum) {
-      const WindowCost<kWindowConfig<C>> shifted = WindowCost<kWindowConfig<C>>(sum >> C.cost_shift);
-      if constexpr (kHasCap)
-         return Value(select<WindowCost<kWindowConfig<C>>>(shifted > C.cost_cap, C.cost_cap, shifted));
-      else return Value(shifted);
    }
 };
 

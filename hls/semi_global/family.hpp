@@ -3,4 +3,4 @@
 #pragma once
 
 #include "semi_global/configurations.hpp"
-#include "semi_global/core.hpp"
+#include "semi_global/folded_core.hpp"

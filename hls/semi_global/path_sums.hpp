@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "cost/costs.hpp"
 #include "semi_global/config.hpp"
 #include "semi_global/forward_paths.hpp"
+#include "semi_global/map_place.hpp"
 #include "semi_global/path_entry.hpp"
 #include "semi_global/row_path.hpp"
 #include "semi_global/row_turn.hpp"
@@ -10,24 +12,6 @@
 #include "support/optional_block.hpp"
 
 namespace stereo::semi_global {
-
-/// What a column's tag says of its place in the map. Without starting values of its own: see StartingValues.
-struct MapPlace {
-   bool map_column;
-   bool output_column;
-   bool first_column;
-   bool start_of_frame;
-   bool end_of_line;
-
-   template <class Visitor>
-   HLS_INLINE void registers(Visitor& visit) {
-      visit("map_column", map_column);
-      visit("output_column", output_column);
-      visit("first_column", first_column);
-      visit("start_of_frame", start_of_frame);
-      visit("end_of_line", end_of_line);
-   }
-};
 
 /// The tags of the columns beside kMoves moves of a path; behind them clocks count again, and a column is valid for
 /// one.

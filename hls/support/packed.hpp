@@ -5,13 +5,13 @@
 
 namespace stereo {
 
-/// `Lanes` numbers of `LaneBits` side by side in as few words of at most 32 bits as hold them, or one to a word where
-/// they are wider, lane 0 in the lowest bits of word 0: how numbers that share an address share a memory. (The front
-/// end cuts registers of more than 32 bits into pieces.)
-template <int LaneBits, int Lanes>
+/// `Lanes` numbers of `LaneBits` side by side in as few words of at most `WordBits` bits as hold them, or one to a word
+/// where they are wider, lane 0 in the lowest bits of word 0: how numbers that share an address share a memory. (The
+/// front end cuts registers of more than 32 bits into pieces.)
+template <int LaneBits, int Lanes, int WordBits = 32>
 struct Packed {
    static_assert(LaneBits >= 1 && LaneBits <= 64, "a lane has 1 ... 64 bits");
-   static constexpr int kFitting = LaneBits <= 32 ? 32 / LaneBits : 1;
+   static constexpr int kFitting = LaneBits <= WordBits ? WordBits / LaneBits : 1;
    static constexpr int kPerWord = kFitting < Lanes ? kFitting : Lanes;
    static constexpr int kWords = (Lanes + kPerWord - 1) / kPerWord;
    using Lane = uint_of_bits<LaneBits>;

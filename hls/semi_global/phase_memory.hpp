@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "support/hls_support.hpp"
+#include "support/memory_bank.hpp"
+#include "support/registers.hpp"
+
+namespace stereo::semi_global {
+
+/// Banks of a deep memory: the first `Bank` of them whole, the last as deep as it must be.
+template <class Word, int Words, int Count, int BankWords, bool IsFirst = true>
+struct WordBanks {
+   using Others = WordBanks<Word, Words - BankWords, Count, BankWords, false>;
+   static constexpr int kMemories = Count + Others::kMemories;
+   static constexpr int kBanks = 1 + Others::kBanks;
+   static constexpr int kLastDepth = Others::kLastDepth;
+
+   MemoryBank<Word, BankWords, Count> bank;
+   Others others;
+
+   template <class Source, int First>
+   HLS_INLINE WordBanks(Source& source, MemoryId<First> first)
+       : bank(source, first), others(source, MemoryId<First + Count>()) {}
+
+   template <int Banks>
+   HLS_INLINE void read(uint16_t address, Word (&out)[Banks][Count]) const {
+      bank.read(wrapped<BankWords>(address), out[Banks - kBanks]);
+      others.read(address, out);
+   }
+   template <int Banks>
+   HLS_INLINE void write(const uint16_t (&address)[Banks], const Word (&in)[Banks][Count]) {
+      bank.write(address[Banks - kBanks], in[Banks - kBanks]);
+      others.write(address, in);
+   }
+};
+
+template <class Word, int Words, int Count, int BankWords, bool IsFirst>
+   requires(Words <= BankWords)
+struct WordBanks<Word, Words, Count, BankWords, IsFirst> {
+   static constexpr int kMemories = Count;
+   static constexpr int kBanks = 1;
+   /// Behind other banks a power of two, as their addresses come here, too.
+   static constexpr int kLastDepth = IsFirst ? Words : 1 << bits_for(Words - 1);
+
+   MemoryBank<Word, kLastDepth, Count> bank;
+
+   template <class Source, int First>
+   HLS_INLINE WordBanks(Source& source, MemoryId<First> first) : bank(source, first) {}
+
+   template <int Banks>
+   HLS_INLINE void read(uint16_t address, Word (&out)[Banks][Count]) const {
+      if constexpr (IsFirst) bank.read(address, out[0]);
+      else bank.read(wrapped<kLastDepth>(address), out[Banks - 1]);
+   }
+   template <int Banks>
+   HLS_INLINE void write(const uint16_t (&address)[Banks], const Word (&in)[Banks][Count]) {
+      bank.write(address[Banks - 1], in[Banks - 1]);
+   }
+};
+
+/// `Count` deep memories that are read together at one address and written together at another: a row of the map with
+/// F words a column. Banks of 4096 words, as a block RAM holds them in its narrowest useful shape, each with a register
+/// of its own behind it, so that the choice of the bank has a clock for itself. Reads: 2 clocks; writes: 1. Memory: the
+/// words, the last bank's rounded up to a power of two.
+template <class Word, int Words, int Count>
+struct PhaseMemory {
+   static constexpr int kBankWords = 4096;
+   using Banks = WordBanks<Word, Words, Count, kBankWords>;
+   static constexpr int kBanks = Banks::kBanks;
+   static constexpr int kMemories = Banks::kMemories;
+   static constexpr int kBankBits = 12;
+   static_assert(kBankWords == 1 << kBankBits);
+
+   Banks banks;
+   // clock 1
+   Word read_words[kBanks][Count];
+   uint8_t read_bank;
+   // clock 2
+   Word ready_words[Count];
+   // what is written
+   Word write_words[kBanks][Count];
+   uint16_t write_address[kBanks];
+
+   template <class Source, int First>
+   HLS_INLINE PhaseMemory(Source& memories, MemoryId<First> first) : banks(memories, first) {
+      start(*this);
+   }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("read_words", read_words);
+      if constexpr (kBanks > 1) visit("read_bank", read_bank);
+      visit("ready_words", ready_words);
+      visit("write_words", write_words);
+      visit("write_address", write_address);
+   }
+
+   /// Both addresses are registers; writes: `in` is to be written at `to`.
+   HLS_INLINE void clock(uint16_t from, bool writes, uint16_t to, const Word (&in)[Count]) {
+      Word stored[kBanks][Count];
+      banks.read(from, stored);
+      banks.write(write_address, write_words);
+      HLS_UNROLL
+      for (int w = 0; w < Count; ++w) {
+         Word chosen = read_words[0][w];
+         HLS_UNROLL
+         for (int b = 1; b < kBanks; ++b) chosen = select<Word>(read_bank == b, read_words[b][w], chosen);
+         ready_words[w] = chosen;
+         HLS_UNROLL
+         for (int b = 0; b < kBanks; ++b) read_words[b][w] = stored[b][w];
+      }
+      read_bank = uint8_t(from >> kBankBits);
+      HLS_UNROLL
+      for (int b = 0; b < kBanks; ++b) {
+         const bool hit = kBanks == 1 ? writes : writes & ((to >> kBankBits) == b);
+         const uint16_t inside = kBanks == 1       ? to
+                                 : b < kBanks - 1 ? wrapped<kBankWords>(to)
+                                                  : uint16_t(to & (Banks::kLastDepth - 1));
+         write_address[b] = select<uint16_t>(hit, inside, write_address[b]);
+         HLS_UNROLL
+         for (int w = 0; w < Count; ++w) write_words[b][w] = select<Word>(hit, in[w], write_words[b][w]);
+      }
+   }
+};
+
+}  // namespace stereo::semi_global
