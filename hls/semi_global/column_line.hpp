@@ -28,9 +28,10 @@ struct ColumnPlace {
    }
 };
 
-/// The columns on their way beside their phases. Phases wait for nothing, so a column is at each stage a fixed number of
-/// clocks behind its pixel pair: a flag moves on each clock, and what is known of the column once in all phases, which
-/// is often enough, as the next one is that far behind. First: the stage of the first flag, a clock behind the pair.
+/// The columns on their way beside their phases. Phases wait for nothing, so a column is at each stage a fixed number
+/// of clocks behind its pixel pair: a flag moves on each clock, and what is known of the column once in all phases,
+/// which is often enough, as the next one is that far behind. First: the stage of the first flag, a clock behind the
+/// pair.
 template <const Config& C, int First>
 struct ColumnLine {
    static constexpr int kPhases = Stages<C>::kPhases;
@@ -85,7 +86,8 @@ struct ColumnLine {
       }
       take(places[0], entered, comes[0]);
       HLS_UNROLL
-      for (int j = kFlags - 1; j > 0; --j) starts_phases[j] = j == 1 ? comes[0] & newest.map_column : starts_phases[j - 1];
+      for (int j = kFlags - 1; j > 0; --j)
+         starts_phases[j] = j == 1 ? comes[0] & newest.map_column : starts_phases[j - 1];
       HLS_UNROLL
       for (int j = kFlags - 1; j > 0; --j) comes[j] = comes[j - 1];
 

@@ -113,7 +113,7 @@ struct PhaseMemory {
       HLS_UNROLL
       for (int b = 0; b < kBanks; ++b) {
          const bool hit = kBanks == 1 ? writes : writes & ((to >> kBankBits) == b);
-         const uint16_t inside = kBanks == 1       ? to
+         const uint16_t inside = kBanks == 1      ? to
                                  : b < kBanks - 1 ? wrapped<kBankWords>(to)
                                                   : uint16_t(to & (Banks::kLastDepth - 1));
          write_address[b] = select<uint16_t>(hit, inside, write_address[b]);

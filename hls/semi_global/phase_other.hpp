@@ -7,16 +7,16 @@
 
 namespace stereo::semi_global {
 
-/// The other image's winners from the sums of a phase a clock: what DiagonalMinimum is for all disparities at once. Each
-/// of its pixels goes through the lanes and phases while the columns come, in the order of the lanes, or against it
-/// where rows are turned round. Memory: D x (bits of a sum + 8), LUT RAM.
+/// The other image's winners from the sums of a phase a clock: what DiagonalMinimum is for all disparities at once.
+/// Each of its pixels goes through the lanes and phases while the columns come, in the order of the lanes, or against
+/// it where rows are turned round. Memory: D x (bits of a sum + 8), LUT RAM.
 template <const Config& C>
 struct PhaseOther {
    using At = Stages<C>;
    static constexpr const auto& kSumsOf = kSumConfig<C>;
    static constexpr int kPhases = At::kPhases;
    static constexpr int kLanes = At::kLanes;
-   static constexpr bool kRises = !C.path_right;  ///< pixels enter at lane 0 of phase 0
+   static constexpr bool kRises = !C.path_right;                    ///< pixels enter at lane 0 of phase 0
    static constexpr bool kFalls = C.reference == Reference::right;  ///< lane 0 of phase 0 has the highest disparity
    using Value = WindowCost<kSumConfig<C>>;
    static constexpr int kCostBits = bits_for(C.largest_sum() + (C.full_width ? 1 : 0));

@@ -129,8 +129,7 @@ struct PhasePaths {
       }
    }
 
-   static constexpr ForwardSum<C> kForwardMask =
-       ForwardSum<C>((uint64_t(1) << bits_for(C.largest_forward_sum())) - 1);
+   static constexpr ForwardSum<C> kForwardMask = ForwardSum<C>((uint64_t(1) << bits_for(C.largest_forward_sum())) - 1);
    static constexpr Sum kMask = Sum((uint64_t(1) << bits_for(C.largest_sum())) - 1);
 };
 

@@ -27,8 +27,8 @@ struct PhaseTurn {
    using SmallestMemory = MemoryBank<PathCost<C>, kWidth, 1>;
    static constexpr int kMemories = SumMemory::kMemories + CostMemory::kMemories + SmallestMemory::kMemories;
    using Address = PhaseAddress<kPhases, kWords>;
-   static constexpr int kReads = At::kPaths - 2;       ///< of costs; sums follow them two clocks later
-   static constexpr int kWrites = At::kPaths;          ///< the same
+   static constexpr int kReads = At::kPaths - 2;  ///< of costs; sums follow them two clocks later
+   static constexpr int kWrites = At::kPaths;     ///< the same
    static constexpr int kReadsSmallest = At::kPaths - 4;
 
    SumMemory sum_memory;
@@ -75,7 +75,8 @@ struct PhaseTurn {
    }
    HLS_INLINE typename Sums::Lane sum(int lane) const { return Sums::lane(sum_memory.ready_words, lane); }
 
-   /// smallest_cost: of the column whose costs begin in the next clock; sums: of the forward paths, beside K of the paths.
+   /// smallest_cost: of the column whose costs begin in the next clock; sums: of the forward paths, beside K of the
+   /// paths.
    template <class Line>
    HLS_INLINE void clock(const Line& line, PathCost<C> smallest_cost, const PathCost<C> (&costs_in)[kLanes],
                          [[maybe_unused]] const ForwardSum<C> (&sums)[kLanes]) {

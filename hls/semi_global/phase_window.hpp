@@ -8,8 +8,8 @@
 
 namespace stereo::semi_global {
 
-/// Sums the last B column costs of a phase, for a phase a clock: what WindowSum is for all disparities at once. 1 clock.
-/// Memory: phases x lanes x (B-1) partial sums, LUT RAM.
+/// Sums the last B column costs of a phase, for a phase a clock: what WindowSum is for all disparities at once. 1
+/// clock. Memory: phases x lanes x (B-1) partial sums, LUT RAM.
 template <const Config& C>
 struct PhaseWindow {
    static constexpr const auto& kWindows = kWindowConfig<C>;
@@ -27,7 +27,7 @@ struct PhaseWindow {
 
    Memory memory;
    PhaseCount<kPhases> read_count;
-   Word read_words[Pack::kWords];    // beside the column costs
+   Word read_words[Pack::kWords];     // beside the column costs
    Lane partial[kPartials * kLanes];  ///< [j * lanes + l]: the last j+1 column costs
    PhaseCount<kPhases> write_count;
    Sum sum[1][kLanes];  ///< S(x,y,d)

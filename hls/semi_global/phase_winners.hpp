@@ -124,9 +124,8 @@ struct PhaseWinners {
          joined.first = select<Value>(first, here.first, lower.first);
          joined.last = select<Value>(first, here.last, upper.last);
       }
-      best.set(
-          0, 0, joined,
-          Choice::chosen(upper_wins, Choice::of(0, false, lower_at_end), Choice::of(1, upper_at_start, false)));
+      best.set(0, 0, joined,
+               Choice::chosen(upper_wins, Choice::of(0, false, lower_at_end), Choice::of(1, upper_at_start, false)));
    }
    static HLS_INLINE Candidate chosen(const Candidate& if_falls, const Candidate& if_rises) {
       if constexpr (kFalls) return if_falls;

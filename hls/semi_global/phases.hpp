@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// With F clocks a pixel pair its D disparities come in F phases of L = D/F lanes, one a clock. docs/semi_global.md draws it.
+// With F clocks a pixel pair its D disparities come in F phases of L = D/F lanes, one a clock. docs/semi_global.md
+// draws it.
 #pragma once
 
 #include "semi_global/config.hpp"
@@ -81,9 +82,7 @@ struct PhaseAddress {
       count.clock(starts);
    }
    /// Columns of a row one after the other. first: the column that starts is the row's first.
-   HLS_INLINE void go_on(bool starts, bool first) {
-      clock(starts, select<uint16_t>(first, 0, uint16_t(address + 1)));
-   }
+   HLS_INLINE void go_on(bool starts, bool first) { clock(starts, select<uint16_t>(first, 0, uint16_t(address + 1))); }
 };
 
 /// The smallest number of all phases, of so many bits. `starts`: the number of phase 0 is there. It replaces what is
