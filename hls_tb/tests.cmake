@@ -68,6 +68,10 @@ stereo_add_unit_tests(
   blocks/semi_global/config_test.cpp
   blocks/semi_global/cost_slice_test.cpp
   blocks/semi_global/path_above_test.cpp
+  blocks/semi_global/phase_above_test.cpp
+  blocks/semi_global/phase_memory_test.cpp
+  blocks/semi_global/phase_row_path_test.cpp
+  blocks/semi_global/phase_shift_test.cpp
   blocks/semi_global/row_order_test.cpp
   blocks/semi_global/row_path_test.cpp
   blocks/trellis/config_test.cpp

@@ -105,14 +105,13 @@ STEREO_ROW(tiny_sgm_f5_forward, option, tiny_sgm_w1_sad_left, disparities = 15, 
            path_right = false);
 STEREO_ROW(tiny_sgm_f8_all, option, tiny_sgm_w1, disparities = 24, clocks_per_pixel = 8, uniqueness_distance = 3,
            subpixel = true, median = true);
-STEREO_ROW(tiny_sgm_f4_all_left, option, tiny_sgm_f8_all, disparities = 16, clocks_per_pixel = 4,
-           reference = Reference::left, ties = Ties::largest, winner_group = 3);
-STEREO_ROW(tiny_sgm_f4_w3, option, tiny_sgm, window_px = 3, cost_shift = 4, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f16, option, tiny_sgm_w1, width_px = 300, height_px = 8, disparities = 32, clocks_per_pixel = 16,
+           reference = Reference::left);
 STEREO_ROW(tiny_sgm_f6_w4_sad, option, tiny_sgm_sad, window_px = 4, clocks_per_pixel = 6, reference = Reference::left);
-STEREO_ROW(tiny_sgm_f6_lr, option, tiny_sgm_w1, clocks_per_pixel = 6, left_right_threshold = 1);
-STEREO_ROW(tiny_sgm_f4_lr_left, option, tiny_sgm_w1, clocks_per_pixel = 4, left_right_threshold = 0, reference = Reference::left, ties = Ties::largest);
-STEREO_ROW(tiny_sgm_f4_lr_forward, option, tiny_sgm_f6_lr, disparities = 16, clocks_per_pixel = 4, path_right = false, subpixel = true);
-STEREO_ROW(tiny_sgm_f4_full, option, tiny_sgm_full, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f4_lr_left, option, tiny_sgm_w1, clocks_per_pixel = 4, left_right_threshold = 0,
+           reference = Reference::left, ties = Ties::largest);
+STEREO_ROW(tiny_sgm_f4_lr_forward, option, tiny_sgm_f4_lr_left, disparities = 16, reference = Reference::right,
+           path_right = false, subpixel = true);
 STEREO_ROW(tiny_sgm_f4_full_all, option, tiny_sgm_full_all, clocks_per_pixel = 4);
 STEREO_ROW(tiny_sgm_f6_border, option, tiny_sgm_border_part, clocks_per_pixel = 6);
 STEREO_ROW(tiny_sgm_f4_settings, option, tiny_sgm_settings_full, height_px = 16, clocks_per_pixel = 4);

@@ -23,8 +23,8 @@ struct WordBanks {
        : bank(source, first), others(source, MemoryId<First + Count>()) {}
 
    template <int Banks>
-   HLS_INLINE void read(uint16_t address, Word (&out)[Banks][Count]) const {
-      bank.read(wrapped<BankWords>(address), out[Banks - kBanks]);
+   HLS_INLINE void read(const uint16_t (&address)[Banks], Word (&out)[Banks][Count]) const {
+      bank.read(address[Banks - kBanks], out[Banks - kBanks]);
       others.read(address, out);
    }
    template <int Banks>
@@ -48,9 +48,8 @@ struct WordBanks<Word, Words, Count, BankWords, IsFirst> {
    HLS_INLINE WordBanks(Source& source, MemoryId<First> first) : bank(source, first) {}
 
    template <int Banks>
-   HLS_INLINE void read(uint16_t address, Word (&out)[Banks][Count]) const {
-      if constexpr (IsFirst) bank.read(address, out[0]);
-      else bank.read(wrapped<kLastDepth>(address), out[Banks - 1]);
+   HLS_INLINE void read(const uint16_t (&address)[Banks], Word (&out)[Banks][Count]) const {
+      bank.read(address[Banks - 1], out[Banks - 1]);
    }
    template <int Banks>
    HLS_INLINE void write(const uint16_t (&address)[Banks], const Word (&in)[Banks][Count]) {
@@ -60,7 +59,7 @@ struct WordBanks<Word, Words, Count, BankWords, IsFirst> {
 
 /// `Count` deep memories that are read together at one address and written together at another: a row of the map with
 /// F words a column. Banks of 4096 words, as a block RAM holds them in its narrowest useful shape, each with a register
-/// of its own behind it, so that the choice of the bank has a clock for itself. Reads: 2 clocks; writes: 1. Memory: the
+/// of its own behind it, so that the choice of the bank has a clock for itself. Reads: 3 clocks; writes: 1. Memory: the
 /// words, the last bank's rounded up to a power of two.
 template <class Word, int Words, int Count>
 struct PhaseMemory {
@@ -73,9 +72,12 @@ struct PhaseMemory {
 
    Banks banks;
    // clock 1
+   uint16_t read_address[kBanks];
+   uint8_t bank;
+   // clock 2
    Word read_words[kBanks][Count];
    uint8_t read_bank;
-   // clock 2
+   // clock 3
    Word ready_words[Count];
    // what is written
    Word write_words[kBanks][Count];
@@ -88,6 +90,8 @@ struct PhaseMemory {
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      visit("read_address", read_address);
+      if constexpr (kBanks > 1) visit("bank", bank);
       visit("read_words", read_words);
       if constexpr (kBanks > 1) visit("read_bank", read_bank);
       visit("ready_words", ready_words);
@@ -95,10 +99,10 @@ struct PhaseMemory {
       visit("write_address", write_address);
    }
 
-   /// Both addresses are registers; writes: `in` is to be written at `to`.
+   /// writes: `in` is to be written at `to`.
    HLS_INLINE void clock(uint16_t from, bool writes, uint16_t to, const Word (&in)[Count]) {
       Word stored[kBanks][Count];
-      banks.read(from, stored);
+      banks.read(read_address, stored);
       banks.write(write_address, write_words);
       HLS_UNROLL
       for (int w = 0; w < Count; ++w) {
@@ -109,17 +113,23 @@ struct PhaseMemory {
          HLS_UNROLL
          for (int b = 0; b < kBanks; ++b) read_words[b][w] = stored[b][w];
       }
-      read_bank = uint8_t(from >> kBankBits);
+      read_bank = bank;
+      bank = uint8_t(from >> kBankBits);
       HLS_UNROLL
       for (int b = 0; b < kBanks; ++b) {
          const bool hit = kBanks == 1 ? writes : writes & ((to >> kBankBits) == b);
-         const uint16_t inside = kBanks == 1      ? to
-                                 : b < kBanks - 1 ? wrapped<kBankWords>(to)
-                                                  : uint16_t(to & (Banks::kLastDepth - 1));
-         write_address[b] = select<uint16_t>(hit, inside, write_address[b]);
+         read_address[b] = inside(from, b);
+         write_address[b] = inside(select<uint16_t>(hit, to, write_address[b]), b);
          HLS_UNROLL
          for (int w = 0; w < Count; ++w) write_words[b][w] = select<Word>(hit, in[w], write_words[b][w]);
       }
+   }
+
+  private:
+   /// The place of an address in a bank.
+   static HLS_INLINE uint16_t inside(uint16_t address, int bank) {
+      if (kBanks == 1) return address;
+      return uint16_t(address & (bank < kBanks - 1 ? kBankWords - 1 : Banks::kLastDepth - 1));
    }
 };
 

@@ -27,7 +27,7 @@ struct PhaseTurn {
    using SmallestMemory = MemoryBank<PathCost<C>, kWidth, 1>;
    static constexpr int kMemories = SumMemory::kMemories + CostMemory::kMemories + SmallestMemory::kMemories;
    using Address = PhaseAddress<kPhases, kWords>;
-   static constexpr int kReads = At::kPaths - 2;  ///< of costs; sums follow them two clocks later
+   static constexpr int kReads = At::kPaths - 3;  ///< of costs; sums follow them two clocks later
    static constexpr int kWrites = At::kPaths;     ///< the same
    static constexpr int kReadsSmallest = At::kPaths - 4;
 

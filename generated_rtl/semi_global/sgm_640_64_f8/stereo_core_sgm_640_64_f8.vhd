@@ -187,6 +187,36 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal rows_search_0, rows_reference_0 : unsigned(43 downto 0);
   signal rows_tag_valid, rows_tag_border_column, rows_tag_first_cost, rows_tag_map_column : boolean;
   signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- line
+  signal line_centre_map_column_0, line_centre_first_column_0, line_centre_start_of_frame_0 : boolean;
+  signal line_centre_end_of_line_0, line_order_falls, line_order_inside, line_order_complete : boolean;
+  signal line_order_output, line_order_first, line_order_held_output, line_order_turned_valid : boolean;
+  signal line_order_turned_output_column, line_order_turned_start_of_frame, line_comes_1, line_comes_2 : boolean;
+  signal line_comes_3, line_comes_4, line_comes_5, line_comes_6, line_comes_7, line_comes_8, line_comes_9 : boolean;
+  signal line_comes_10, line_comes_11, line_comes_12, line_comes_13, line_comes_14, line_comes_15 : boolean;
+  signal line_comes_16, line_comes_17, line_comes_18, line_comes_19, line_comes_20, line_comes_21 : boolean;
+  signal line_comes_22, line_comes_23, line_comes_24, line_comes_25, line_comes_26, line_comes_27 : boolean;
+  signal line_comes_28, line_comes_29, line_comes_30, line_comes_31, line_comes_32, line_comes_33 : boolean;
+  signal line_comes_34, line_starts_phases_1, line_starts_phases_2, line_starts_phases_3 : boolean;
+  signal line_starts_phases_4, line_starts_phases_5, line_starts_phases_6, line_starts_phases_7 : boolean;
+  signal line_starts_phases_8, line_starts_phases_9, line_starts_phases_10, line_starts_phases_11 : boolean;
+  signal line_starts_phases_12, line_starts_phases_13, line_starts_phases_14, line_starts_phases_15 : boolean;
+  signal line_starts_phases_16, line_starts_phases_17, line_starts_phases_18, line_starts_phases_19 : boolean;
+  signal line_starts_phases_20, line_starts_phases_21, line_starts_phases_22, line_starts_phases_23 : boolean;
+  signal line_starts_phases_24, line_starts_phases_25, line_starts_phases_26, line_starts_phases_27 : boolean;
+  signal line_starts_phases_28, line_starts_phases_29, line_starts_phases_30, line_starts_phases_31 : boolean;
+  signal line_starts_phases_32, line_starts_phases_33, line_places_0_map_column, line_places_0_first_column : boolean;
+  signal line_places_0_top, line_places_0_shown_output_column, line_places_0_shown_start_of_frame : boolean;
+  signal line_places_0_shown_end_of_line, line_places_1_map_column, line_places_1_first_column : boolean;
+  signal line_places_1_shown_output_column, line_places_1_shown_start_of_frame : boolean;
+  signal line_places_1_shown_end_of_line, line_places_2_map_column, line_places_2_first_column : boolean;
+  signal line_places_2_shown_output_column, line_places_2_shown_start_of_frame : boolean;
+  signal line_places_2_shown_end_of_line, line_places_3_map_column, line_places_3_shown_output_column : boolean;
+  signal line_places_3_shown_start_of_frame, line_places_3_shown_end_of_line, line_places_4_map_column : boolean;
+  signal line_places_4_shown_output_column, line_places_4_shown_start_of_frame : boolean;
+  signal line_places_4_shown_end_of_line : boolean;
+  signal line_order_address, line_places_0_address, line_places_1_address : natural range 0 to 1023;
+  signal line_places_2_address : natural range 0 to 1023;
   -- costsshift
   signal costsshift_newest_0, costsshift_new_reference_0, costsshift_read_words_0 : unsigned(43 downto 0);
   signal costsshift_read_words_1, costsshift_read_words_2, costsshift_read_words_3 : unsigned(43 downto 0);
@@ -195,11 +225,8 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal costsshift_search_0_0, costsshift_search_0_1, costsshift_search_0_2 : unsigned(43 downto 0);
   signal costsshift_search_0_3, costsshift_search_0_4, costsshift_search_0_5 : unsigned(43 downto 0);
   signal costsshift_search_0_6, costsshift_search_0_7, costsshift_reference_0 : unsigned(43 downto 0);
-  signal costsshift_new_tag_valid, costsshift_new_tag_border_column, costsshift_new_tag_map_column : boolean;
-  signal costsshift_new_tag_first_column, costsshift_new_tag_start_of_frame, costsshift_new_tag_end_of_line : boolean;
-  signal costsshift_read_tag_valid, costsshift_read_tag_border_column, costsshift_read_tag_map_column : boolean;
-  signal costsshift_read_tag_first_column, costsshift_read_tag_start_of_frame : boolean;
-  signal costsshift_read_tag_end_of_line, costsshift_tag_border_column : boolean;
+  signal costsshift_new_tag_valid, costsshift_new_tag_border_column, costsshift_read_tag_valid : boolean;
+  signal costsshift_read_tag_border_column, costsshift_tag_border_column : boolean;
   signal costsshift_count_phase, costsshift_read_count_phase, costsshift_write_phase : natural range 0 to 7;
   -- costscolumn
   signal costscolumn_pixels_first_0_0_count_0, costscolumn_pixels_first_0_0_count_1 : natural range 0 to 3;
@@ -273,40 +300,6 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   -- costs
   signal costs_cost_0, costs_cost_1, costs_cost_2, costs_cost_3, costs_cost_4, costs_cost_5 : natural range 0 to 11;
   signal costs_cost_6, costs_cost_7 : natural range 0 to 11;
-  -- pathsline
-  signal pathsline_centre_map_column_0, pathsline_order_falls, pathsline_order_complete : boolean;
-  signal pathsline_order_output, pathsline_order_first, pathsline_order_held_output : boolean;
-  signal pathsline_order_turned_valid, pathsline_order_turned_output_column : boolean;
-  signal pathsline_order_turned_start_of_frame, pathsline_comes_1, pathsline_comes_2, pathsline_comes_3 : boolean;
-  signal pathsline_comes_4, pathsline_comes_5, pathsline_comes_6, pathsline_comes_7, pathsline_comes_8 : boolean;
-  signal pathsline_comes_9, pathsline_comes_10, pathsline_comes_11, pathsline_comes_12, pathsline_comes_13 : boolean;
-  signal pathsline_comes_14, pathsline_comes_15, pathsline_comes_16, pathsline_comes_17, pathsline_comes_18 : boolean;
-  signal pathsline_comes_19, pathsline_comes_20, pathsline_comes_21, pathsline_comes_22, pathsline_comes_23 : boolean;
-  signal pathsline_comes_24, pathsline_comes_25, pathsline_comes_26, pathsline_comes_27, pathsline_comes_28 : boolean;
-  signal pathsline_comes_29, pathsline_comes_30, pathsline_comes_31, pathsline_comes_32, pathsline_comes_33 : boolean;
-  signal pathsline_comes_34, pathsline_starts_phases_1, pathsline_starts_phases_2, pathsline_starts_phases_3 : boolean;
-  signal pathsline_starts_phases_4, pathsline_starts_phases_5, pathsline_starts_phases_6 : boolean;
-  signal pathsline_starts_phases_7, pathsline_starts_phases_8, pathsline_starts_phases_9 : boolean;
-  signal pathsline_starts_phases_10, pathsline_starts_phases_11, pathsline_starts_phases_12 : boolean;
-  signal pathsline_starts_phases_13, pathsline_starts_phases_14, pathsline_starts_phases_15 : boolean;
-  signal pathsline_starts_phases_16, pathsline_starts_phases_17, pathsline_starts_phases_18 : boolean;
-  signal pathsline_starts_phases_19, pathsline_starts_phases_20, pathsline_starts_phases_21 : boolean;
-  signal pathsline_starts_phases_22, pathsline_starts_phases_23, pathsline_starts_phases_24 : boolean;
-  signal pathsline_starts_phases_25, pathsline_starts_phases_26, pathsline_starts_phases_27 : boolean;
-  signal pathsline_starts_phases_28, pathsline_starts_phases_29, pathsline_starts_phases_30 : boolean;
-  signal pathsline_starts_phases_31, pathsline_starts_phases_32, pathsline_starts_phases_33 : boolean;
-  signal pathsline_places_0_shown_output_column, pathsline_places_0_shown_start_of_frame : boolean;
-  signal pathsline_places_1_map_column, pathsline_places_1_first_column : boolean;
-  signal pathsline_places_1_shown_output_column, pathsline_places_1_shown_start_of_frame : boolean;
-  signal pathsline_places_1_shown_end_of_line, pathsline_places_2_map_column, pathsline_places_2_first_column : boolean;
-  signal pathsline_places_2_shown_output_column, pathsline_places_2_shown_start_of_frame : boolean;
-  signal pathsline_places_2_shown_end_of_line, pathsline_places_3_map_column, pathsline_places_3_first_column : boolean;
-  signal pathsline_places_3_shown_output_column, pathsline_places_3_shown_start_of_frame : boolean;
-  signal pathsline_places_3_shown_end_of_line, pathsline_places_4_map_column : boolean;
-  signal pathsline_places_4_shown_output_column, pathsline_places_4_shown_start_of_frame : boolean;
-  signal pathsline_places_4_shown_end_of_line : boolean;
-  signal pathsline_order_address, pathsline_places_0_address, pathsline_places_1_address : natural range 0 to 1023;
-  signal pathsline_places_2_address : natural range 0 to 1023;
   -- paths
   signal paths_tree_smallest_0, paths_tree_smallest_1, paths_tree_smallest_2 : natural range 0 to 11;
   signal paths_tree_smallest_3, paths_tree_next_smallest_0, paths_tree_next_smallest_1 : natural range 0 to 11;
@@ -314,9 +307,6 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal paths_smallest_cost, paths_cost_delay_ring_read_address : natural range 0 to 15;
   signal paths_cost_delay_ring_write_address : natural range 0 to 15;
   signal paths_cost_delay_held_0 : unsigned(31 downto 0);
-  signal paths_forward_0, paths_forward_1, paths_forward_2, paths_forward_3, paths_forward_4 : natural range 0 to 126;
-  signal paths_forward_5, paths_forward_6, paths_forward_7 : natural range 0 to 126;
-  signal paths_forward_count_phase : natural range 0 to 7;
   signal paths_sum_0, paths_sum_1, paths_sum_2, paths_sum_3, paths_sum_4, paths_sum_5 : natural range 0 to 127;
   signal paths_sum_6, paths_sum_7 : natural range 0 to 127;
   -- pathsleft
@@ -349,15 +339,21 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsleft_write_count_phase : natural range 0 to 7;
   signal pathsleft_read_words_0, pathsleft_read_words_1, pathsleft_read_words_2 : unsigned(29 downto 0);
   -- pathsabove
+  signal pathsabove_memory_read_address_0, pathsabove_memory_write_address_0 : natural range 0 to 4095;
+  signal pathsabove_memory_read_address_1, pathsabove_memory_ready_words_2 : natural range 0 to 1023;
+  signal pathsabove_memory_write_words_0_2, pathsabove_memory_write_words_1_2 : natural range 0 to 1023;
+  signal pathsabove_memory_write_address_1 : natural range 0 to 1023;
+  signal pathsabove_memory_bank, pathsabove_memory_read_bank, pathsabove_ready_top : boolean;
+  signal pathsabove_write_address_is_here : boolean;
+  signal pathsabove_memory_read_words_0_0, pathsabove_memory_read_words_0_1 : unsigned(14 downto 0);
+  signal pathsabove_memory_read_words_1_0, pathsabove_memory_read_words_1_1 : unsigned(14 downto 0);
+  signal pathsabove_memory_read_words_0_2, pathsabove_memory_read_words_1_2 : unsigned(9 downto 0);
+  signal pathsabove_memory_ready_words_0, pathsabove_memory_ready_words_1 : natural range 0 to 32767;
+  signal pathsabove_memory_write_words_0_0, pathsabove_memory_write_words_0_1 : natural range 0 to 32767;
+  signal pathsabove_memory_write_words_1_0, pathsabove_memory_write_words_1_1 : natural range 0 to 32767;
   signal pathsabove_read_address_address, pathsabove_write_address_address : natural range 0 to 8191;
   signal pathsabove_read_address_count_phase, pathsabove_count_phase : natural range 0 to 7;
   signal pathsabove_write_address_count_phase : natural range 0 to 7;
-  signal pathsabove_read_words_0, pathsabove_read_words_1 : unsigned(14 downto 0);
-  signal pathsabove_read_words_2 : unsigned(9 downto 0);
-  signal pathsabove_ready_words_0, pathsabove_ready_words_1, pathsabove_write_words_0 : natural range 0 to 32767;
-  signal pathsabove_write_words_1 : natural range 0 to 32767;
-  signal pathsabove_ready_words_2, pathsabove_write_words_2 : natural range 0 to 1023;
-  signal pathsabove_ready_top : boolean;
   signal pathsabove_total_0, pathsabove_total_1, pathsabove_total_2, pathsabove_total_3 : natural range 0 to 42;
   signal pathsabove_total_4, pathsabove_total_5, pathsabove_total_6, pathsabove_total_7 : natural range 0 to 42;
   signal pathsabove_tree_smallest_0, pathsabove_tree_smallest_1, pathsabove_tree_smallest_2 : natural range 0 to 42;
@@ -379,20 +375,35 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsabove_stay_0, pathsabove_stay_1, pathsabove_stay_2, pathsabove_stay_3 : natural range 0 to 31;
   signal pathsabove_stay_4, pathsabove_stay_5, pathsabove_stay_6, pathsabove_stay_7 : natural range 0 to 31;
   -- pathsturn
+  signal pathsturn_sum_memory_read_address_0, pathsturn_sum_memory_write_address_0 : natural range 0 to 4095;
+  signal pathsturn_cost_memory_read_address_0, pathsturn_cost_memory_write_address_0 : natural range 0 to 4095;
+  signal pathsturn_sum_memory_read_address_1, pathsturn_sum_memory_write_address_1 : natural range 0 to 1023;
+  signal pathsturn_cost_memory_read_address_1, pathsturn_cost_memory_write_address_1 : natural range 0 to 1023;
   signal pathsturn_smallest_address, pathsturn_write_smallest_address : natural range 0 to 1023;
+  signal pathsturn_sum_memory_bank, pathsturn_sum_memory_read_bank, pathsturn_cost_memory_bank : boolean;
+  signal pathsturn_cost_memory_read_bank, pathsturn_write_address_is_here, pathsturn_writes_sums_0 : boolean;
+  signal pathsturn_writes_sums_1 : boolean;
+  signal pathsturn_sum_memory_read_words_0_0, pathsturn_sum_memory_read_words_0_1 : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_0_2, pathsturn_sum_memory_read_words_0_3 : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_1_0, pathsturn_sum_memory_read_words_1_1 : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_1_2, pathsturn_sum_memory_read_words_1_3 : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_ready_words_0, pathsturn_sum_memory_ready_words_1 : natural range 0 to 16383;
+  signal pathsturn_sum_memory_ready_words_2, pathsturn_sum_memory_ready_words_3 : natural range 0 to 16383;
+  signal pathsturn_sum_memory_write_words_0_0, pathsturn_sum_memory_write_words_0_1 : natural range 0 to 16254;
+  signal pathsturn_sum_memory_write_words_0_2, pathsturn_sum_memory_write_words_0_3 : natural range 0 to 16254;
+  signal pathsturn_sum_memory_write_words_1_0, pathsturn_sum_memory_write_words_1_1 : natural range 0 to 16254;
+  signal pathsturn_sum_memory_write_words_1_2, pathsturn_sum_memory_write_words_1_3 : natural range 0 to 16254;
+  signal pathsturn_cost_memory_read_words_0_0, pathsturn_cost_memory_read_words_0_1 : unsigned(15 downto 0);
+  signal pathsturn_cost_memory_read_words_1_0, pathsturn_cost_memory_read_words_1_1 : unsigned(15 downto 0);
+  signal pathsturn_cost_memory_ready_words_0, pathsturn_cost_memory_ready_words_1 : natural range 0 to 65535;
+  signal pathsturn_cost_memory_write_words_0_0, pathsturn_cost_memory_write_words_0_1 : natural range 0 to 65535;
+  signal pathsturn_cost_memory_write_words_1_0, pathsturn_cost_memory_write_words_1_1 : natural range 0 to 65535;
   signal pathsturn_read_smallest_0 : unsigned(3 downto 0);
   signal pathsturn_ready_smallest_0, pathsturn_write_smallest_0 : natural range 0 to 15;
   signal pathsturn_read_address_address, pathsturn_sum_read_address_0 : natural range 0 to 8191;
   signal pathsturn_sum_read_address_1, pathsturn_write_address_address : natural range 0 to 8191;
   signal pathsturn_sum_write_address_0, pathsturn_sum_write_address_1 : natural range 0 to 8191;
-  signal pathsturn_read_costs_0, pathsturn_read_costs_1 : unsigned(15 downto 0);
-  signal pathsturn_ready_costs_0, pathsturn_ready_costs_1, pathsturn_write_costs_0 : natural range 0 to 65535;
-  signal pathsturn_write_costs_1 : natural range 0 to 65535;
-  signal pathsturn_read_sums_0, pathsturn_read_sums_1, pathsturn_read_sums_2 : unsigned(13 downto 0);
-  signal pathsturn_read_sums_3 : unsigned(13 downto 0);
-  signal pathsturn_ready_sums_0, pathsturn_ready_sums_1, pathsturn_ready_sums_2 : natural range 0 to 16383;
-  signal pathsturn_ready_sums_3 : natural range 0 to 16383;
-  signal pathsturn_write_address_count_phase : natural range 0 to 7;
+  signal pathsturn_read_address_count_phase, pathsturn_write_address_count_phase : natural range 0 to 7;
   -- pathsright
   signal pathsright_lowest_0, pathsright_read_words_3, pathsright_read_neighbour_0 : unsigned(5 downto 0);
   signal pathsright_lost, pathsright_short_of : boolean;
@@ -480,11 +491,11 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0 : natural range 0 to 255;
   signal map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 255;
   -- other
-  signal other_0, other_1 : unsigned(48 downto 0);
-  signal other_2 : natural range 0 to 510;
-  signal other_3, other_4, other_5, other_6, other_7, other_8, other_9, other_10, other_11 : natural range 0 to 44;
-  signal other_12, other_13, other_14, other_15, other_16, other_17, other_18 : natural range 0 to 44;
-  signal other_19 : boolean;
+  signal other_0 : boolean;
+  signal other_1, other_2 : unsigned(48 downto 0);
+  signal other_3 : natural range 0 to 510;
+  signal other_4, other_5, other_6, other_7, other_8, other_9, other_10, other_11, other_12 : natural range 0 to 44;
+  signal other_13, other_14, other_15, other_16, other_17, other_18, other_19 : natural range 0 to 44;
   signal transform_left_rows_read_words_0_memory_read_enable : boolean;
   signal transform_left_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
   signal transform_left_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
@@ -529,42 +540,54 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsturn_read_smallest_0_memory_read_address : unsigned(9 downto 0);
   signal pathsturn_read_smallest_0_memory_write_address : unsigned(9 downto 0);
   signal pathsturn_read_smallest_0_memory_write_data : unsigned(3 downto 0);
-  signal pathsturn_read_sums_3_memory_read_enable : boolean;
-  signal pathsturn_read_sums_3_memory_read_address : unsigned(12 downto 0);
-  signal pathsturn_read_sums_3_memory_write_address : unsigned(12 downto 0);
-  signal pathsturn_read_sums_3_memory_write_data : unsigned(13 downto 0);
-  signal pathsturn_read_sums_2_memory_read_enable : boolean;
-  signal pathsturn_read_sums_2_memory_read_address : unsigned(12 downto 0);
-  signal pathsturn_read_sums_2_memory_write_address : unsigned(12 downto 0);
-  signal pathsturn_read_sums_2_memory_write_data : unsigned(13 downto 0);
-  signal pathsturn_read_sums_1_memory_read_enable : boolean;
-  signal pathsturn_read_sums_1_memory_read_address : unsigned(12 downto 0);
-  signal pathsturn_read_sums_1_memory_write_address : unsigned(12 downto 0);
-  signal pathsturn_read_sums_1_memory_write_data : unsigned(13 downto 0);
-  signal pathsturn_read_sums_0_memory_read_enable : boolean;
-  signal pathsturn_read_sums_0_memory_read_address : unsigned(12 downto 0);
-  signal pathsturn_read_sums_0_memory_write_address : unsigned(12 downto 0);
-  signal pathsturn_read_sums_0_memory_write_data : unsigned(13 downto 0);
-  signal pathsturn_read_costs_1_memory_read_enable : boolean;
-  signal pathsturn_read_costs_1_memory_read_address : unsigned(12 downto 0);
-  signal pathsturn_read_costs_1_memory_write_address : unsigned(12 downto 0);
-  signal pathsturn_read_costs_1_memory_write_data : unsigned(15 downto 0);
-  signal pathsturn_read_costs_0_memory_read_enable : boolean;
-  signal pathsturn_read_costs_0_memory_read_address : unsigned(12 downto 0);
-  signal pathsturn_read_costs_0_memory_write_address : unsigned(12 downto 0);
-  signal pathsturn_read_costs_0_memory_write_data : unsigned(15 downto 0);
-  signal pathsabove_read_words_2_memory_read_enable : boolean;
-  signal pathsabove_read_words_2_memory_read_address : unsigned(12 downto 0);
-  signal pathsabove_read_words_2_memory_write_address : unsigned(12 downto 0);
-  signal pathsabove_read_words_2_memory_write_data : unsigned(9 downto 0);
-  signal pathsabove_read_words_1_memory_read_enable : boolean;
-  signal pathsabove_read_words_1_memory_read_address : unsigned(12 downto 0);
-  signal pathsabove_read_words_1_memory_write_address : unsigned(12 downto 0);
-  signal pathsabove_read_words_1_memory_write_data : unsigned(14 downto 0);
-  signal pathsabove_read_words_0_memory_read_enable : boolean;
-  signal pathsabove_read_words_0_memory_read_address : unsigned(12 downto 0);
-  signal pathsabove_read_words_0_memory_write_address : unsigned(12 downto 0);
-  signal pathsabove_read_words_0_memory_write_data : unsigned(14 downto 0);
+  signal pathsturn_sum_memory_read_words_0_3_memory_read_enable : boolean;
+  signal pathsturn_sum_memory_read_words_0_3_memory_read_address : unsigned(11 downto 0);
+  signal pathsturn_sum_memory_read_words_0_3_memory_write_address : unsigned(11 downto 0);
+  signal pathsturn_sum_memory_read_words_0_3_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_0_2_memory_read_enable : boolean;
+  signal pathsturn_sum_memory_read_words_0_2_memory_read_address : unsigned(11 downto 0);
+  signal pathsturn_sum_memory_read_words_0_2_memory_write_address : unsigned(11 downto 0);
+  signal pathsturn_sum_memory_read_words_0_2_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_0_1_memory_read_enable : boolean;
+  signal pathsturn_sum_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
+  signal pathsturn_sum_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
+  signal pathsturn_sum_memory_read_words_0_1_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_0_0_memory_read_enable : boolean;
+  signal pathsturn_sum_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
+  signal pathsturn_sum_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
+  signal pathsturn_sum_memory_read_words_0_0_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_1_3_memory_read_enable : boolean;
+  signal pathsturn_sum_memory_read_words_1_3_memory_read_address : unsigned(9 downto 0);
+  signal pathsturn_sum_memory_read_words_1_3_memory_write_address : unsigned(9 downto 0);
+  signal pathsturn_sum_memory_read_words_1_3_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_1_2_memory_read_enable : boolean;
+  signal pathsturn_sum_memory_read_words_1_2_memory_read_address : unsigned(9 downto 0);
+  signal pathsturn_sum_memory_read_words_1_2_memory_write_address : unsigned(9 downto 0);
+  signal pathsturn_sum_memory_read_words_1_2_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_1_1_memory_read_enable : boolean;
+  signal pathsturn_sum_memory_read_words_1_1_memory_read_address : unsigned(9 downto 0);
+  signal pathsturn_sum_memory_read_words_1_1_memory_write_address : unsigned(9 downto 0);
+  signal pathsturn_sum_memory_read_words_1_1_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_1_0_memory_read_enable : boolean;
+  signal pathsturn_sum_memory_read_words_1_0_memory_read_address : unsigned(9 downto 0);
+  signal pathsturn_sum_memory_read_words_1_0_memory_write_address : unsigned(9 downto 0);
+  signal pathsturn_sum_memory_read_words_1_0_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_cost_memory_read_words_0_1_memory_read_enable : boolean;
+  signal pathsturn_cost_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
+  signal pathsturn_cost_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
+  signal pathsturn_cost_memory_read_words_0_1_memory_write_data : unsigned(15 downto 0);
+  signal pathsturn_cost_memory_read_words_0_0_memory_read_enable : boolean;
+  signal pathsturn_cost_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
+  signal pathsturn_cost_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
+  signal pathsturn_cost_memory_read_words_0_0_memory_write_data : unsigned(15 downto 0);
+  signal pathsturn_cost_memory_read_words_1_1_memory_read_enable : boolean;
+  signal pathsturn_cost_memory_read_words_1_1_memory_read_address : unsigned(9 downto 0);
+  signal pathsturn_cost_memory_read_words_1_1_memory_write_address : unsigned(9 downto 0);
+  signal pathsturn_cost_memory_read_words_1_1_memory_write_data : unsigned(15 downto 0);
+  signal pathsturn_cost_memory_read_words_1_0_memory_read_enable : boolean;
+  signal pathsturn_cost_memory_read_words_1_0_memory_read_address : unsigned(9 downto 0);
+  signal pathsturn_cost_memory_read_words_1_0_memory_write_address : unsigned(9 downto 0);
+  signal pathsturn_cost_memory_read_words_1_0_memory_write_data : unsigned(15 downto 0);
   signal pathsabove_delay_held_1_memory_read_enable : boolean;
   signal pathsabove_delay_held_1_memory_read_address : unsigned(3 downto 0);
   signal pathsabove_delay_held_1_memory_write_address : unsigned(3 downto 0);
@@ -573,6 +596,30 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsabove_delay_held_0_memory_read_address : unsigned(3 downto 0);
   signal pathsabove_delay_held_0_memory_write_address : unsigned(3 downto 0);
   signal pathsabove_delay_held_0_memory_write_data : unsigned(29 downto 0);
+  signal pathsabove_memory_read_words_0_2_memory_read_enable : boolean;
+  signal pathsabove_memory_read_words_0_2_memory_read_address : unsigned(11 downto 0);
+  signal pathsabove_memory_read_words_0_2_memory_write_address : unsigned(11 downto 0);
+  signal pathsabove_memory_read_words_0_2_memory_write_data : unsigned(9 downto 0);
+  signal pathsabove_memory_read_words_0_1_memory_read_enable : boolean;
+  signal pathsabove_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
+  signal pathsabove_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
+  signal pathsabove_memory_read_words_0_1_memory_write_data : unsigned(14 downto 0);
+  signal pathsabove_memory_read_words_0_0_memory_read_enable : boolean;
+  signal pathsabove_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
+  signal pathsabove_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
+  signal pathsabove_memory_read_words_0_0_memory_write_data : unsigned(14 downto 0);
+  signal pathsabove_memory_read_words_1_2_memory_read_enable : boolean;
+  signal pathsabove_memory_read_words_1_2_memory_read_address : unsigned(9 downto 0);
+  signal pathsabove_memory_read_words_1_2_memory_write_address : unsigned(9 downto 0);
+  signal pathsabove_memory_read_words_1_2_memory_write_data : unsigned(9 downto 0);
+  signal pathsabove_memory_read_words_1_1_memory_read_enable : boolean;
+  signal pathsabove_memory_read_words_1_1_memory_read_address : unsigned(9 downto 0);
+  signal pathsabove_memory_read_words_1_1_memory_write_address : unsigned(9 downto 0);
+  signal pathsabove_memory_read_words_1_1_memory_write_data : unsigned(14 downto 0);
+  signal pathsabove_memory_read_words_1_0_memory_read_enable : boolean;
+  signal pathsabove_memory_read_words_1_0_memory_read_address : unsigned(9 downto 0);
+  signal pathsabove_memory_read_words_1_0_memory_write_address : unsigned(9 downto 0);
+  signal pathsabove_memory_read_words_1_0_memory_write_data : unsigned(14 downto 0);
   signal pathsleft_read_words_3_memory_read_enable : boolean;
   signal pathsleft_read_words_3_memory_read_address : unsigned(2 downto 0);
   signal pathsleft_read_words_3_memory_write_address : unsigned(2 downto 0);
@@ -766,104 +813,137 @@ begin
       read_address => pathsturn_read_smallest_0_memory_read_address, read_data => pathsturn_read_smallest_0,
       write_address => pathsturn_read_smallest_0_memory_write_address, write_data => pathsturn_read_smallest_0_memory_write_data);
 
-  pathsturn_read_sums_3_memory_read_enable <= true;
-  pathsturn_read_sums_3_memory_read_address <= to_unsigned(pathsturn_sum_read_address_1, 13);
-  pathsturn_read_sums_3_memory_write_address <= to_unsigned(pathsturn_sum_write_address_1, 13);
-  pathsturn_read_sums_3_memory_write_data <= to_unsigned(paths_forward_7, 7) & to_unsigned(paths_forward_6, 7);
-  pathsturn_read_sums_3_memory : entity work.line_memory
-    generic map (depth => 4616, width => 14, address_bits => 13)
+  pathsturn_sum_memory_read_words_0_3_memory_read_enable <= true;
+  pathsturn_sum_memory_read_words_0_3_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
+  pathsturn_sum_memory_read_words_0_3_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
+  pathsturn_sum_memory_read_words_0_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0_3, 14);
+  pathsturn_sum_memory_read_words_0_3_memory : entity work.line_memory
+    generic map (depth => 4096, width => 14, address_bits => 12)
     port map (
-      clock => clock, read_enable => pathsturn_read_sums_3_memory_read_enable,
-      read_address => pathsturn_read_sums_3_memory_read_address, read_data => pathsturn_read_sums_3,
-      write_address => pathsturn_read_sums_3_memory_write_address, write_data => pathsturn_read_sums_3_memory_write_data);
+      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_3_memory_read_enable,
+      read_address => pathsturn_sum_memory_read_words_0_3_memory_read_address, read_data => pathsturn_sum_memory_read_words_0_3,
+      write_address => pathsturn_sum_memory_read_words_0_3_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_3_memory_write_data);
 
-  pathsturn_read_sums_2_memory_read_enable <= true;
-  pathsturn_read_sums_2_memory_read_address <= to_unsigned(pathsturn_sum_read_address_1, 13);
-  pathsturn_read_sums_2_memory_write_address <= to_unsigned(pathsturn_sum_write_address_1, 13);
-  pathsturn_read_sums_2_memory_write_data <= to_unsigned(paths_forward_5, 7) & to_unsigned(paths_forward_4, 7);
-  pathsturn_read_sums_2_memory : entity work.line_memory
-    generic map (depth => 4616, width => 14, address_bits => 13)
+  pathsturn_sum_memory_read_words_0_2_memory_read_enable <= true;
+  pathsturn_sum_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
+  pathsturn_sum_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
+  pathsturn_sum_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0_2, 14);
+  pathsturn_sum_memory_read_words_0_2_memory : entity work.line_memory
+    generic map (depth => 4096, width => 14, address_bits => 12)
     port map (
-      clock => clock, read_enable => pathsturn_read_sums_2_memory_read_enable,
-      read_address => pathsturn_read_sums_2_memory_read_address, read_data => pathsturn_read_sums_2,
-      write_address => pathsturn_read_sums_2_memory_write_address, write_data => pathsturn_read_sums_2_memory_write_data);
+      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_2_memory_read_enable,
+      read_address => pathsturn_sum_memory_read_words_0_2_memory_read_address, read_data => pathsturn_sum_memory_read_words_0_2,
+      write_address => pathsturn_sum_memory_read_words_0_2_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_2_memory_write_data);
 
-  pathsturn_read_sums_1_memory_read_enable <= true;
-  pathsturn_read_sums_1_memory_read_address <= to_unsigned(pathsturn_sum_read_address_1, 13);
-  pathsturn_read_sums_1_memory_write_address <= to_unsigned(pathsturn_sum_write_address_1, 13);
-  pathsturn_read_sums_1_memory_write_data <= to_unsigned(paths_forward_3, 7) & to_unsigned(paths_forward_2, 7);
-  pathsturn_read_sums_1_memory : entity work.line_memory
-    generic map (depth => 4616, width => 14, address_bits => 13)
+  pathsturn_sum_memory_read_words_0_1_memory_read_enable <= true;
+  pathsturn_sum_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
+  pathsturn_sum_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
+  pathsturn_sum_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0_1, 14);
+  pathsturn_sum_memory_read_words_0_1_memory : entity work.line_memory
+    generic map (depth => 4096, width => 14, address_bits => 12)
     port map (
-      clock => clock, read_enable => pathsturn_read_sums_1_memory_read_enable,
-      read_address => pathsturn_read_sums_1_memory_read_address, read_data => pathsturn_read_sums_1,
-      write_address => pathsturn_read_sums_1_memory_write_address, write_data => pathsturn_read_sums_1_memory_write_data);
+      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_1_memory_read_enable,
+      read_address => pathsturn_sum_memory_read_words_0_1_memory_read_address, read_data => pathsturn_sum_memory_read_words_0_1,
+      write_address => pathsturn_sum_memory_read_words_0_1_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_1_memory_write_data);
 
-  pathsturn_read_sums_0_memory_read_enable <= true;
-  pathsturn_read_sums_0_memory_read_address <= to_unsigned(pathsturn_sum_read_address_1, 13);
-  pathsturn_read_sums_0_memory_write_address <= to_unsigned(pathsturn_sum_write_address_1, 13);
-  pathsturn_read_sums_0_memory_write_data <= to_unsigned(paths_forward_1, 7) & to_unsigned(paths_forward_0, 7);
-  pathsturn_read_sums_0_memory : entity work.line_memory
-    generic map (depth => 4616, width => 14, address_bits => 13)
+  pathsturn_sum_memory_read_words_0_0_memory_read_enable <= true;
+  pathsturn_sum_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
+  pathsturn_sum_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
+  pathsturn_sum_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0_0, 14);
+  pathsturn_sum_memory_read_words_0_0_memory : entity work.line_memory
+    generic map (depth => 4096, width => 14, address_bits => 12)
     port map (
-      clock => clock, read_enable => pathsturn_read_sums_0_memory_read_enable,
-      read_address => pathsturn_read_sums_0_memory_read_address, read_data => pathsturn_read_sums_0,
-      write_address => pathsturn_read_sums_0_memory_write_address, write_data => pathsturn_read_sums_0_memory_write_data);
+      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_0_memory_read_enable,
+      read_address => pathsturn_sum_memory_read_words_0_0_memory_read_address, read_data => pathsturn_sum_memory_read_words_0_0,
+      write_address => pathsturn_sum_memory_read_words_0_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_0_memory_write_data);
 
-  pathsturn_read_costs_1_memory_read_enable <= true;
-  pathsturn_read_costs_1_memory_read_address <= to_unsigned(pathsturn_read_address_address, 13);
-  pathsturn_read_costs_1_memory_write_address <= to_unsigned(pathsturn_write_address_address, 13);
-  pathsturn_read_costs_1_memory_write_data <= to_unsigned(pathsturn_write_costs_1, 16);
-  pathsturn_read_costs_1_memory : entity work.line_memory
-    generic map (depth => 4616, width => 16, address_bits => 13)
+  pathsturn_sum_memory_read_words_1_3_memory_read_enable <= true;
+  pathsturn_sum_memory_read_words_1_3_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
+  pathsturn_sum_memory_read_words_1_3_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
+  pathsturn_sum_memory_read_words_1_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1_3, 14);
+  pathsturn_sum_memory_read_words_1_3_memory : entity work.line_memory
+    generic map (depth => 1024, width => 14, address_bits => 10)
     port map (
-      clock => clock, read_enable => pathsturn_read_costs_1_memory_read_enable,
-      read_address => pathsturn_read_costs_1_memory_read_address, read_data => pathsturn_read_costs_1,
-      write_address => pathsturn_read_costs_1_memory_write_address, write_data => pathsturn_read_costs_1_memory_write_data);
+      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_3_memory_read_enable,
+      read_address => pathsturn_sum_memory_read_words_1_3_memory_read_address, read_data => pathsturn_sum_memory_read_words_1_3,
+      write_address => pathsturn_sum_memory_read_words_1_3_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_3_memory_write_data);
 
-  pathsturn_read_costs_0_memory_read_enable <= true;
-  pathsturn_read_costs_0_memory_read_address <= to_unsigned(pathsturn_read_address_address, 13);
-  pathsturn_read_costs_0_memory_write_address <= to_unsigned(pathsturn_write_address_address, 13);
-  pathsturn_read_costs_0_memory_write_data <= to_unsigned(pathsturn_write_costs_0, 16);
-  pathsturn_read_costs_0_memory : entity work.line_memory
-    generic map (depth => 4616, width => 16, address_bits => 13)
+  pathsturn_sum_memory_read_words_1_2_memory_read_enable <= true;
+  pathsturn_sum_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
+  pathsturn_sum_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
+  pathsturn_sum_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1_2, 14);
+  pathsturn_sum_memory_read_words_1_2_memory : entity work.line_memory
+    generic map (depth => 1024, width => 14, address_bits => 10)
     port map (
-      clock => clock, read_enable => pathsturn_read_costs_0_memory_read_enable,
-      read_address => pathsturn_read_costs_0_memory_read_address, read_data => pathsturn_read_costs_0,
-      write_address => pathsturn_read_costs_0_memory_write_address, write_data => pathsturn_read_costs_0_memory_write_data);
+      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_2_memory_read_enable,
+      read_address => pathsturn_sum_memory_read_words_1_2_memory_read_address, read_data => pathsturn_sum_memory_read_words_1_2,
+      write_address => pathsturn_sum_memory_read_words_1_2_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_2_memory_write_data);
 
-  pathsabove_read_words_2_memory_read_enable <= true;
-  pathsabove_read_words_2_memory_read_address <= to_unsigned(pathsabove_read_address_address, 13);
-  pathsabove_read_words_2_memory_write_address <= to_unsigned(pathsabove_write_address_address, 13);
-  pathsabove_read_words_2_memory_write_data <= to_unsigned(pathsabove_write_words_2, 10);
-  pathsabove_read_words_2_memory : entity work.line_memory
-    generic map (depth => 4616, width => 10, address_bits => 13)
+  pathsturn_sum_memory_read_words_1_1_memory_read_enable <= true;
+  pathsturn_sum_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
+  pathsturn_sum_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
+  pathsturn_sum_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1_1, 14);
+  pathsturn_sum_memory_read_words_1_1_memory : entity work.line_memory
+    generic map (depth => 1024, width => 14, address_bits => 10)
     port map (
-      clock => clock, read_enable => pathsabove_read_words_2_memory_read_enable,
-      read_address => pathsabove_read_words_2_memory_read_address, read_data => pathsabove_read_words_2,
-      write_address => pathsabove_read_words_2_memory_write_address, write_data => pathsabove_read_words_2_memory_write_data);
+      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_1_memory_read_enable,
+      read_address => pathsturn_sum_memory_read_words_1_1_memory_read_address, read_data => pathsturn_sum_memory_read_words_1_1,
+      write_address => pathsturn_sum_memory_read_words_1_1_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_1_memory_write_data);
 
-  pathsabove_read_words_1_memory_read_enable <= true;
-  pathsabove_read_words_1_memory_read_address <= to_unsigned(pathsabove_read_address_address, 13);
-  pathsabove_read_words_1_memory_write_address <= to_unsigned(pathsabove_write_address_address, 13);
-  pathsabove_read_words_1_memory_write_data <= to_unsigned(pathsabove_write_words_1, 15);
-  pathsabove_read_words_1_memory : entity work.line_memory
-    generic map (depth => 4616, width => 15, address_bits => 13)
+  pathsturn_sum_memory_read_words_1_0_memory_read_enable <= true;
+  pathsturn_sum_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
+  pathsturn_sum_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
+  pathsturn_sum_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1_0, 14);
+  pathsturn_sum_memory_read_words_1_0_memory : entity work.line_memory
+    generic map (depth => 1024, width => 14, address_bits => 10)
     port map (
-      clock => clock, read_enable => pathsabove_read_words_1_memory_read_enable,
-      read_address => pathsabove_read_words_1_memory_read_address, read_data => pathsabove_read_words_1,
-      write_address => pathsabove_read_words_1_memory_write_address, write_data => pathsabove_read_words_1_memory_write_data);
+      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_0_memory_read_enable,
+      read_address => pathsturn_sum_memory_read_words_1_0_memory_read_address, read_data => pathsturn_sum_memory_read_words_1_0,
+      write_address => pathsturn_sum_memory_read_words_1_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_0_memory_write_data);
 
-  pathsabove_read_words_0_memory_read_enable <= true;
-  pathsabove_read_words_0_memory_read_address <= to_unsigned(pathsabove_read_address_address, 13);
-  pathsabove_read_words_0_memory_write_address <= to_unsigned(pathsabove_write_address_address, 13);
-  pathsabove_read_words_0_memory_write_data <= to_unsigned(pathsabove_write_words_0, 15);
-  pathsabove_read_words_0_memory : entity work.line_memory
-    generic map (depth => 4616, width => 15, address_bits => 13)
+  pathsturn_cost_memory_read_words_0_1_memory_read_enable <= true;
+  pathsturn_cost_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
+  pathsturn_cost_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_0, 12);
+  pathsturn_cost_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_0_1, 16);
+  pathsturn_cost_memory_read_words_0_1_memory : entity work.line_memory
+    generic map (depth => 4096, width => 16, address_bits => 12)
     port map (
-      clock => clock, read_enable => pathsabove_read_words_0_memory_read_enable,
-      read_address => pathsabove_read_words_0_memory_read_address, read_data => pathsabove_read_words_0,
-      write_address => pathsabove_read_words_0_memory_write_address, write_data => pathsabove_read_words_0_memory_write_data);
+      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_1_memory_read_enable,
+      read_address => pathsturn_cost_memory_read_words_0_1_memory_read_address, read_data => pathsturn_cost_memory_read_words_0_1,
+      write_address => pathsturn_cost_memory_read_words_0_1_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_1_memory_write_data);
+
+  pathsturn_cost_memory_read_words_0_0_memory_read_enable <= true;
+  pathsturn_cost_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
+  pathsturn_cost_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_0, 12);
+  pathsturn_cost_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_0_0, 16);
+  pathsturn_cost_memory_read_words_0_0_memory : entity work.line_memory
+    generic map (depth => 4096, width => 16, address_bits => 12)
+    port map (
+      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_0_memory_read_enable,
+      read_address => pathsturn_cost_memory_read_words_0_0_memory_read_address, read_data => pathsturn_cost_memory_read_words_0_0,
+      write_address => pathsturn_cost_memory_read_words_0_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_0_memory_write_data);
+
+  pathsturn_cost_memory_read_words_1_1_memory_read_enable <= true;
+  pathsturn_cost_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_1, 10);
+  pathsturn_cost_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_1, 10);
+  pathsturn_cost_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_1_1, 16);
+  pathsturn_cost_memory_read_words_1_1_memory : entity work.line_memory
+    generic map (depth => 1024, width => 16, address_bits => 10)
+    port map (
+      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_1_memory_read_enable,
+      read_address => pathsturn_cost_memory_read_words_1_1_memory_read_address, read_data => pathsturn_cost_memory_read_words_1_1,
+      write_address => pathsturn_cost_memory_read_words_1_1_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_1_memory_write_data);
+
+  pathsturn_cost_memory_read_words_1_0_memory_read_enable <= true;
+  pathsturn_cost_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_1, 10);
+  pathsturn_cost_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_1, 10);
+  pathsturn_cost_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_1_0, 16);
+  pathsturn_cost_memory_read_words_1_0_memory : entity work.line_memory
+    generic map (depth => 1024, width => 16, address_bits => 10)
+    port map (
+      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_0_memory_read_enable,
+      read_address => pathsturn_cost_memory_read_words_1_0_memory_read_address, read_data => pathsturn_cost_memory_read_words_1_0,
+      write_address => pathsturn_cost_memory_read_words_1_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_0_memory_write_data);
 
   pathsabove_delay_held_1_memory_read_enable <= true;
   pathsabove_delay_held_1_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
@@ -886,6 +966,72 @@ begin
       clock => clock, read_enable => pathsabove_delay_held_0_memory_read_enable,
       read_address => pathsabove_delay_held_0_memory_read_address, read_data => pathsabove_delay_held_0,
       write_address => pathsabove_delay_held_0_memory_write_address, write_data => pathsabove_delay_held_0_memory_write_data);
+
+  pathsabove_memory_read_words_0_2_memory_read_enable <= true;
+  pathsabove_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
+  pathsabove_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
+  pathsabove_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0_2, 10);
+  pathsabove_memory_read_words_0_2_memory : entity work.line_memory
+    generic map (depth => 4096, width => 10, address_bits => 12)
+    port map (
+      clock => clock, read_enable => pathsabove_memory_read_words_0_2_memory_read_enable,
+      read_address => pathsabove_memory_read_words_0_2_memory_read_address, read_data => pathsabove_memory_read_words_0_2,
+      write_address => pathsabove_memory_read_words_0_2_memory_write_address, write_data => pathsabove_memory_read_words_0_2_memory_write_data);
+
+  pathsabove_memory_read_words_0_1_memory_read_enable <= true;
+  pathsabove_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
+  pathsabove_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
+  pathsabove_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0_1, 15);
+  pathsabove_memory_read_words_0_1_memory : entity work.line_memory
+    generic map (depth => 4096, width => 15, address_bits => 12)
+    port map (
+      clock => clock, read_enable => pathsabove_memory_read_words_0_1_memory_read_enable,
+      read_address => pathsabove_memory_read_words_0_1_memory_read_address, read_data => pathsabove_memory_read_words_0_1,
+      write_address => pathsabove_memory_read_words_0_1_memory_write_address, write_data => pathsabove_memory_read_words_0_1_memory_write_data);
+
+  pathsabove_memory_read_words_0_0_memory_read_enable <= true;
+  pathsabove_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
+  pathsabove_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
+  pathsabove_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0_0, 15);
+  pathsabove_memory_read_words_0_0_memory : entity work.line_memory
+    generic map (depth => 4096, width => 15, address_bits => 12)
+    port map (
+      clock => clock, read_enable => pathsabove_memory_read_words_0_0_memory_read_enable,
+      read_address => pathsabove_memory_read_words_0_0_memory_read_address, read_data => pathsabove_memory_read_words_0_0,
+      write_address => pathsabove_memory_read_words_0_0_memory_write_address, write_data => pathsabove_memory_read_words_0_0_memory_write_data);
+
+  pathsabove_memory_read_words_1_2_memory_read_enable <= true;
+  pathsabove_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
+  pathsabove_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
+  pathsabove_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1_2, 10);
+  pathsabove_memory_read_words_1_2_memory : entity work.line_memory
+    generic map (depth => 1024, width => 10, address_bits => 10)
+    port map (
+      clock => clock, read_enable => pathsabove_memory_read_words_1_2_memory_read_enable,
+      read_address => pathsabove_memory_read_words_1_2_memory_read_address, read_data => pathsabove_memory_read_words_1_2,
+      write_address => pathsabove_memory_read_words_1_2_memory_write_address, write_data => pathsabove_memory_read_words_1_2_memory_write_data);
+
+  pathsabove_memory_read_words_1_1_memory_read_enable <= true;
+  pathsabove_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
+  pathsabove_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
+  pathsabove_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1_1, 15);
+  pathsabove_memory_read_words_1_1_memory : entity work.line_memory
+    generic map (depth => 1024, width => 15, address_bits => 10)
+    port map (
+      clock => clock, read_enable => pathsabove_memory_read_words_1_1_memory_read_enable,
+      read_address => pathsabove_memory_read_words_1_1_memory_read_address, read_data => pathsabove_memory_read_words_1_1,
+      write_address => pathsabove_memory_read_words_1_1_memory_write_address, write_data => pathsabove_memory_read_words_1_1_memory_write_data);
+
+  pathsabove_memory_read_words_1_0_memory_read_enable <= true;
+  pathsabove_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
+  pathsabove_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
+  pathsabove_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1_0, 15);
+  pathsabove_memory_read_words_1_0_memory : entity work.line_memory
+    generic map (depth => 1024, width => 15, address_bits => 10)
+    port map (
+      clock => clock, read_enable => pathsabove_memory_read_words_1_0_memory_read_enable,
+      read_address => pathsabove_memory_read_words_1_0_memory_read_address, read_data => pathsabove_memory_read_words_1_0,
+      write_address => pathsabove_memory_read_words_1_0_memory_write_address, write_data => pathsabove_memory_read_words_1_0_memory_write_data);
 
   pathsleft_read_words_3_memory_read_enable <= true;
   pathsleft_read_words_3_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
@@ -1466,81 +1612,84 @@ begin
     variable transform_right_filter_feature_0_choice_393, transform_right_filter_feature_0_choice_394 : boolean;
     variable transform_right_filter_feature_0_choice_395, transform_right_filter_feature_0_choice_396 : boolean;
     variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
-    variable delay_tag_map_column_is_less, costscolumn_pixels_first_0_0_count_0_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_0_value_2, costscolumn_pixels_first_0_0_count_1_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_1_value_2, costscolumn_pixels_first_0_0_count_1_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_2_value, costscolumn_pixels_first_0_0_count_2_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_3_value, costscolumn_pixels_first_0_0_count_3_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_3_value_3, costscolumn_pixels_first_0_0_count_4_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_4_value_2, costscolumn_pixels_first_0_0_count_4_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_5_value, costscolumn_pixels_first_0_0_count_5_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_5_value_3, costscolumn_pixels_first_0_0_count_6_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_6_value_2, costscolumn_pixels_first_0_0_count_6_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_7_value, costscolumn_pixels_first_0_0_count_7_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_7_value_3, costscolumn_pixels_first_0_0_count_8_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_8_value_2, costscolumn_pixels_first_0_0_count_8_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_9_value, costscolumn_pixels_first_0_0_count_9_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_9_value_3, costscolumn_pixels_first_0_0_count_10_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_10_value_2, costscolumn_pixels_first_0_0_count_10_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_11_value, costscolumn_pixels_first_0_0_count_11_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_11_value_3, costscolumn_pixels_first_0_0_count_12_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_12_value_2, costscolumn_pixels_first_0_0_count_12_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_13_value, costscolumn_pixels_first_0_0_count_13_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_13_value_3, costscolumn_pixels_first_0_0_count_14_value : boolean;
-    variable pathsline_order_falls_any, pathsline_order_falls_all, pathsline_order_complete_any : boolean;
-    variable pathsline_order_turned_output_column_choice, paths_forward_count_phase_is_equal : boolean;
-    variable paths_forward_0_any, pathsleft_read_count_phase_is_equal, pathsleft_step_0_is_equal : boolean;
-    variable pathsleft_cost_0_any, pathsabove_ready_top_choice, pathsabove_ready_top_choice_2 : boolean;
-    variable pathsabove_write_words_0_any, pathsturn_write_costs_0_any, winnerswinner1_of_pair_0_0_choice : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_2, winnerswinner1_of_pair_0_0_value : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_3, winnerswinner1_of_pair_0_0_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_4, winnerswinner1_of_pair_0_0_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_5, winnerswinner1_of_pair_0_0_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_6, winnerswinner1_of_pair_0_0_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice, winnerswinner1_of_pair_0_2_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_2_value, winnerswinner1_of_pair_0_2_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_2, winnerswinner1_of_pair_0_2_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_3, winnerswinner1_of_pair_0_2_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_4, winnerswinner1_of_pair_0_2_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_7, winnerswinner1_of_pair_0_4_choice : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_2, winnerswinner1_of_pair_0_4_value : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_3, winnerswinner1_of_pair_0_4_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_4, winnerswinner1_of_pair_0_4_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_5, winnerswinner1_of_pair_0_4_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_6, winnerswinner1_of_pair_0_4_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice, winnerswinner1_of_pair_0_6_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_6_value, winnerswinner1_of_pair_0_6_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_2, winnerswinner1_of_pair_0_6_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_3, winnerswinner1_of_pair_0_6_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_4, winnerswinner1_of_pair_0_6_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_7, winnerswinner1_of_four_0_0_choice : boolean;
-    variable winnerswinner1_of_four_0_0_value, winnerswinner1_of_four_0_0_value_2 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_2, winnerswinner1_of_four_0_0_value_3 : boolean;
-    variable winnerswinner1_of_four_0_0_value_4, winnerswinner1_of_four_0_0_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_0_value_5, winnerswinner1_of_four_0_0_value_6 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_4, winnerswinner1_of_four_0_0_value_7 : boolean;
-    variable winnerswinner1_of_four_0_0_value_8, winnerswinner1_of_four_0_0_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_0_value_9, winnerswinner1_of_four_0_0_value_10 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_6, winnerswinner1_of_four_0_0_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_4_choice, winnerswinner1_of_four_0_4_value : boolean;
-    variable winnerswinner1_of_four_0_4_value_2, winnerswinner1_of_four_0_4_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_4_value_3, winnerswinner1_of_four_0_4_value_4 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_3, winnerswinner1_of_four_0_4_value_5 : boolean;
-    variable winnerswinner1_of_four_0_4_value_6, winnerswinner1_of_four_0_4_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_4_value_7, winnerswinner1_of_four_0_4_value_8 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_5, winnerswinner1_of_four_0_4_value_9 : boolean;
-    variable winnerswinner1_of_four_0_4_value_10, winnerswinner1_of_four_0_4_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_7, winnerswinner2_best_index_0_0_choice : boolean;
-    variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
-    variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_choice_7 : boolean;
-    variable winners_best_cost_0_0_choice, winners_best_cost_0_0_choice_2, winners_best_cost_0_0_value : boolean;
-    variable winners_best_cost_0_0_choice_3, winners_best_cost_0_0_value_2, winners_best_cost_0_0_choice_4 : boolean;
-    variable winners_best_cost_0_0_value_3, winners_best_cost_0_0_choice_5, winners_best_cost_0_0_value_4 : boolean;
-    variable winners_best_cost_0_0_choice_6, winners_best_cost_0_0_choice_7, winners_best_cost_0_0_choice_8 : boolean;
-    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
+    variable delay_tag_map_column_is_less, line_order_falls_any, line_order_falls_all : boolean;
+    variable line_order_complete_any, line_order_turned_output_column_choice : boolean;
+    variable costscolumn_pixels_first_0_0_count_0_value, costscolumn_pixels_first_0_0_count_0_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_1_value, costscolumn_pixels_first_0_0_count_1_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_1_value_3, costscolumn_pixels_first_0_0_count_2_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_2_value_2, costscolumn_pixels_first_0_0_count_3_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_3_value_2, costscolumn_pixels_first_0_0_count_3_value_3 : boolean;
+    variable costscolumn_pixels_first_0_0_count_4_value, costscolumn_pixels_first_0_0_count_4_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_4_value_3, costscolumn_pixels_first_0_0_count_5_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_5_value_2, costscolumn_pixels_first_0_0_count_5_value_3 : boolean;
+    variable costscolumn_pixels_first_0_0_count_6_value, costscolumn_pixels_first_0_0_count_6_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_6_value_3, costscolumn_pixels_first_0_0_count_7_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_7_value_2, costscolumn_pixels_first_0_0_count_7_value_3 : boolean;
+    variable costscolumn_pixels_first_0_0_count_8_value, costscolumn_pixels_first_0_0_count_8_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_8_value_3, costscolumn_pixels_first_0_0_count_9_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_9_value_2, costscolumn_pixels_first_0_0_count_9_value_3 : boolean;
+    variable costscolumn_pixels_first_0_0_count_10_value, costscolumn_pixels_first_0_0_count_10_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_10_value_3, costscolumn_pixels_first_0_0_count_11_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_11_value_2, costscolumn_pixels_first_0_0_count_11_value_3 : boolean;
+    variable costscolumn_pixels_first_0_0_count_12_value, costscolumn_pixels_first_0_0_count_12_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_12_value_3, costscolumn_pixels_first_0_0_count_13_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_13_value_2, costscolumn_pixels_first_0_0_count_13_value_3 : boolean;
+    variable costscolumn_pixels_first_0_0_count_14_value, pathsleft_read_count_phase_is_equal : boolean;
+    variable pathsleft_step_0_is_equal, pathsleft_cost_0_any, pathsabove_ready_top_choice : boolean;
+    variable pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
+    variable pathsabove_memory_write_words_0_0_all, pathsabove_memory_write_words_1_0_all : boolean;
+    variable pathsturn_sum_memory_write_words_0_0_all, pathsturn_sum_memory_write_words_1_0_all : boolean;
+    variable pathsturn_cost_memory_write_words_0_0_all, pathsturn_cost_memory_write_words_1_0_all : boolean;
+    variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_3, winnerswinner1_of_pair_0_0_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_4, winnerswinner1_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_7, winnerswinner1_of_pair_0_2_choice : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_2, winnerswinner1_of_pair_0_2_value : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_3, winnerswinner1_of_pair_0_2_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_4, winnerswinner1_of_pair_0_2_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_5, winnerswinner1_of_pair_0_2_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_2_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice, winnerswinner1_of_pair_0_4_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_4_value, winnerswinner1_of_pair_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_2, winnerswinner1_of_pair_0_4_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_3, winnerswinner1_of_pair_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_4, winnerswinner1_of_pair_0_4_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_7, winnerswinner1_of_pair_0_6_choice : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_2, winnerswinner1_of_pair_0_6_value : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_3, winnerswinner1_of_pair_0_6_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_4, winnerswinner1_of_pair_0_6_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_5, winnerswinner1_of_pair_0_6_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_6_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value : boolean;
+    variable winnerswinner1_of_four_0_0_value_2, winnerswinner1_of_four_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_0_value_3, winnerswinner1_of_four_0_0_value_4 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_3, winnerswinner1_of_four_0_0_value_5 : boolean;
+    variable winnerswinner1_of_four_0_0_value_6, winnerswinner1_of_four_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_0_value_7, winnerswinner1_of_four_0_0_value_8 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_5, winnerswinner1_of_four_0_0_value_9 : boolean;
+    variable winnerswinner1_of_four_0_0_value_10, winnerswinner1_of_four_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_7, winnerswinner1_of_four_0_4_choice : boolean;
+    variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_5, winnerswinner1_of_four_0_4_value_6 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_7 : boolean;
+    variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_4_value_9, winnerswinner1_of_four_0_4_value_10 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_4_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_0_choice, winnerswinner2_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner2_best_index_0_0_value, winnerswinner2_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner2_best_index_0_0_value_2, winnerswinner2_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner2_best_index_0_0_value_3, winnerswinner2_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner2_best_index_0_0_value_4, winnerswinner2_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_7, winners_best_cost_0_0_choice : boolean;
+    variable winners_best_cost_0_0_choice_2, winners_best_cost_0_0_value, winners_best_cost_0_0_choice_3 : boolean;
+    variable winners_best_cost_0_0_value_2, winners_best_cost_0_0_choice_4, winners_best_cost_0_0_value_3 : boolean;
+    variable winners_best_cost_0_0_choice_5, winners_best_cost_0_0_value_4, winners_best_cost_0_0_choice_6 : boolean;
+    variable winners_best_cost_0_0_choice_7, winners_best_cost_0_0_choice_8, turn_order_address_any : boolean;
+    variable turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
     variable turn_ready_tag_row_start_differs, turn_ready_tag_row_start_is_equal : boolean;
     variable turn_ready_tag_row_start_choice, turn_ready_tag_row_start_choice_2 : boolean;
     variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_all : boolean;
@@ -1642,13 +1791,14 @@ begin
     variable map_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 511;
     variable map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 511;
-    variable costsshift_count_phase_choice, paths_forward_count_phase_choice : natural range 0 to 7;
-    variable pathsleft_read_count_phase_choice, pathsleft_ahead_count_phase_choice : natural range 0 to 7;
-    variable pathsleft_write_count_phase_choice, pathsabove_read_address_count_phase_choice : natural range 0 to 7;
-    variable pathsabove_count_phase_choice, pathsabove_write_address_count_phase_choice : natural range 0 to 7;
+    variable line_order_address_choice, turn_order_address_choice : natural range 1 to 1023;
+    variable line_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 9;
+    variable costsshift_count_phase_choice, pathsleft_read_count_phase_choice : natural range 0 to 7;
+    variable pathsleft_ahead_count_phase_choice, pathsleft_write_count_phase_choice : natural range 0 to 7;
+    variable pathsabove_read_address_count_phase_choice, pathsabove_count_phase_choice : natural range 0 to 7;
+    variable pathsabove_write_address_count_phase_choice : natural range 0 to 7;
+    variable pathsturn_read_address_count_phase_choice : natural range 0 to 7;
     variable pathsturn_write_address_count_phase_choice : natural range 0 to 7;
-    variable pathsline_order_address_choice, turn_order_address_choice : natural range 1 to 1023;
-    variable pathsline_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 9;
     variable pathsleft_lower_neighbour_value, pathsleft_stay_0_value, pathsleft_stay_0_choice : natural range 0 to 63;
     variable pathsleft_stay_1_value, pathsleft_stay_1_choice, pathsleft_stay_2_value : natural range 0 to 63;
     variable pathsleft_stay_2_choice, pathsleft_stay_3_value, pathsleft_stay_3_value_2 : natural range 0 to 63;
@@ -1674,13 +1824,22 @@ begin
     variable pathsabove_total_0_choice, pathsabove_total_1_choice, pathsabove_total_2_choice : natural range 0 to 31;
     variable pathsabove_total_3_choice, pathsabove_total_4_choice, pathsabove_total_5_choice : natural range 0 to 31;
     variable pathsabove_total_6_choice, pathsabove_total_7_choice : natural range 0 to 31;
-    variable pathsabove_write_words_0_choice, pathsabove_write_words_0_choice_2 : natural range 0 to 31;
-    variable pathsabove_write_words_0_choice_3, pathsabove_write_words_1_choice : natural range 0 to 31;
-    variable pathsabove_write_words_1_choice_2, pathsabove_write_words_1_choice_3 : natural range 0 to 31;
-    variable pathsabove_write_words_2_choice, pathsabove_write_words_2_choice_2 : natural range 0 to 31;
-    variable pathsright_q_choice, pathsright_q_choice_2, pathsright_room_left_choice : natural range 0 to 31;
-    variable winners_base_choice : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_0_choice : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_0_choice_2 : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_0_choice_3 : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_1_choice : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_1_choice_2 : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_1_choice_3 : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_2_choice : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_2_choice_2, pathsright_q_choice : natural range 0 to 31;
+    variable pathsright_q_choice_2, pathsright_room_left_choice, winners_base_choice : natural range 0 to 31;
     variable pathsabove_read_address_address_choice, pathsabove_write_address_address_choice : natural range 0 to 8191;
+    variable pathsabove_memory_write_words_0_0_sum, pathsabove_memory_write_words_0_1_sum : natural range 0 to 32767;
+    variable pathsabove_memory_write_words_0_2_sum : natural range 0 to 1023;
+    variable pathsturn_sum_memory_write_words_0_0_sum : natural range 0 to 16254;
+    variable pathsturn_sum_memory_write_words_0_1_sum : natural range 0 to 16254;
+    variable pathsturn_sum_memory_write_words_0_2_sum : natural range 0 to 16254;
+    variable pathsturn_sum_memory_write_words_0_3_sum : natural range 0 to 16254;
     variable map_sorted_low_0_choice, map_sorted_low_0_choice_2, map_sorted_middle_0_choice : natural range 0 to 255;
     variable map_sorted_middle_0_choice_2, map_sorted_high_0_choice : natural range 0 to 255;
     variable map_sorted_high_0_choice_2, map_largest_low_0_choice, map_largest_low_0_choice_2 : natural range 0 to 255;
@@ -1690,8 +1849,8 @@ begin
     variable map_out_disparity_0_choice, map_out_disparity_0_choice_2 : natural range 0 to 255;
     variable map_out_disparity_0_choice_3, map_out_disparity_0_choice_4, map_low_0_0_choice : natural range 0 to 255;
     variable map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 255;
-    variable other_4_choice, other_6_choice, other_8_choice, other_10_choice, other_12_choice : natural range 0 to 11;
-    variable other_14_choice, other_16_choice, other_18_choice : natural range 0 to 11;
+    variable other_5_choice, other_7_choice, other_9_choice, other_11_choice, other_13_choice : natural range 0 to 11;
+    variable other_15_choice, other_17_choice, other_19_choice : natural range 0 to 11;
   begin
     if rising_edge(clock) then
       -- transform
@@ -7120,23 +7279,175 @@ begin
       rows_tag_output_column <= delay_tag_output_column;
       rows_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_tag_end_of_line <= delay_tag_end_of_line;
+      -- line
+      if rows_tag_valid then
+        line_centre_map_column_0 <= rows_tag_map_column;
+        line_centre_first_column_0 <= rows_tag_first_cost;
+        line_centre_start_of_frame_0 <= rows_tag_start_of_frame;
+      end if;
+      line_order_falls_any := (not rows_tag_map_column) or line_centre_map_column_0 or (not rows_tag_valid);
+      line_order_falls_all := rows_tag_map_column and (not line_centre_map_column_0) and rows_tag_valid;
+      line_order_complete_any := (not rows_tag_map_column) or (not rows_tag_valid);
+      if line_order_falls_all then
+        line_order_turned_output_column_choice := line_order_output and line_order_complete;
+      else
+        line_order_turned_output_column_choice := line_order_held_output;
+      end if;
+      line_centre_end_of_line_0 <= rows_tag_end_of_line;
+      line_order_inside <= rows_tag_map_column;
+      line_order_turned_valid <= rows_tag_valid;
+      line_order_turned_output_column <= line_order_turned_output_column_choice and rows_tag_map_column;
+      line_order_turned_start_of_frame <= rows_tag_map_column and (not line_centre_map_column_0) and rows_tag_valid and
+        line_order_first and line_order_output and line_order_complete;
+      line_comes_1 <= line_order_turned_valid;
+      line_comes_2 <= line_comes_1;
+      line_comes_3 <= line_comes_2;
+      line_comes_4 <= line_comes_3;
+      line_comes_5 <= line_comes_4;
+      line_comes_6 <= line_comes_5;
+      line_comes_7 <= line_comes_6;
+      line_comes_8 <= line_comes_7;
+      line_comes_9 <= line_comes_8;
+      line_comes_10 <= line_comes_9;
+      line_comes_11 <= line_comes_10;
+      line_comes_12 <= line_comes_11;
+      line_comes_13 <= line_comes_12;
+      line_comes_14 <= line_comes_13;
+      line_comes_15 <= line_comes_14;
+      line_comes_16 <= line_comes_15;
+      line_comes_17 <= line_comes_16;
+      line_comes_18 <= line_comes_17;
+      line_comes_19 <= line_comes_18;
+      line_comes_20 <= line_comes_19;
+      line_comes_21 <= line_comes_20;
+      line_comes_22 <= line_comes_21;
+      line_comes_23 <= line_comes_22;
+      line_comes_24 <= line_comes_23;
+      line_comes_25 <= line_comes_24;
+      line_comes_26 <= line_comes_25;
+      line_comes_27 <= line_comes_26;
+      line_comes_28 <= line_comes_27;
+      line_comes_29 <= line_comes_28;
+      line_comes_30 <= line_comes_29;
+      line_comes_31 <= line_comes_30;
+      line_comes_32 <= line_comes_31;
+      line_comes_33 <= line_comes_32;
+      line_comes_34 <= line_comes_33;
+      line_starts_phases_1 <= line_order_turned_valid and line_centre_map_column_0;
+      line_starts_phases_2 <= line_starts_phases_1;
+      line_starts_phases_3 <= line_starts_phases_2;
+      line_starts_phases_4 <= line_starts_phases_3;
+      line_starts_phases_5 <= line_starts_phases_4;
+      line_starts_phases_6 <= line_starts_phases_5;
+      line_starts_phases_7 <= line_starts_phases_6;
+      line_starts_phases_8 <= line_starts_phases_7;
+      line_starts_phases_9 <= line_starts_phases_8;
+      line_starts_phases_10 <= line_starts_phases_9;
+      line_starts_phases_11 <= line_starts_phases_10;
+      line_starts_phases_12 <= line_starts_phases_11;
+      line_starts_phases_13 <= line_starts_phases_12;
+      line_starts_phases_14 <= line_starts_phases_13;
+      line_starts_phases_15 <= line_starts_phases_14;
+      line_starts_phases_16 <= line_starts_phases_15;
+      line_starts_phases_17 <= line_starts_phases_16;
+      line_starts_phases_18 <= line_starts_phases_17;
+      line_starts_phases_19 <= line_starts_phases_18;
+      line_starts_phases_20 <= line_starts_phases_19;
+      line_starts_phases_21 <= line_starts_phases_20;
+      line_starts_phases_22 <= line_starts_phases_21;
+      line_starts_phases_23 <= line_starts_phases_22;
+      line_starts_phases_24 <= line_starts_phases_23;
+      line_starts_phases_25 <= line_starts_phases_24;
+      line_starts_phases_26 <= line_starts_phases_25;
+      line_starts_phases_27 <= line_starts_phases_26;
+      line_starts_phases_28 <= line_starts_phases_27;
+      line_starts_phases_29 <= line_starts_phases_28;
+      line_starts_phases_30 <= line_starts_phases_29;
+      line_starts_phases_31 <= line_starts_phases_30;
+      line_starts_phases_32 <= line_starts_phases_31;
+      line_starts_phases_33 <= line_starts_phases_32;
+      if line_order_falls then
+        line_order_falls <= line_order_falls_any;
+      else
+        line_order_falls <= line_order_falls_all;
+      end if;
+      if rows_tag_end_of_line then
+        line_order_complete <= line_order_complete or (rows_tag_map_column and rows_tag_valid);
+      else
+        line_order_complete <= line_order_complete and line_order_complete_any;
+      end if;
+      if line_order_falls then
+        line_order_address_choice := 1023;
+      else
+        line_order_address_choice := 1;
+      end if;
+      if line_order_falls then
+        line_order_address_choice_2 := 0;
+      else
+        line_order_address_choice_2 := 9;
+      end if;
+      if not line_order_complete_any then
+        if line_order_falls_any then
+          line_order_address <= (line_order_address_choice + line_order_address) mod 1024;
+        else
+          line_order_address <= line_order_address_choice_2 * 64;
+        end if;
+      end if;
+      if line_order_falls_all then
+        line_order_output <= rows_tag_output_column;
+        line_order_first <= rows_tag_start_of_frame;
+        line_order_held_output <= line_order_output and line_order_complete;
+      end if;
+      if line_order_turned_valid then
+        line_places_0_map_column <= line_order_inside;
+        line_places_0_first_column <= line_centre_first_column_0;
+        line_places_0_top <= line_centre_start_of_frame_0;
+        line_places_0_address <= line_order_address;
+        line_places_0_shown_output_column <= line_order_turned_output_column;
+        line_places_0_shown_start_of_frame <= line_order_turned_start_of_frame;
+        line_places_0_shown_end_of_line <= line_centre_end_of_line_0;
+      end if;
+      if line_comes_8 then
+        line_places_1_map_column <= line_places_0_map_column;
+        line_places_1_first_column <= line_places_0_first_column;
+        line_places_1_address <= line_places_0_address;
+        line_places_1_shown_output_column <= line_places_0_shown_output_column;
+        line_places_1_shown_start_of_frame <= line_places_0_shown_start_of_frame;
+        line_places_1_shown_end_of_line <= line_places_0_shown_end_of_line;
+      end if;
+      if line_comes_16 then
+        line_places_2_map_column <= line_places_1_map_column;
+        line_places_2_first_column <= line_places_1_first_column;
+        line_places_2_address <= line_places_1_address;
+        line_places_2_shown_output_column <= line_places_1_shown_output_column;
+        line_places_2_shown_start_of_frame <= line_places_1_shown_start_of_frame;
+        line_places_2_shown_end_of_line <= line_places_1_shown_end_of_line;
+      end if;
+      if line_comes_24 then
+        line_places_3_map_column <= line_places_2_map_column;
+        line_places_3_shown_output_column <= line_places_2_shown_output_column;
+        line_places_3_shown_start_of_frame <= line_places_2_shown_start_of_frame;
+        line_places_3_shown_end_of_line <= line_places_2_shown_end_of_line;
+      end if;
+      if line_comes_32 then
+        line_places_4_map_column <= line_places_3_map_column;
+        line_places_4_shown_output_column <= line_places_3_shown_output_column;
+        line_places_4_shown_start_of_frame <= line_places_3_shown_start_of_frame;
+        line_places_4_shown_end_of_line <= line_places_3_shown_end_of_line;
+      end if;
       -- costsshift
       if rows_tag_valid then
         costsshift_newest_0 <= rows_search_0;
         costsshift_new_reference_0 <= rows_reference_0;
         costsshift_new_tag_border_column <= rows_tag_border_column;
-        costsshift_new_tag_map_column <= rows_tag_map_column;
-        costsshift_new_tag_first_column <= rows_tag_first_cost;
-        costsshift_new_tag_start_of_frame <= rows_tag_start_of_frame;
       end if;
       if costsshift_count_phase = 7 then
         costsshift_count_phase_choice := 7;
       else
         costsshift_count_phase_choice := (costsshift_count_phase + 1) mod 8;
       end if;
-      costsshift_new_tag_valid <= (not ((costsshift_count_phase / 4) = 1)) or (not (((costsshift_count_phase / 2) mod
-        2) = 1)) or (not ((costsshift_count_phase mod 2) = 1)) or rows_tag_valid;
-      costsshift_new_tag_end_of_line <= rows_tag_end_of_line;
+      costsshift_new_tag_valid <= rows_tag_valid or (not ((costsshift_count_phase / 4) = 1)) or (not
+        (((costsshift_count_phase / 2) mod 2) = 1)) or (not ((costsshift_count_phase mod 2) = 1));
       costsshift_handed_on_0 <= costsshift_read_words_7;
       costsshift_read_reference_0 <= costsshift_new_reference_0;
       costsshift_read_tag_valid <= costsshift_new_tag_valid;
@@ -7149,12 +7460,6 @@ begin
         costsshift_count_phase <= 0;
       else
         costsshift_count_phase <= costsshift_count_phase_choice;
-      end if;
-      if pathsline_order_turned_valid then
-        costsshift_read_tag_map_column <= pathsline_centre_map_column_0;
-        costsshift_read_tag_first_column <= costsshift_new_tag_first_column;
-        costsshift_read_tag_start_of_frame <= costsshift_new_tag_start_of_frame;
-        costsshift_read_tag_end_of_line <= costsshift_new_tag_end_of_line;
       end if;
       if costsshift_read_tag_valid then
         costsshift_search_0_1 <= costsshift_read_words_0;
@@ -7782,183 +8087,29 @@ begin
       costscolumn_single_0_7 <= costscolumn_pixels_cost_0_7;
       costscolumn_pair_tag_border_column <= costscolumn_pixels_tag_border_column;
       -- costs
-      costs_cost_0 <= other_17 / 4;
-      costs_cost_1 <= other_15 / 4;
-      costs_cost_2 <= other_13 / 4;
-      costs_cost_3 <= other_11 / 4;
-      costs_cost_4 <= other_9 / 4;
-      costs_cost_5 <= other_7 / 4;
-      costs_cost_6 <= other_5 / 4;
-      costs_cost_7 <= other_3 / 4;
-      -- pathsline
-      pathsline_order_falls_any := (not rows_tag_map_column) or (not rows_tag_valid) or costsshift_new_tag_map_column;
-      pathsline_order_falls_all := rows_tag_map_column and rows_tag_valid and (not costsshift_new_tag_map_column);
-      pathsline_order_complete_any := (not rows_tag_map_column) or (not rows_tag_valid);
-      if pathsline_order_falls_all then
-        pathsline_order_turned_output_column_choice := pathsline_order_output and pathsline_order_complete;
-      else
-        pathsline_order_turned_output_column_choice := pathsline_order_held_output;
-      end if;
-      pathsline_centre_map_column_0 <= rows_tag_map_column;
-      pathsline_order_turned_valid <= rows_tag_valid;
-      pathsline_order_turned_output_column <= pathsline_order_turned_output_column_choice and rows_tag_map_column;
-      pathsline_order_turned_start_of_frame <= rows_tag_map_column and rows_tag_valid and (not
-        costsshift_new_tag_map_column) and pathsline_order_first and pathsline_order_output and
-        pathsline_order_complete;
-      pathsline_comes_1 <= pathsline_order_turned_valid;
-      pathsline_comes_2 <= pathsline_comes_1;
-      pathsline_comes_3 <= pathsline_comes_2;
-      pathsline_comes_4 <= pathsline_comes_3;
-      pathsline_comes_5 <= pathsline_comes_4;
-      pathsline_comes_6 <= pathsline_comes_5;
-      pathsline_comes_7 <= pathsline_comes_6;
-      pathsline_comes_8 <= pathsline_comes_7;
-      pathsline_comes_9 <= pathsline_comes_8;
-      pathsline_comes_10 <= pathsline_comes_9;
-      pathsline_comes_11 <= pathsline_comes_10;
-      pathsline_comes_12 <= pathsline_comes_11;
-      pathsline_comes_13 <= pathsline_comes_12;
-      pathsline_comes_14 <= pathsline_comes_13;
-      pathsline_comes_15 <= pathsline_comes_14;
-      pathsline_comes_16 <= pathsline_comes_15;
-      pathsline_comes_17 <= pathsline_comes_16;
-      pathsline_comes_18 <= pathsline_comes_17;
-      pathsline_comes_19 <= pathsline_comes_18;
-      pathsline_comes_20 <= pathsline_comes_19;
-      pathsline_comes_21 <= pathsline_comes_20;
-      pathsline_comes_22 <= pathsline_comes_21;
-      pathsline_comes_23 <= pathsline_comes_22;
-      pathsline_comes_24 <= pathsline_comes_23;
-      pathsline_comes_25 <= pathsline_comes_24;
-      pathsline_comes_26 <= pathsline_comes_25;
-      pathsline_comes_27 <= pathsline_comes_26;
-      pathsline_comes_28 <= pathsline_comes_27;
-      pathsline_comes_29 <= pathsline_comes_28;
-      pathsline_comes_30 <= pathsline_comes_29;
-      pathsline_comes_31 <= pathsline_comes_30;
-      pathsline_comes_32 <= pathsline_comes_31;
-      pathsline_comes_33 <= pathsline_comes_32;
-      pathsline_comes_34 <= pathsline_comes_33;
-      pathsline_starts_phases_1 <= pathsline_order_turned_valid and costsshift_new_tag_map_column;
-      pathsline_starts_phases_2 <= pathsline_starts_phases_1;
-      pathsline_starts_phases_3 <= pathsline_starts_phases_2;
-      pathsline_starts_phases_4 <= pathsline_starts_phases_3;
-      pathsline_starts_phases_5 <= pathsline_starts_phases_4;
-      pathsline_starts_phases_6 <= pathsline_starts_phases_5;
-      pathsline_starts_phases_7 <= pathsline_starts_phases_6;
-      pathsline_starts_phases_8 <= pathsline_starts_phases_7;
-      pathsline_starts_phases_9 <= pathsline_starts_phases_8;
-      pathsline_starts_phases_10 <= pathsline_starts_phases_9;
-      pathsline_starts_phases_11 <= pathsline_starts_phases_10;
-      pathsline_starts_phases_12 <= pathsline_starts_phases_11;
-      pathsline_starts_phases_13 <= pathsline_starts_phases_12;
-      pathsline_starts_phases_14 <= pathsline_starts_phases_13;
-      pathsline_starts_phases_15 <= pathsline_starts_phases_14;
-      pathsline_starts_phases_16 <= pathsline_starts_phases_15;
-      pathsline_starts_phases_17 <= pathsline_starts_phases_16;
-      pathsline_starts_phases_18 <= pathsline_starts_phases_17;
-      pathsline_starts_phases_19 <= pathsline_starts_phases_18;
-      pathsline_starts_phases_20 <= pathsline_starts_phases_19;
-      pathsline_starts_phases_21 <= pathsline_starts_phases_20;
-      pathsline_starts_phases_22 <= pathsline_starts_phases_21;
-      pathsline_starts_phases_23 <= pathsline_starts_phases_22;
-      pathsline_starts_phases_24 <= pathsline_starts_phases_23;
-      pathsline_starts_phases_25 <= pathsline_starts_phases_24;
-      pathsline_starts_phases_26 <= pathsline_starts_phases_25;
-      pathsline_starts_phases_27 <= pathsline_starts_phases_26;
-      pathsline_starts_phases_28 <= pathsline_starts_phases_27;
-      pathsline_starts_phases_29 <= pathsline_starts_phases_28;
-      pathsline_starts_phases_30 <= pathsline_starts_phases_29;
-      pathsline_starts_phases_31 <= pathsline_starts_phases_30;
-      pathsline_starts_phases_32 <= pathsline_starts_phases_31;
-      pathsline_starts_phases_33 <= pathsline_starts_phases_32;
-      if pathsline_order_falls then
-        pathsline_order_falls <= pathsline_order_falls_any;
-      else
-        pathsline_order_falls <= pathsline_order_falls_all;
-      end if;
-      if rows_tag_end_of_line then
-        pathsline_order_complete <= pathsline_order_complete or (rows_tag_map_column and rows_tag_valid);
-      else
-        pathsline_order_complete <= pathsline_order_complete and pathsline_order_complete_any;
-      end if;
-      if pathsline_order_falls then
-        pathsline_order_address_choice := 1023;
-      else
-        pathsline_order_address_choice := 1;
-      end if;
-      if pathsline_order_falls then
-        pathsline_order_address_choice_2 := 0;
-      else
-        pathsline_order_address_choice_2 := 9;
-      end if;
-      if not pathsline_order_complete_any then
-        if pathsline_order_falls_any then
-          pathsline_order_address <= (pathsline_order_address_choice + pathsline_order_address) mod 1024;
-        else
-          pathsline_order_address <= pathsline_order_address_choice_2 * 64;
-        end if;
-      end if;
-      if pathsline_order_falls_all then
-        pathsline_order_output <= rows_tag_output_column;
-        pathsline_order_first <= rows_tag_start_of_frame;
-        pathsline_order_held_output <= pathsline_order_output and pathsline_order_complete;
-      end if;
-      if pathsline_order_turned_valid then
-        pathsline_places_0_address <= pathsline_order_address;
-        pathsline_places_0_shown_output_column <= pathsline_order_turned_output_column;
-        pathsline_places_0_shown_start_of_frame <= pathsline_order_turned_start_of_frame;
-      end if;
-      if pathsline_comes_8 then
-        pathsline_places_1_map_column <= costsshift_read_tag_map_column;
-        pathsline_places_1_first_column <= costsshift_read_tag_first_column;
-        pathsline_places_1_address <= pathsline_places_0_address;
-        pathsline_places_1_shown_output_column <= pathsline_places_0_shown_output_column;
-        pathsline_places_1_shown_start_of_frame <= pathsline_places_0_shown_start_of_frame;
-        pathsline_places_1_shown_end_of_line <= costsshift_read_tag_end_of_line;
-      end if;
-      if pathsline_comes_16 then
-        pathsline_places_2_map_column <= pathsline_places_1_map_column;
-        pathsline_places_2_first_column <= pathsline_places_1_first_column;
-        pathsline_places_2_address <= pathsline_places_1_address;
-        pathsline_places_2_shown_output_column <= pathsline_places_1_shown_output_column;
-        pathsline_places_2_shown_start_of_frame <= pathsline_places_1_shown_start_of_frame;
-        pathsline_places_2_shown_end_of_line <= pathsline_places_1_shown_end_of_line;
-      end if;
-      if pathsline_comes_24 then
-        pathsline_places_3_map_column <= pathsline_places_2_map_column;
-        pathsline_places_3_first_column <= pathsline_places_2_first_column;
-        pathsline_places_3_shown_output_column <= pathsline_places_2_shown_output_column;
-        pathsline_places_3_shown_start_of_frame <= pathsline_places_2_shown_start_of_frame;
-        pathsline_places_3_shown_end_of_line <= pathsline_places_2_shown_end_of_line;
-      end if;
-      if pathsline_comes_32 then
-        pathsline_places_4_map_column <= pathsline_places_3_map_column;
-        pathsline_places_4_shown_output_column <= pathsline_places_3_shown_output_column;
-        pathsline_places_4_shown_start_of_frame <= pathsline_places_3_shown_start_of_frame;
-        pathsline_places_4_shown_end_of_line <= pathsline_places_3_shown_end_of_line;
-      end if;
+      costs_cost_0 <= other_18 / 4;
+      costs_cost_1 <= other_16 / 4;
+      costs_cost_2 <= other_14 / 4;
+      costs_cost_3 <= other_12 / 4;
+      costs_cost_4 <= other_10 / 4;
+      costs_cost_5 <= other_8 / 4;
+      costs_cost_6 <= other_6 / 4;
+      costs_cost_7 <= other_4 / 4;
       -- paths
-      if pathsline_comes_11 then
+      if line_comes_11 then
         paths_smallest_cost_choice := 15;
       else
         paths_smallest_cost_choice := paths_smallest_cost;
       end if;
-      paths_forward_count_phase_is_equal := paths_forward_count_phase = 7;
-      if paths_forward_count_phase_is_equal then
-        paths_forward_count_phase_choice := 7;
-      else
-        paths_forward_count_phase_choice := (paths_forward_count_phase + 1) mod 8;
-      end if;
       paths_cost_delay_ring_write_address <= paths_cost_delay_ring_read_address;
-      paths_sum_0 <= (pathsright_cost_0 + pathsturn_ready_sums_0) mod 128;
-      paths_sum_1 <= (pathsright_cost_1 + (pathsturn_ready_sums_0 / 128)) mod 128;
-      paths_sum_2 <= (pathsright_cost_2 + pathsturn_ready_sums_1) mod 128;
-      paths_sum_3 <= (pathsright_cost_3 + (pathsturn_ready_sums_1 / 128)) mod 128;
-      paths_sum_4 <= (pathsright_cost_4 + pathsturn_ready_sums_2) mod 128;
-      paths_sum_5 <= (pathsright_cost_5 + (pathsturn_ready_sums_2 / 128)) mod 128;
-      paths_sum_6 <= (pathsright_cost_6 + pathsturn_ready_sums_3) mod 128;
-      paths_sum_7 <= (pathsright_cost_7 + (pathsturn_ready_sums_3 / 128)) mod 128;
+      paths_sum_0 <= (pathsright_cost_0 + pathsturn_sum_memory_ready_words_0) mod 128;
+      paths_sum_1 <= (pathsright_cost_1 + (pathsturn_sum_memory_ready_words_0 / 128)) mod 128;
+      paths_sum_2 <= (pathsright_cost_2 + pathsturn_sum_memory_ready_words_1) mod 128;
+      paths_sum_3 <= (pathsright_cost_3 + (pathsturn_sum_memory_ready_words_1 / 128)) mod 128;
+      paths_sum_4 <= (pathsright_cost_4 + pathsturn_sum_memory_ready_words_2) mod 128;
+      paths_sum_5 <= (pathsright_cost_5 + (pathsturn_sum_memory_ready_words_2 / 128)) mod 128;
+      paths_sum_6 <= (pathsright_cost_6 + pathsturn_sum_memory_ready_words_3) mod 128;
+      paths_sum_7 <= (pathsright_cost_7 + (pathsturn_sum_memory_ready_words_3 / 128)) mod 128;
       if (costs_cost_1 - costs_cost_0) < 0 then
         paths_tree_smallest_0 <= costs_cost_1;
       else
@@ -8004,25 +8155,8 @@ begin
       else
         paths_cost_delay_ring_read_address <= (paths_cost_delay_ring_read_address + 1) mod 16;
       end if;
-      if pathsline_starts_phases_22 then
-        paths_forward_count_phase <= 0;
-      else
-        paths_forward_count_phase <= paths_forward_count_phase_choice;
-      end if;
-      paths_forward_0_any := pathsline_starts_phases_22 or (not ((pathsabove_count_phase / 4) = 1)) or (not
-        (((pathsabove_count_phase / 2) mod 2) = 1)) or (not ((pathsabove_count_phase mod 2) = 1));
-      if paths_forward_0_any then
-        paths_forward_0 <= pathsleft_cost_0 + pathsabove_cost_0;
-        paths_forward_1 <= pathsleft_cost_1 + pathsabove_cost_1;
-        paths_forward_2 <= pathsleft_cost_2 + pathsabove_cost_2;
-        paths_forward_3 <= pathsleft_cost_3 + pathsabove_cost_3;
-        paths_forward_4 <= pathsleft_cost_4 + pathsabove_cost_4;
-        paths_forward_5 <= pathsleft_cost_5 + pathsabove_cost_5;
-        paths_forward_6 <= pathsleft_cost_6 + pathsabove_cost_6;
-        paths_forward_7 <= pathsleft_cost_7 + pathsabove_cost_7;
-      end if;
       -- pathsleft
-      if pathsline_starts_phases_14 then
+      if line_starts_phases_14 then
         pathsleft_low_address <= (pathsleft_low_address + 1) mod 16;
       end if;
       pathsleft_read_count_phase_is_equal := pathsleft_read_count_phase = 7;
@@ -8126,7 +8260,7 @@ begin
       else
         pathsleft_step_6_choice := to_integer(pathsleft_read_words_1(5 downto 0));
       end if;
-      if other_19 then
+      if other_0 then
         pathsleft_step_7_choice := pathsleft_stay_6_value;
       else
         pathsleft_step_7_choice := to_integer(pathsleft_read_neighbour_0);
@@ -8147,7 +8281,7 @@ begin
       else
         pathsleft_write_count_phase_choice := (pathsleft_write_count_phase + 1) mod 8;
       end if;
-      if pathsline_comes_25 then
+      if line_comes_25 then
         pathsleft_low_0_choice := 63;
       else
         pathsleft_low_0_choice := pathsleft_low_0;
@@ -8174,12 +8308,12 @@ begin
       pathsleft_step_change_5 <= (pathsleft_stay_change_5_value - pathsleft_g_less) mod 64;
       pathsleft_step_change_6 <= (pathsleft_stay_change_6_value - pathsleft_g_less) mod 64;
       pathsleft_step_change_7 <= (to_integer(paths_cost_delay_held_0(31 downto 28)) - pathsleft_g_less) mod 64;
-      if pathsline_starts_phases_18 then
+      if line_starts_phases_18 then
         pathsleft_read_count_phase <= 0;
       else
         pathsleft_read_count_phase <= pathsleft_read_count_phase_choice;
       end if;
-      if pathsline_starts_phases_17 then
+      if line_starts_phases_17 then
         pathsleft_ahead_count_phase <= 0;
       else
         pathsleft_ahead_count_phase <= pathsleft_ahead_count_phase_choice;
@@ -8243,7 +8377,7 @@ begin
         pathsleft_step_6 <= pathsleft_step_6_choice;
         pathsleft_step_7 <= pathsleft_step_7_choice_2;
       end if;
-      if pathsline_starts_phases_21 then
+      if line_starts_phases_21 then
         pathsleft_write_count_phase <= 0;
       else
         pathsleft_write_count_phase <= pathsleft_write_count_phase_choice;
@@ -8303,8 +8437,8 @@ begin
       else
         pathsleft_room_left_choice := pathsleft_room;
       end if;
-      if pathsline_starts_phases_17 then
-        if pathsline_places_2_first_column then
+      if line_starts_phases_17 then
+        if line_places_2_first_column then
           pathsleft_q <= 24;
         else
           pathsleft_q <= pathsleft_q_choice_2;
@@ -8315,10 +8449,10 @@ begin
           pathsleft_room_left <= pathsleft_room_left_choice;
         end if;
       end if;
-      if pathsline_starts_phases_18 then
+      if line_starts_phases_18 then
         pathsleft_q_now <= pathsleft_q;
         pathsleft_q_less <= ((((pathsleft_q / 4) + 15) mod 16) * 4) + (pathsleft_q mod 4);
-        if pathsline_places_2_first_column then
+        if line_places_2_first_column then
           pathsleft_room <= 0;
           pathsleft_start_cost_1 <= 0;
           pathsleft_start_cost_2 <= 0;
@@ -8340,13 +8474,13 @@ begin
           pathsleft_start_cost_8 <= pathsleft_start_cost_7;
         end if;
       end if;
-      if pathsline_starts_phases_19 then
-        pathsleft_first <= pathsline_places_2_first_column;
+      if line_starts_phases_19 then
+        pathsleft_first <= line_places_2_first_column;
         pathsleft_g <= paths_smallest_cost + pathsleft_q_now;
         pathsleft_g_less <= (paths_smallest_cost + pathsleft_q_less) mod 64;
       end if;
-      pathsleft_cost_0_any := pathsline_starts_phases_21 or (not ((pathsleft_write_count_phase / 4) = 1)) or (not
-        (((pathsleft_write_count_phase / 2) mod 2) = 1)) or (not ((pathsleft_write_count_phase mod 2) = 1));
+      pathsleft_cost_0_any := (not ((pathsleft_write_count_phase / 4) = 1)) or (not (((pathsleft_write_count_phase / 2)
+        mod 2) = 1)) or (not ((pathsleft_write_count_phase mod 2) = 1)) or line_starts_phases_21;
       if pathsleft_cost_0_any then
         pathsleft_cost_0 <= (pathsleft_stay_0 + pathsleft_stay_change_0) mod 64;
         pathsleft_cost_1 <= (pathsleft_stay_1 + pathsleft_stay_change_1) mod 64;
@@ -8365,11 +8499,11 @@ begin
         pathsleft_arrived_6 <= (pathsleft_step_6 + pathsleft_step_change_6) mod 64;
         pathsleft_arrived_7 <= (pathsleft_step_7 + pathsleft_step_change_7) mod 64;
       end if;
-      if pathsline_starts_phases_33 then
+      if line_starts_phases_33 then
         pathsleft_low_write_address <= (pathsleft_low_write_address + 1) mod 16;
       end if;
       -- pathsabove
-      if costsshift_read_tag_first_column then
+      if line_places_0_first_column then
         pathsabove_read_address_address_choice := 0;
       else
         pathsabove_read_address_address_choice := (pathsabove_read_address_address + 1) mod 8192;
@@ -8379,77 +8513,78 @@ begin
       else
         pathsabove_read_address_count_phase_choice := (pathsabove_read_address_count_phase + 1) mod 8;
       end if;
-      if pathsline_starts_phases_7 then
-        pathsabove_ready_top_choice := costsshift_read_tag_first_column or pathsabove_ready_top;
+      if line_starts_phases_7 then
+        pathsabove_ready_top_choice := line_places_0_first_column or pathsabove_ready_top;
       else
         pathsabove_ready_top_choice := pathsabove_ready_top;
       end if;
-      if pathsline_starts_phases_7 then
-        pathsabove_ready_top_choice_2 := (not costsshift_read_tag_first_column) and pathsabove_ready_top;
+      if line_starts_phases_7 then
+        pathsabove_ready_top_choice_2 := (not line_places_0_first_column) and pathsabove_ready_top;
       else
         pathsabove_ready_top_choice_2 := pathsabove_ready_top;
       end if;
       if pathsabove_ready_top then
         pathsabove_total_0_choice := 24;
       else
-        pathsabove_total_0_choice := pathsabove_ready_words_0 mod 32;
+        pathsabove_total_0_choice := pathsabove_memory_ready_words_0 mod 32;
       end if;
       if pathsabove_ready_top then
         pathsabove_total_1_choice := 24;
       else
-        pathsabove_total_1_choice := (pathsabove_ready_words_0 / 32) mod 32;
+        pathsabove_total_1_choice := (pathsabove_memory_ready_words_0 / 32) mod 32;
       end if;
       if pathsabove_ready_top then
         pathsabove_total_2_choice := 24;
       else
-        pathsabove_total_2_choice := pathsabove_ready_words_0 / 1024;
+        pathsabove_total_2_choice := pathsabove_memory_ready_words_0 / 1024;
       end if;
       if pathsabove_ready_top then
         pathsabove_total_3_choice := 24;
       else
-        pathsabove_total_3_choice := pathsabove_ready_words_1 mod 32;
+        pathsabove_total_3_choice := pathsabove_memory_ready_words_1 mod 32;
       end if;
       if pathsabove_ready_top then
         pathsabove_total_4_choice := 24;
       else
-        pathsabove_total_4_choice := (pathsabove_ready_words_1 / 32) mod 32;
+        pathsabove_total_4_choice := (pathsabove_memory_ready_words_1 / 32) mod 32;
       end if;
       if pathsabove_ready_top then
         pathsabove_total_5_choice := 24;
       else
-        pathsabove_total_5_choice := pathsabove_ready_words_1 / 1024;
+        pathsabove_total_5_choice := pathsabove_memory_ready_words_1 / 1024;
       end if;
       if pathsabove_ready_top then
         pathsabove_total_6_choice := 24;
       else
-        pathsabove_total_6_choice := pathsabove_ready_words_2 mod 32;
+        pathsabove_total_6_choice := pathsabove_memory_ready_words_2 mod 32;
       end if;
       if pathsabove_ready_top then
         pathsabove_total_7_choice := 24;
       else
-        pathsabove_total_7_choice := pathsabove_ready_words_2 / 32;
+        pathsabove_total_7_choice := pathsabove_memory_ready_words_2 / 32;
       end if;
-      if pathsline_comes_12 then
+      if line_comes_12 then
         pathsabove_smallest_total_choice := 63;
       else
         pathsabove_smallest_total_choice := pathsabove_smallest_total;
       end if;
-      if pathsabove_count_phase = 7 then
+      pathsabove_count_phase_is_equal := pathsabove_count_phase = 7;
+      if pathsabove_count_phase_is_equal then
         pathsabove_count_phase_choice := 7;
       else
         pathsabove_count_phase_choice := (pathsabove_count_phase + 1) mod 8;
       end if;
-      if paths_forward_count_phase = 0 then
+      if pathsabove_count_phase = 0 then
         pathsabove_beside_0_choice := pathsabove_held_1;
       else
         pathsabove_beside_0_choice := pathsabove_lower_neighbour;
       end if;
-      if paths_forward_count_phase_is_equal then
+      if pathsabove_count_phase_is_equal then
         pathsabove_beside_7_choice := pathsabove_held_6;
       else
         pathsabove_beside_7_choice := pathsabove_cost_0;
       end if;
-      if pathsline_places_3_first_column then
+      if line_places_2_first_column then
         pathsabove_write_address_address_choice := 0;
       else
         pathsabove_write_address_address_choice := (pathsabove_write_address_address + 1) mod 8192;
@@ -8459,9 +8594,10 @@ begin
       else
         pathsabove_write_address_count_phase_choice := (pathsabove_write_address_count_phase + 1) mod 8;
       end if;
-      pathsabove_ready_words_0 <= to_integer(pathsabove_read_words_0);
-      pathsabove_ready_words_1 <= to_integer(pathsabove_read_words_1);
-      pathsabove_ready_words_2 <= to_integer(pathsabove_read_words_2);
+      pathsabove_memory_read_address_0 <= pathsabove_read_address_address mod 4096;
+      pathsabove_memory_read_address_1 <= pathsabove_read_address_address mod 1024;
+      pathsabove_memory_bank <= (pathsabove_read_address_address / 4096) = 1;
+      pathsabove_memory_read_bank <= pathsabove_memory_bank;
       pathsabove_total_0 <= costs_cost_0 + pathsabove_total_0_choice;
       pathsabove_total_1 <= costs_cost_1 + pathsabove_total_1_choice;
       pathsabove_total_2 <= costs_cost_2 + pathsabove_total_2_choice;
@@ -8502,7 +8638,19 @@ begin
       pathsabove_step_5 <= (((pathsabove_beside_5 / 4) + 1) * 4) + (pathsabove_beside_5 mod 4);
       pathsabove_step_6 <= (((pathsabove_beside_6 / 4) + 1) * 4) + (pathsabove_beside_6 mod 4);
       pathsabove_step_7 <= (((pathsabove_beside_7 / 4) + 1) * 4) + (pathsabove_beside_7 mod 4);
-      if pathsline_starts_phases_5 then
+      pathsabove_write_address_is_here <= line_starts_phases_24 or (not ((pathsabove_write_address_count_phase / 4) =
+        1)) or (not (((pathsabove_write_address_count_phase / 2) mod 2) = 1)) or (not
+        ((pathsabove_write_address_count_phase mod 2) = 1));
+      if pathsabove_memory_read_bank then
+        pathsabove_memory_ready_words_0 <= to_integer(pathsabove_memory_read_words_1_0);
+        pathsabove_memory_ready_words_1 <= to_integer(pathsabove_memory_read_words_1_1);
+        pathsabove_memory_ready_words_2 <= to_integer(pathsabove_memory_read_words_1_2);
+      else
+        pathsabove_memory_ready_words_0 <= to_integer(pathsabove_memory_read_words_0_0);
+        pathsabove_memory_ready_words_1 <= to_integer(pathsabove_memory_read_words_0_1);
+        pathsabove_memory_ready_words_2 <= to_integer(pathsabove_memory_read_words_0_2);
+      end if;
+      if line_starts_phases_4 then
         pathsabove_read_address_address <= pathsabove_read_address_address_choice;
         pathsabove_read_address_count_phase <= 0;
       else
@@ -8511,7 +8659,7 @@ begin
           1)) or (not ((pathsabove_read_address_count_phase mod 2) = 1))))) mod 8192;
         pathsabove_read_address_count_phase <= pathsabove_read_address_count_phase_choice;
       end if;
-      if costsshift_read_tag_start_of_frame then
+      if line_places_0_top then
         pathsabove_ready_top <= pathsabove_ready_top_choice;
       else
         pathsabove_ready_top <= pathsabove_ready_top_choice_2;
@@ -8556,7 +8704,7 @@ begin
       else
         pathsabove_smallest_total <= pathsabove_smallest_total_choice;
       end if;
-      if pathsline_starts_phases_22 then
+      if line_starts_phases_22 then
         pathsabove_count_phase <= 0;
       else
         pathsabove_count_phase <= pathsabove_count_phase_choice;
@@ -8641,7 +8789,7 @@ begin
       else
         pathsabove_stay_7 <= 24;
       end if;
-      if pathsline_starts_phases_25 then
+      if line_starts_phases_24 then
         pathsabove_write_address_address <= pathsabove_write_address_address_choice;
         pathsabove_write_address_count_phase <= 0;
       else
@@ -8650,88 +8798,129 @@ begin
           = 1)) or (not ((pathsabove_write_address_count_phase mod 2) = 1))))) mod 8192;
         pathsabove_write_address_count_phase <= pathsabove_write_address_count_phase_choice;
       end if;
-      if pathsline_comes_20 then
-        pathsabove_smallest <= pathsabove_smallest_total;
-      end if;
       if (pathsabove_step_1 - pathsabove_stay_1) < 0 then
-        pathsabove_write_words_0_choice := pathsabove_step_1 mod 32;
+        pathsabove_memory_write_words_0_0_choice := pathsabove_step_1 mod 32;
       else
-        pathsabove_write_words_0_choice := pathsabove_stay_1;
+        pathsabove_memory_write_words_0_0_choice := pathsabove_stay_1;
       end if;
       if (pathsabove_step_0 - pathsabove_stay_0) < 0 then
-        pathsabove_write_words_0_choice_2 := pathsabove_step_0 mod 32;
+        pathsabove_memory_write_words_0_0_choice_2 := pathsabove_step_0 mod 32;
       else
-        pathsabove_write_words_0_choice_2 := pathsabove_stay_0;
+        pathsabove_memory_write_words_0_0_choice_2 := pathsabove_stay_0;
       end if;
       if (pathsabove_step_2 - pathsabove_stay_2) < 0 then
-        pathsabove_write_words_0_choice_3 := pathsabove_step_2 mod 32;
+        pathsabove_memory_write_words_0_0_choice_3 := pathsabove_step_2 mod 32;
       else
-        pathsabove_write_words_0_choice_3 := pathsabove_stay_2;
+        pathsabove_memory_write_words_0_0_choice_3 := pathsabove_stay_2;
       end if;
+      pathsabove_memory_write_words_0_0_sum := (pathsabove_memory_write_words_0_0_choice * 32) +
+        pathsabove_memory_write_words_0_0_choice_2 + (pathsabove_memory_write_words_0_0_choice_3 * 1024);
       if (pathsabove_step_4 - pathsabove_stay_4) < 0 then
-        pathsabove_write_words_1_choice := pathsabove_step_4 mod 32;
+        pathsabove_memory_write_words_0_1_choice := pathsabove_step_4 mod 32;
       else
-        pathsabove_write_words_1_choice := pathsabove_stay_4;
+        pathsabove_memory_write_words_0_1_choice := pathsabove_stay_4;
       end if;
       if (pathsabove_step_3 - pathsabove_stay_3) < 0 then
-        pathsabove_write_words_1_choice_2 := pathsabove_step_3 mod 32;
+        pathsabove_memory_write_words_0_1_choice_2 := pathsabove_step_3 mod 32;
       else
-        pathsabove_write_words_1_choice_2 := pathsabove_stay_3;
+        pathsabove_memory_write_words_0_1_choice_2 := pathsabove_stay_3;
       end if;
       if (pathsabove_step_5 - pathsabove_stay_5) < 0 then
-        pathsabove_write_words_1_choice_3 := pathsabove_step_5 mod 32;
+        pathsabove_memory_write_words_0_1_choice_3 := pathsabove_step_5 mod 32;
       else
-        pathsabove_write_words_1_choice_3 := pathsabove_stay_5;
+        pathsabove_memory_write_words_0_1_choice_3 := pathsabove_stay_5;
       end if;
+      pathsabove_memory_write_words_0_1_sum := (pathsabove_memory_write_words_0_1_choice * 32) +
+        pathsabove_memory_write_words_0_1_choice_2 + (pathsabove_memory_write_words_0_1_choice_3 * 1024);
       if (pathsabove_step_7 - pathsabove_stay_7) < 0 then
-        pathsabove_write_words_2_choice := pathsabove_step_7 mod 32;
+        pathsabove_memory_write_words_0_2_choice := pathsabove_step_7 mod 32;
       else
-        pathsabove_write_words_2_choice := pathsabove_stay_7;
+        pathsabove_memory_write_words_0_2_choice := pathsabove_stay_7;
       end if;
       if (pathsabove_step_6 - pathsabove_stay_6) < 0 then
-        pathsabove_write_words_2_choice_2 := pathsabove_step_6 mod 32;
+        pathsabove_memory_write_words_0_2_choice_2 := pathsabove_step_6 mod 32;
       else
-        pathsabove_write_words_2_choice_2 := pathsabove_stay_6;
+        pathsabove_memory_write_words_0_2_choice_2 := pathsabove_stay_6;
       end if;
-      pathsabove_write_words_0_any := pathsline_starts_phases_25 or (not ((pathsabove_write_address_count_phase / 4) =
-        1)) or (not (((pathsabove_write_address_count_phase / 2) mod 2) = 1)) or (not
-        ((pathsabove_write_address_count_phase mod 2) = 1));
-      if pathsabove_write_words_0_any then
-        pathsabove_write_words_0 <= (pathsabove_write_words_0_choice * 32) + pathsabove_write_words_0_choice_2 +
-          (pathsabove_write_words_0_choice_3 * 1024);
-        pathsabove_write_words_1 <= (pathsabove_write_words_1_choice * 32) + pathsabove_write_words_1_choice_2 +
-          (pathsabove_write_words_1_choice_3 * 1024);
-        pathsabove_write_words_2 <= (pathsabove_write_words_2_choice * 32) + pathsabove_write_words_2_choice_2;
+      pathsabove_memory_write_words_0_2_sum := (pathsabove_memory_write_words_0_2_choice * 32) +
+        pathsabove_memory_write_words_0_2_choice_2;
+      pathsabove_memory_write_words_0_0_all := pathsabove_write_address_is_here and (pathsabove_write_address_address <
+        4096);
+      if pathsabove_memory_write_words_0_0_all then
+        pathsabove_memory_write_words_0_0 <= pathsabove_memory_write_words_0_0_sum;
+        pathsabove_memory_write_words_0_1 <= pathsabove_memory_write_words_0_1_sum;
+        pathsabove_memory_write_words_0_2 <= pathsabove_memory_write_words_0_2_sum;
+        pathsabove_memory_write_address_0 <= pathsabove_write_address_address mod 4096;
+      end if;
+      pathsabove_memory_write_words_1_0_all := (4095 < pathsabove_write_address_address) and
+        pathsabove_write_address_is_here;
+      if pathsabove_memory_write_words_1_0_all then
+        pathsabove_memory_write_words_1_0 <= pathsabove_memory_write_words_0_0_sum;
+        pathsabove_memory_write_words_1_1 <= pathsabove_memory_write_words_0_1_sum;
+        pathsabove_memory_write_words_1_2 <= pathsabove_memory_write_words_0_2_sum;
+        pathsabove_memory_write_address_1 <= pathsabove_write_address_address mod 1024;
+      end if;
+      if line_comes_20 then
+        pathsabove_smallest <= pathsabove_smallest_total;
       end if;
       -- pathsturn
-      if pathsline_starts_phases_15 then
-        pathsturn_smallest_address <= pathsline_places_1_address;
+      if pathsturn_read_address_count_phase = 7 then
+        pathsturn_read_address_count_phase_choice := 7;
+      else
+        pathsturn_read_address_count_phase_choice := (pathsturn_read_address_count_phase + 1) mod 8;
       end if;
       if pathsturn_write_address_count_phase = 7 then
         pathsturn_write_address_count_phase_choice := 7;
       else
         pathsturn_write_address_count_phase_choice := (pathsturn_write_address_count_phase + 1) mod 8;
       end if;
+      pathsturn_sum_memory_read_address_0 <= pathsturn_sum_read_address_1 mod 4096;
+      pathsturn_sum_memory_read_address_1 <= pathsturn_sum_read_address_1 mod 1024;
+      pathsturn_sum_memory_bank <= (pathsturn_sum_read_address_1 / 4096) = 1;
+      pathsturn_sum_memory_read_bank <= pathsturn_sum_memory_bank;
+      pathsturn_cost_memory_read_address_0 <= pathsturn_read_address_address mod 4096;
+      pathsturn_cost_memory_read_address_1 <= pathsturn_read_address_address mod 1024;
+      pathsturn_cost_memory_bank <= (pathsturn_read_address_address / 4096) = 1;
+      pathsturn_cost_memory_read_bank <= pathsturn_cost_memory_bank;
       pathsturn_ready_smallest_0 <= to_integer(pathsturn_read_smallest_0);
       pathsturn_sum_read_address_0 <= pathsturn_read_address_address;
       pathsturn_sum_read_address_1 <= pathsturn_sum_read_address_0;
-      pathsturn_ready_costs_0 <= to_integer(pathsturn_read_costs_0);
-      pathsturn_ready_costs_1 <= to_integer(pathsturn_read_costs_1);
-      pathsturn_ready_sums_0 <= to_integer(pathsturn_read_sums_0);
-      pathsturn_ready_sums_1 <= to_integer(pathsturn_read_sums_1);
-      pathsturn_ready_sums_2 <= to_integer(pathsturn_read_sums_2);
-      pathsturn_ready_sums_3 <= to_integer(pathsturn_read_sums_3);
+      pathsturn_write_address_is_here <= line_starts_phases_19 or (not ((pathsturn_write_address_count_phase / 4) = 1))
+        or (not (((pathsturn_write_address_count_phase / 2) mod 2) = 1)) or (not ((pathsturn_write_address_count_phase
+        mod 2) = 1));
       pathsturn_sum_write_address_0 <= pathsturn_write_address_address;
       pathsturn_sum_write_address_1 <= pathsturn_sum_write_address_0;
-      if pathsline_starts_phases_17 then
-        pathsturn_read_address_address <= pathsline_places_2_address * 8;
+      pathsturn_writes_sums_0 <= pathsturn_write_address_is_here;
+      pathsturn_writes_sums_1 <= pathsturn_writes_sums_0;
+      if pathsturn_sum_memory_read_bank then
+        pathsturn_sum_memory_ready_words_0 <= to_integer(pathsturn_sum_memory_read_words_1_0);
+        pathsturn_sum_memory_ready_words_1 <= to_integer(pathsturn_sum_memory_read_words_1_1);
+        pathsturn_sum_memory_ready_words_2 <= to_integer(pathsturn_sum_memory_read_words_1_2);
+        pathsturn_sum_memory_ready_words_3 <= to_integer(pathsturn_sum_memory_read_words_1_3);
+      else
+        pathsturn_sum_memory_ready_words_0 <= to_integer(pathsturn_sum_memory_read_words_0_0);
+        pathsturn_sum_memory_ready_words_1 <= to_integer(pathsturn_sum_memory_read_words_0_1);
+        pathsturn_sum_memory_ready_words_2 <= to_integer(pathsturn_sum_memory_read_words_0_2);
+        pathsturn_sum_memory_ready_words_3 <= to_integer(pathsturn_sum_memory_read_words_0_3);
+      end if;
+      if pathsturn_cost_memory_read_bank then
+        pathsturn_cost_memory_ready_words_0 <= to_integer(pathsturn_cost_memory_read_words_1_0);
+        pathsturn_cost_memory_ready_words_1 <= to_integer(pathsturn_cost_memory_read_words_1_1);
+      else
+        pathsturn_cost_memory_ready_words_0 <= to_integer(pathsturn_cost_memory_read_words_0_0);
+        pathsturn_cost_memory_ready_words_1 <= to_integer(pathsturn_cost_memory_read_words_0_1);
+      end if;
+      if line_starts_phases_16 then
+        pathsturn_read_address_address <= line_places_1_address * 8;
+        pathsturn_read_address_count_phase <= 0;
       else
         pathsturn_read_address_address <= (pathsturn_read_address_address + as_number(((not
-          ((pathsleft_ahead_count_phase / 4) = 1)) or (not (((pathsleft_ahead_count_phase / 2) mod 2) = 1)) or (not
-          ((pathsleft_ahead_count_phase mod 2) = 1))))) mod 8192;
+          ((pathsturn_read_address_count_phase / 4) = 1)) or (not (((pathsturn_read_address_count_phase / 2) mod 2) =
+          1)) or (not ((pathsturn_read_address_count_phase mod 2) = 1))))) mod 8192;
+        pathsturn_read_address_count_phase <= pathsturn_read_address_count_phase_choice;
       end if;
-      if pathsline_starts_phases_20 then
-        pathsturn_write_address_address <= pathsline_places_2_address * 8;
+      if line_starts_phases_19 then
+        pathsturn_write_address_address <= line_places_2_address * 8;
         pathsturn_write_address_count_phase <= 0;
       else
         pathsturn_write_address_address <= (pathsturn_write_address_address + as_number(((not
@@ -8739,16 +8928,51 @@ begin
           1)) or (not ((pathsturn_write_address_count_phase mod 2) = 1))))) mod 8192;
         pathsturn_write_address_count_phase <= pathsturn_write_address_count_phase_choice;
       end if;
-      if pathsline_starts_phases_19 then
-        pathsturn_write_smallest_0 <= paths_smallest_cost;
-        pathsturn_write_smallest_address <= pathsline_places_2_address;
+      pathsturn_sum_memory_write_words_0_0_sum := ((pathsleft_cost_1 + pathsabove_cost_1) * 128) + pathsleft_cost_0 +
+        pathsabove_cost_0;
+      pathsturn_sum_memory_write_words_0_1_sum := ((pathsleft_cost_3 + pathsabove_cost_3) * 128) + pathsleft_cost_2 +
+        pathsabove_cost_2;
+      pathsturn_sum_memory_write_words_0_2_sum := ((pathsleft_cost_5 + pathsabove_cost_5) * 128) + pathsleft_cost_4 +
+        pathsabove_cost_4;
+      pathsturn_sum_memory_write_words_0_3_sum := ((pathsleft_cost_7 + pathsabove_cost_7) * 128) + pathsleft_cost_6 +
+        pathsabove_cost_6;
+      pathsturn_sum_memory_write_words_0_0_all := (pathsturn_sum_write_address_1 < 4096) and pathsturn_writes_sums_1;
+      if pathsturn_sum_memory_write_words_0_0_all then
+        pathsturn_sum_memory_write_words_0_0 <= pathsturn_sum_memory_write_words_0_0_sum;
+        pathsturn_sum_memory_write_words_0_1 <= pathsturn_sum_memory_write_words_0_1_sum;
+        pathsturn_sum_memory_write_words_0_2 <= pathsturn_sum_memory_write_words_0_2_sum;
+        pathsturn_sum_memory_write_words_0_3 <= pathsturn_sum_memory_write_words_0_3_sum;
+        pathsturn_sum_memory_write_address_0 <= pathsturn_sum_write_address_1 mod 4096;
       end if;
-      pathsturn_write_costs_0_any := pathsline_starts_phases_20 or (not ((pathsturn_write_address_count_phase / 4) =
-        1)) or (not (((pathsturn_write_address_count_phase / 2) mod 2) = 1)) or (not
-        ((pathsturn_write_address_count_phase mod 2) = 1));
-      if pathsturn_write_costs_0_any then
-        pathsturn_write_costs_0 <= to_integer(paths_cost_delay_held_0(15 downto 0));
-        pathsturn_write_costs_1 <= to_integer(paths_cost_delay_held_0(31 downto 16));
+      pathsturn_sum_memory_write_words_1_0_all := ((pathsturn_sum_write_address_1 / 4096) = 1) and
+        pathsturn_writes_sums_1;
+      if pathsturn_sum_memory_write_words_1_0_all then
+        pathsturn_sum_memory_write_words_1_0 <= pathsturn_sum_memory_write_words_0_0_sum;
+        pathsturn_sum_memory_write_words_1_1 <= pathsturn_sum_memory_write_words_0_1_sum;
+        pathsturn_sum_memory_write_words_1_2 <= pathsturn_sum_memory_write_words_0_2_sum;
+        pathsturn_sum_memory_write_words_1_3 <= pathsturn_sum_memory_write_words_0_3_sum;
+        pathsturn_sum_memory_write_address_1 <= pathsturn_sum_write_address_1 mod 1024;
+      end if;
+      pathsturn_cost_memory_write_words_0_0_all := pathsturn_write_address_is_here and (pathsturn_write_address_address
+        < 4096);
+      if pathsturn_cost_memory_write_words_0_0_all then
+        pathsturn_cost_memory_write_words_0_0 <= to_integer(paths_cost_delay_held_0(15 downto 0));
+        pathsturn_cost_memory_write_words_0_1 <= to_integer(paths_cost_delay_held_0(31 downto 16));
+        pathsturn_cost_memory_write_address_0 <= pathsturn_write_address_address mod 4096;
+      end if;
+      pathsturn_cost_memory_write_words_1_0_all := (4095 < pathsturn_write_address_address) and
+        pathsturn_write_address_is_here;
+      if pathsturn_cost_memory_write_words_1_0_all then
+        pathsturn_cost_memory_write_words_1_0 <= to_integer(paths_cost_delay_held_0(15 downto 0));
+        pathsturn_cost_memory_write_words_1_1 <= to_integer(paths_cost_delay_held_0(31 downto 16));
+        pathsturn_cost_memory_write_address_1 <= pathsturn_write_address_address mod 1024;
+      end if;
+      if line_starts_phases_15 then
+        pathsturn_smallest_address <= line_places_1_address;
+      end if;
+      if line_starts_phases_19 then
+        pathsturn_write_smallest_0 <= paths_smallest_cost;
+        pathsturn_write_smallest_address <= line_places_2_address;
       end if;
       -- pathsright
       pathsright_lower_neighbour_value := to_integer(pathsright_read_words_1(17 downto 12));
@@ -8840,7 +9064,7 @@ begin
       else
         pathsright_step_6_choice := to_integer(pathsright_read_words_1(5 downto 0));
       end if;
-      if other_19 then
+      if other_0 then
         pathsright_step_7_choice := pathsright_stay_6_value;
       else
         pathsright_step_7_choice := to_integer(pathsright_read_neighbour_0);
@@ -8850,11 +9074,11 @@ begin
       else
         pathsright_step_7_choice_2 := pathsright_stay_6_value;
       end if;
-      pathsright_stay_change_1_value := (pathsturn_ready_costs_0 mod 256) / 16;
-      pathsright_stay_change_2_value := (pathsturn_ready_costs_0 / 256) mod 16;
-      pathsright_stay_change_5_value := (pathsturn_ready_costs_1 mod 256) / 16;
-      pathsright_stay_change_6_value := (pathsturn_ready_costs_1 / 256) mod 16;
-      if pathsline_comes_25 then
+      pathsright_stay_change_1_value := (pathsturn_cost_memory_ready_words_0 mod 256) / 16;
+      pathsright_stay_change_2_value := (pathsturn_cost_memory_ready_words_0 / 256) mod 16;
+      pathsright_stay_change_5_value := (pathsturn_cost_memory_ready_words_1 mod 256) / 16;
+      pathsright_stay_change_6_value := (pathsturn_cost_memory_ready_words_1 / 256) mod 16;
+      if line_comes_25 then
         pathsright_low_0_choice := 63;
       else
         pathsright_low_0_choice := pathsright_low_0;
@@ -8864,22 +9088,22 @@ begin
       pathsright_missing <= (to_integer(pathsright_lowest_0) + pathsright_room) mod 32;
       pathsright_below <= (0 - to_integer(pathsright_lowest_0)) mod 32;
       pathsright_lower_neighbour <= pathsright_lower_neighbour_value;
-      pathsright_stay_change_0 <= ((pathsturn_ready_costs_0 mod 16) - pathsright_g) mod 64;
+      pathsright_stay_change_0 <= ((pathsturn_cost_memory_ready_words_0 mod 16) - pathsright_g) mod 64;
       pathsright_stay_change_1 <= (pathsright_stay_change_1_value - pathsright_g) mod 64;
       pathsright_stay_change_2 <= (pathsright_stay_change_2_value - pathsright_g) mod 64;
-      pathsright_stay_change_3 <= ((pathsturn_ready_costs_0 / 4096) - pathsright_g) mod 64;
-      pathsright_stay_change_4 <= ((pathsturn_ready_costs_1 mod 16) - pathsright_g) mod 64;
+      pathsright_stay_change_3 <= ((pathsturn_cost_memory_ready_words_0 / 4096) - pathsright_g) mod 64;
+      pathsright_stay_change_4 <= ((pathsturn_cost_memory_ready_words_1 mod 16) - pathsright_g) mod 64;
       pathsright_stay_change_5 <= (pathsright_stay_change_5_value - pathsright_g) mod 64;
       pathsright_stay_change_6 <= (pathsright_stay_change_6_value - pathsright_g) mod 64;
-      pathsright_stay_change_7 <= ((pathsturn_ready_costs_1 / 4096) - pathsright_g) mod 64;
-      pathsright_step_change_0 <= ((pathsturn_ready_costs_0 mod 16) - pathsright_g_less) mod 64;
+      pathsright_stay_change_7 <= ((pathsturn_cost_memory_ready_words_1 / 4096) - pathsright_g) mod 64;
+      pathsright_step_change_0 <= ((pathsturn_cost_memory_ready_words_0 mod 16) - pathsright_g_less) mod 64;
       pathsright_step_change_1 <= (pathsright_stay_change_1_value - pathsright_g_less) mod 64;
       pathsright_step_change_2 <= (pathsright_stay_change_2_value - pathsright_g_less) mod 64;
-      pathsright_step_change_3 <= ((pathsturn_ready_costs_0 / 4096) - pathsright_g_less) mod 64;
-      pathsright_step_change_4 <= ((pathsturn_ready_costs_1 mod 16) - pathsright_g_less) mod 64;
+      pathsright_step_change_3 <= ((pathsturn_cost_memory_ready_words_0 / 4096) - pathsright_g_less) mod 64;
+      pathsright_step_change_4 <= ((pathsturn_cost_memory_ready_words_1 mod 16) - pathsright_g_less) mod 64;
       pathsright_step_change_5 <= (pathsright_stay_change_5_value - pathsright_g_less) mod 64;
       pathsright_step_change_6 <= (pathsright_stay_change_6_value - pathsright_g_less) mod 64;
-      pathsright_step_change_7 <= ((pathsturn_ready_costs_1 / 4096) - pathsright_g_less) mod 64;
+      pathsright_step_change_7 <= ((pathsturn_cost_memory_ready_words_1 / 4096) - pathsright_g_less) mod 64;
       if (not pathsleft_first) and (not ((pathsright_stay_0_choice / 32) = 1)) then
         pathsright_stay_0 <= pathsright_stay_0_choice;
       else
@@ -8994,8 +9218,8 @@ begin
       else
         pathsright_room_left_choice := pathsright_room;
       end if;
-      if pathsline_starts_phases_17 then
-        if pathsline_places_2_first_column then
+      if line_starts_phases_17 then
+        if line_places_2_first_column then
           pathsright_q <= 24;
         else
           pathsright_q <= pathsright_q_choice_2;
@@ -9006,10 +9230,10 @@ begin
           pathsright_room_left <= pathsright_room_left_choice;
         end if;
       end if;
-      if pathsline_starts_phases_18 then
+      if line_starts_phases_18 then
         pathsright_q_now <= pathsright_q;
         pathsright_q_less <= ((((pathsright_q / 4) + 15) mod 16) * 4) + (pathsright_q mod 4);
-        if pathsline_places_2_first_column then
+        if line_places_2_first_column then
           pathsright_room <= 0;
           pathsright_start_cost_1 <= 0;
           pathsright_start_cost_2 <= 0;
@@ -9031,7 +9255,7 @@ begin
           pathsright_start_cost_8 <= pathsright_start_cost_7;
         end if;
       end if;
-      if pathsline_starts_phases_19 then
+      if line_starts_phases_19 then
         pathsright_g <= pathsturn_ready_smallest_0 + pathsright_q_now;
         pathsright_g_less <= (pathsturn_ready_smallest_0 + pathsright_q_less) mod 64;
       end if;
@@ -9514,17 +9738,17 @@ begin
         winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_0;
       end if;
       -- winners
-      if pathsline_comes_26 then
+      if line_comes_26 then
         winners_base_choice := 0;
       else
         winners_base_choice := ((winners_base / 8) + 1) mod 32;
       end if;
       winners_base <= winners_base_choice * 8;
-      winners_best_tag_valid <= pathsline_comes_34;
-      winners_best_tag_map_column <= pathsline_places_4_map_column;
-      winners_best_tag_output_column <= pathsline_places_4_shown_output_column;
-      winners_best_tag_start_of_frame <= pathsline_places_4_shown_start_of_frame;
-      winners_best_tag_end_of_line <= pathsline_places_4_shown_end_of_line;
+      winners_best_tag_valid <= line_comes_34;
+      winners_best_tag_map_column <= line_places_4_map_column;
+      winners_best_tag_output_column <= line_places_4_shown_output_column;
+      winners_best_tag_start_of_frame <= line_places_4_shown_start_of_frame;
+      winners_best_tag_end_of_line <= line_places_4_shown_end_of_line;
       if (winners_best_cost_0_0 mod 2) = 1 then
         winners_best_cost_0_0_choice := (not (((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1)) or (not
           ((winnerswinner2_best_cost_0_0 mod 2) = 1));
@@ -9570,15 +9794,15 @@ begin
           winners_best_cost_0_0_value_4;
       end if;
       if (winners_best_cost_0_0 / 64) = 1 then
-        winners_best_cost_0_0_choice_7 := (not ((winnerswinner2_best_cost_0_0 / 64) = 1)) or pathsline_comes_27;
+        winners_best_cost_0_0_choice_7 := (not ((winnerswinner2_best_cost_0_0 / 64) = 1)) or line_comes_27;
       else
-        winners_best_cost_0_0_choice_7 := pathsline_comes_27;
+        winners_best_cost_0_0_choice_7 := line_comes_27;
       end if;
       if winners_best_cost_0_0_choice_6 then
         winners_best_cost_0_0_choice_8 := winners_best_cost_0_0_choice_7;
       else
         winners_best_cost_0_0_choice_8 := ((winners_best_cost_0_0 / 64) = 1) or (not ((winnerswinner2_best_cost_0_0 /
-          64) = 1)) or pathsline_comes_27;
+          64) = 1)) or line_comes_27;
       end if;
       if winners_best_cost_0_0_choice_8 then
         winners_best_cost_0_0 <= winnerswinner2_best_cost_0_0;
@@ -9700,18 +9924,18 @@ begin
       else
         map_line_ended_choice := map_line_ended;
       end if;
-      map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
+      map_at_arrives_value := to_integer(other_2(16 downto 16)) = 1;
       map_of_column_0_b_below_a_value := ((map_column_1 / 4) mod 2) = 1;
       if map_at_top then
         map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value;
       else
-        map_of_column_0_b_below_a_choice := ((other_2 / 4) mod 2) = 1;
+        map_of_column_0_b_below_a_choice := ((other_3 / 4) mod 2) = 1;
       end if;
       map_of_column_0_b_below_a_value_2 := ((map_column_1 / 2) mod 2) = 1;
       if map_at_top then
         map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2;
       else
-        map_of_column_0_b_below_a_choice_2 := ((other_2 / 2) mod 2) = 1;
+        map_of_column_0_b_below_a_choice_2 := ((other_3 / 2) mod 2) = 1;
       end if;
       if map_of_column_0_b_below_a_choice_2 then
         map_of_column_0_b_below_a_choice_3 := (not map_of_column_0_b_below_a_value) or (not
@@ -9725,7 +9949,7 @@ begin
         map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_2 and (((map_column_1 / 2) mod 4) = 0);
       end if;
       map_of_column_0_b_below_a_value_3 := ((map_column_1 / 8) mod 2) = 1;
-      map_of_column_0_b_below_a_value_4 := ((other_2 / 8) mod 2) = 1;
+      map_of_column_0_b_below_a_value_4 := ((other_3 / 8) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_4 then
         map_of_column_0_b_below_a_choice_5 := map_of_column_0_b_below_a_value_3 and (not
           map_of_column_0_b_below_a_value_4) and (not map_at_top);
@@ -9734,7 +9958,7 @@ begin
           map_of_column_0_b_below_a_value_4) or map_at_top;
       end if;
       map_of_column_0_b_below_a_value_5 := ((map_column_1 / 16) mod 2) = 1;
-      map_of_column_0_b_below_a_value_6 := ((other_2 / 16) mod 2) = 1;
+      map_of_column_0_b_below_a_value_6 := ((other_3 / 16) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_5 then
         map_of_column_0_b_below_a_choice_6 := map_of_column_0_b_below_a_value_5 or (not
           map_of_column_0_b_below_a_value_6) or map_at_top;
@@ -9743,7 +9967,7 @@ begin
           map_of_column_0_b_below_a_value_6) and (not map_at_top);
       end if;
       map_of_column_0_b_below_a_value_7 := ((map_column_1 / 32) mod 2) = 1;
-      map_of_column_0_b_below_a_value_8 := ((other_2 / 32) mod 2) = 1;
+      map_of_column_0_b_below_a_value_8 := ((other_3 / 32) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_6 then
         map_of_column_0_b_below_a_choice_7 := map_of_column_0_b_below_a_value_7 or (not
           map_of_column_0_b_below_a_value_8) or map_at_top;
@@ -9752,7 +9976,7 @@ begin
           map_of_column_0_b_below_a_value_8) and (not map_at_top);
       end if;
       map_of_column_0_b_below_a_value_9 := ((map_column_1 / 64) mod 2) = 1;
-      map_of_column_0_b_below_a_value_10 := ((other_2 / 64) mod 2) = 1;
+      map_of_column_0_b_below_a_value_10 := ((other_3 / 64) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_7 then
         map_of_column_0_b_below_a_choice_8 := map_of_column_0_b_below_a_value_9 or (not
           map_of_column_0_b_below_a_value_10) or map_at_top;
@@ -9761,7 +9985,7 @@ begin
           map_of_column_0_b_below_a_value_10) and (not map_at_top);
       end if;
       map_of_column_0_b_below_a_value_11 := ((map_column_1 / 128) mod 2) = 1;
-      map_of_column_0_b_below_a_value_12 := ((other_2 / 128) mod 2) = 1;
+      map_of_column_0_b_below_a_value_12 := ((other_3 / 128) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_8 then
         map_of_column_0_b_below_a_choice_9 := map_of_column_0_b_below_a_value_11 or (not
           map_of_column_0_b_below_a_value_12) or map_at_top;
@@ -9886,7 +10110,7 @@ begin
       if map_at_top then
         map_of_column_0_c_below_a_choice_20 := (map_column_1 / 256) = 1;
       else
-        map_of_column_0_c_below_a_choice_20 := (other_2 / 256) = 1;
+        map_of_column_0_c_below_a_choice_20 := (other_3 / 256) = 1;
       end if;
       if (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2 and (not map_counter_next_frame)
         then
@@ -10561,7 +10785,7 @@ begin
       else
         map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
       end if;
-      map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
+      map_counter_next_frame <= to_integer(other_2(40 downto 40)) = 1;
       map_newest_0 <= ((turn_ready mod 256) * 2) + (turn_ready / 256);
       map_arrives <= turn_ready_tag_row_start_all_2;
       map_behind <= map_line_ended and turn_ready_tag_valid;
@@ -10570,11 +10794,11 @@ begin
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
       map_column_1 <= map_rows_ready_words_0 / 512;
       map_column_2 <= map_rows_ready_newest_0;
-      map_at_column <= to_integer(other_1(9 downto 0));
+      map_at_column <= to_integer(other_2(9 downto 0));
       map_at_arrives <= map_at_arrives_value;
-      map_at_behind <= to_integer(other_1(24 downto 24)) = 1;
-      map_at_top <= to_integer(other_1(32 downto 32)) = 1;
-      map_at_output <= to_integer(other_1(48 downto 48)) = 1;
+      map_at_behind <= to_integer(other_2(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_2(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_2(48 downto 48)) = 1;
       map_of_column_0_b <= map_column_1 / 2;
       map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
       map_column_passed_1_0 <= map_column_passed_0_0;
@@ -10632,7 +10856,7 @@ begin
       if map_at_top then
         map_of_column_0_a <= map_column_1 / 2;
       else
-        map_of_column_0_a <= other_2 / 2;
+        map_of_column_0_a <= other_3 / 2;
       end if;
       if map_counter_next_frame then
         map_of_column_0_c <= map_column_1 / 2;
@@ -10640,9 +10864,9 @@ begin
         map_of_column_0_c <= map_column_2 / 2;
       end if;
       if map_of_column_0_b_below_a_choice_9 then
-        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) and ((other_2 / 256) = 1) and (not map_at_top);
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) and ((other_3 / 256) = 1) and (not map_at_top);
       else
-        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) or ((other_2 / 256) = 1) or map_at_top;
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) or ((other_3 / 256) = 1) or map_at_top;
       end if;
       if map_of_column_0_c_below_a_choice_18 then
         map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_19) or map_of_column_0_c_below_a_choice_20;
@@ -10752,7 +10976,7 @@ begin
       end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_newest_0 * 512) + (map_rows_ready_words_0 / 512);
-        map_write_column <= to_integer(other_1(9 downto 0));
+        map_write_column <= to_integer(other_2(9 downto 0));
       end if;
       if map_sorted_behind then
         map_low_0_0_choice := map_low_0_0;
@@ -10793,68 +11017,68 @@ begin
       end if;
       -- other
       if costscolumn_pair_tag_border_column then
-        other_4_choice := 0;
+        other_5_choice := 0;
       else
-        other_4_choice := costscolumn_single_0_7 / 4;
+        other_5_choice := costscolumn_single_0_7 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_6_choice := 0;
+        other_7_choice := 0;
       else
-        other_6_choice := costscolumn_single_0_6 / 4;
+        other_7_choice := costscolumn_single_0_6 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_8_choice := 0;
+        other_9_choice := 0;
       else
-        other_8_choice := costscolumn_single_0_5 / 4;
+        other_9_choice := costscolumn_single_0_5 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_10_choice := 0;
+        other_11_choice := 0;
       else
-        other_10_choice := costscolumn_single_0_4 / 4;
+        other_11_choice := costscolumn_single_0_4 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_12_choice := 0;
+        other_13_choice := 0;
       else
-        other_12_choice := costscolumn_single_0_3 / 4;
+        other_13_choice := costscolumn_single_0_3 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_14_choice := 0;
+        other_15_choice := 0;
       else
-        other_14_choice := costscolumn_single_0_2 / 4;
+        other_15_choice := costscolumn_single_0_2 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_16_choice := 0;
+        other_17_choice := 0;
       else
-        other_16_choice := costscolumn_single_0_1 / 4;
+        other_17_choice := costscolumn_single_0_1 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_18_choice := 0;
+        other_19_choice := 0;
       else
-        other_18_choice := costscolumn_single_0_0 / 4;
+        other_19_choice := costscolumn_single_0_0 / 4;
       end if;
-      other_0 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 481))), 1) &
+      other_0 <= pathsleft_read_count_phase_is_equal;
+      other_1 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 481))), 1) &
         to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      other_1 <= other_0;
-      other_2 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
-      other_3 <= other_4;
-      other_4 <= other_4_choice * 4;
-      other_5 <= other_6;
-      other_6 <= other_6_choice * 4;
-      other_7 <= other_8;
-      other_8 <= other_8_choice * 4;
-      other_9 <= other_10;
-      other_10 <= other_10_choice * 4;
-      other_11 <= other_12;
-      other_12 <= other_12_choice * 4;
-      other_13 <= other_14;
-      other_14 <= other_14_choice * 4;
-      other_15 <= other_16;
-      other_16 <= other_16_choice * 4;
-      other_17 <= other_18;
-      other_18 <= other_18_choice * 4;
-      other_19 <= pathsleft_read_count_phase_is_equal;
+      other_2 <= other_1;
+      other_3 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
+      other_4 <= other_5;
+      other_5 <= other_5_choice * 4;
+      other_6 <= other_7;
+      other_7 <= other_7_choice * 4;
+      other_8 <= other_9;
+      other_9 <= other_9_choice * 4;
+      other_10 <= other_11;
+      other_11 <= other_11_choice * 4;
+      other_12 <= other_13;
+      other_13 <= other_13_choice * 4;
+      other_14 <= other_15;
+      other_15 <= other_15_choice * 4;
+      other_16 <= other_17;
+      other_17 <= other_17_choice * 4;
+      other_18 <= other_19;
+      other_19 <= other_19_choice * 4;
       if reset = '1' then
         transform_left_0 <= 0;
         transform_right_0 <= 0;
@@ -11059,23 +11283,123 @@ begin
         rows_tag_output_column <= false;
         rows_tag_start_of_frame <= false;
         rows_tag_end_of_line <= false;
+        line_centre_map_column_0 <= false;
+        line_centre_first_column_0 <= false;
+        line_centre_start_of_frame_0 <= false;
+        line_centre_end_of_line_0 <= false;
+        line_order_address <= 0;
+        line_order_falls <= false;
+        line_order_inside <= false;
+        line_order_complete <= false;
+        line_order_output <= false;
+        line_order_first <= false;
+        line_order_held_output <= false;
+        line_order_turned_valid <= false;
+        line_order_turned_output_column <= false;
+        line_order_turned_start_of_frame <= false;
+        line_comes_1 <= false;
+        line_comes_2 <= false;
+        line_comes_3 <= false;
+        line_comes_4 <= false;
+        line_comes_5 <= false;
+        line_comes_6 <= false;
+        line_comes_7 <= false;
+        line_comes_8 <= false;
+        line_comes_9 <= false;
+        line_comes_10 <= false;
+        line_comes_11 <= false;
+        line_comes_12 <= false;
+        line_comes_13 <= false;
+        line_comes_14 <= false;
+        line_comes_15 <= false;
+        line_comes_16 <= false;
+        line_comes_17 <= false;
+        line_comes_18 <= false;
+        line_comes_19 <= false;
+        line_comes_20 <= false;
+        line_comes_21 <= false;
+        line_comes_22 <= false;
+        line_comes_23 <= false;
+        line_comes_24 <= false;
+        line_comes_25 <= false;
+        line_comes_26 <= false;
+        line_comes_27 <= false;
+        line_comes_28 <= false;
+        line_comes_29 <= false;
+        line_comes_30 <= false;
+        line_comes_31 <= false;
+        line_comes_32 <= false;
+        line_comes_33 <= false;
+        line_comes_34 <= false;
+        line_starts_phases_1 <= false;
+        line_starts_phases_2 <= false;
+        line_starts_phases_3 <= false;
+        line_starts_phases_4 <= false;
+        line_starts_phases_5 <= false;
+        line_starts_phases_6 <= false;
+        line_starts_phases_7 <= false;
+        line_starts_phases_8 <= false;
+        line_starts_phases_9 <= false;
+        line_starts_phases_10 <= false;
+        line_starts_phases_11 <= false;
+        line_starts_phases_12 <= false;
+        line_starts_phases_13 <= false;
+        line_starts_phases_14 <= false;
+        line_starts_phases_15 <= false;
+        line_starts_phases_16 <= false;
+        line_starts_phases_17 <= false;
+        line_starts_phases_18 <= false;
+        line_starts_phases_19 <= false;
+        line_starts_phases_20 <= false;
+        line_starts_phases_21 <= false;
+        line_starts_phases_22 <= false;
+        line_starts_phases_23 <= false;
+        line_starts_phases_24 <= false;
+        line_starts_phases_25 <= false;
+        line_starts_phases_26 <= false;
+        line_starts_phases_27 <= false;
+        line_starts_phases_28 <= false;
+        line_starts_phases_29 <= false;
+        line_starts_phases_30 <= false;
+        line_starts_phases_31 <= false;
+        line_starts_phases_32 <= false;
+        line_starts_phases_33 <= false;
+        line_places_0_map_column <= false;
+        line_places_0_first_column <= false;
+        line_places_0_top <= false;
+        line_places_0_address <= 0;
+        line_places_0_shown_output_column <= false;
+        line_places_0_shown_start_of_frame <= false;
+        line_places_0_shown_end_of_line <= false;
+        line_places_1_map_column <= false;
+        line_places_1_first_column <= false;
+        line_places_1_address <= 0;
+        line_places_1_shown_output_column <= false;
+        line_places_1_shown_start_of_frame <= false;
+        line_places_1_shown_end_of_line <= false;
+        line_places_2_map_column <= false;
+        line_places_2_first_column <= false;
+        line_places_2_address <= 0;
+        line_places_2_shown_output_column <= false;
+        line_places_2_shown_start_of_frame <= false;
+        line_places_2_shown_end_of_line <= false;
+        line_places_3_map_column <= false;
+        line_places_3_shown_output_column <= false;
+        line_places_3_shown_start_of_frame <= false;
+        line_places_3_shown_end_of_line <= false;
+        line_places_4_map_column <= false;
+        line_places_4_shown_output_column <= false;
+        line_places_4_shown_start_of_frame <= false;
+        line_places_4_shown_end_of_line <= false;
         costsshift_newest_0 <= to_unsigned(0, 44);
         costsshift_new_reference_0 <= to_unsigned(0, 44);
         costsshift_new_tag_valid <= false;
         costsshift_new_tag_border_column <= false;
-        costsshift_new_tag_map_column <= false;
-        costsshift_new_tag_first_column <= false;
-        costsshift_new_tag_start_of_frame <= false;
-        costsshift_new_tag_end_of_line <= false;
         costsshift_count_phase <= 7;
         costsshift_handed_on_0 <= to_unsigned(0, 44);
         costsshift_read_reference_0 <= to_unsigned(0, 44);
         costsshift_read_tag_valid <= false;
         costsshift_read_tag_border_column <= false;
-        costsshift_read_tag_map_column <= false;
-        costsshift_read_tag_first_column <= false;
-        costsshift_read_tag_start_of_frame <= false;
-        costsshift_read_tag_end_of_line <= false;
         costsshift_read_count_phase <= 7;
         costsshift_search_0_0 <= to_unsigned(0, 44);
         costsshift_search_0_1 <= to_unsigned(0, 44);
@@ -11235,107 +11559,6 @@ begin
         costs_cost_5 <= 0;
         costs_cost_6 <= 0;
         costs_cost_7 <= 0;
-        pathsline_centre_map_column_0 <= false;
-        pathsline_order_address <= 0;
-        pathsline_order_falls <= false;
-        pathsline_order_complete <= false;
-        pathsline_order_output <= false;
-        pathsline_order_first <= false;
-        pathsline_order_held_output <= false;
-        pathsline_order_turned_valid <= false;
-        pathsline_order_turned_output_column <= false;
-        pathsline_order_turned_start_of_frame <= false;
-        pathsline_comes_1 <= false;
-        pathsline_comes_2 <= false;
-        pathsline_comes_3 <= false;
-        pathsline_comes_4 <= false;
-        pathsline_comes_5 <= false;
-        pathsline_comes_6 <= false;
-        pathsline_comes_7 <= false;
-        pathsline_comes_8 <= false;
-        pathsline_comes_9 <= false;
-        pathsline_comes_10 <= false;
-        pathsline_comes_11 <= false;
-        pathsline_comes_12 <= false;
-        pathsline_comes_13 <= false;
-        pathsline_comes_14 <= false;
-        pathsline_comes_15 <= false;
-        pathsline_comes_16 <= false;
-        pathsline_comes_17 <= false;
-        pathsline_comes_18 <= false;
-        pathsline_comes_19 <= false;
-        pathsline_comes_20 <= false;
-        pathsline_comes_21 <= false;
-        pathsline_comes_22 <= false;
-        pathsline_comes_23 <= false;
-        pathsline_comes_24 <= false;
-        pathsline_comes_25 <= false;
-        pathsline_comes_26 <= false;
-        pathsline_comes_27 <= false;
-        pathsline_comes_28 <= false;
-        pathsline_comes_29 <= false;
-        pathsline_comes_30 <= false;
-        pathsline_comes_31 <= false;
-        pathsline_comes_32 <= false;
-        pathsline_comes_33 <= false;
-        pathsline_comes_34 <= false;
-        pathsline_starts_phases_1 <= false;
-        pathsline_starts_phases_2 <= false;
-        pathsline_starts_phases_3 <= false;
-        pathsline_starts_phases_4 <= false;
-        pathsline_starts_phases_5 <= false;
-        pathsline_starts_phases_6 <= false;
-        pathsline_starts_phases_7 <= false;
-        pathsline_starts_phases_8 <= false;
-        pathsline_starts_phases_9 <= false;
-        pathsline_starts_phases_10 <= false;
-        pathsline_starts_phases_11 <= false;
-        pathsline_starts_phases_12 <= false;
-        pathsline_starts_phases_13 <= false;
-        pathsline_starts_phases_14 <= false;
-        pathsline_starts_phases_15 <= false;
-        pathsline_starts_phases_16 <= false;
-        pathsline_starts_phases_17 <= false;
-        pathsline_starts_phases_18 <= false;
-        pathsline_starts_phases_19 <= false;
-        pathsline_starts_phases_20 <= false;
-        pathsline_starts_phases_21 <= false;
-        pathsline_starts_phases_22 <= false;
-        pathsline_starts_phases_23 <= false;
-        pathsline_starts_phases_24 <= false;
-        pathsline_starts_phases_25 <= false;
-        pathsline_starts_phases_26 <= false;
-        pathsline_starts_phases_27 <= false;
-        pathsline_starts_phases_28 <= false;
-        pathsline_starts_phases_29 <= false;
-        pathsline_starts_phases_30 <= false;
-        pathsline_starts_phases_31 <= false;
-        pathsline_starts_phases_32 <= false;
-        pathsline_starts_phases_33 <= false;
-        pathsline_places_0_address <= 0;
-        pathsline_places_0_shown_output_column <= false;
-        pathsline_places_0_shown_start_of_frame <= false;
-        pathsline_places_1_map_column <= false;
-        pathsline_places_1_first_column <= false;
-        pathsline_places_1_address <= 0;
-        pathsline_places_1_shown_output_column <= false;
-        pathsline_places_1_shown_start_of_frame <= false;
-        pathsline_places_1_shown_end_of_line <= false;
-        pathsline_places_2_map_column <= false;
-        pathsline_places_2_first_column <= false;
-        pathsline_places_2_address <= 0;
-        pathsline_places_2_shown_output_column <= false;
-        pathsline_places_2_shown_start_of_frame <= false;
-        pathsline_places_2_shown_end_of_line <= false;
-        pathsline_places_3_map_column <= false;
-        pathsline_places_3_first_column <= false;
-        pathsline_places_3_shown_output_column <= false;
-        pathsline_places_3_shown_start_of_frame <= false;
-        pathsline_places_3_shown_end_of_line <= false;
-        pathsline_places_4_map_column <= false;
-        pathsline_places_4_shown_output_column <= false;
-        pathsline_places_4_shown_start_of_frame <= false;
-        pathsline_places_4_shown_end_of_line <= false;
         paths_tree_smallest_0 <= 0;
         paths_tree_smallest_1 <= 0;
         paths_tree_smallest_2 <= 0;
@@ -11429,11 +11652,23 @@ begin
         pathsleft_tree_next_next_smallest_0 <= 0;
         pathsleft_low_0 <= 0;
         pathsleft_low_write_address <= 0;
+        pathsabove_memory_read_address_0 <= 0;
+        pathsabove_memory_read_address_1 <= 0;
+        pathsabove_memory_bank <= false;
+        pathsabove_memory_read_bank <= false;
+        pathsabove_memory_ready_words_0 <= 0;
+        pathsabove_memory_ready_words_1 <= 0;
+        pathsabove_memory_ready_words_2 <= 0;
+        pathsabove_memory_write_words_0_0 <= 0;
+        pathsabove_memory_write_words_0_1 <= 0;
+        pathsabove_memory_write_words_0_2 <= 0;
+        pathsabove_memory_write_words_1_0 <= 0;
+        pathsabove_memory_write_words_1_1 <= 0;
+        pathsabove_memory_write_words_1_2 <= 0;
+        pathsabove_memory_write_address_0 <= 0;
+        pathsabove_memory_write_address_1 <= 0;
         pathsabove_read_address_address <= 0;
         pathsabove_read_address_count_phase <= 7;
-        pathsabove_ready_words_0 <= 0;
-        pathsabove_ready_words_1 <= 0;
-        pathsabove_ready_words_2 <= 0;
         pathsabove_ready_top <= false;
         pathsabove_total_0 <= 0;
         pathsabove_total_1 <= 0;
@@ -11501,39 +11736,54 @@ begin
         pathsabove_stay_5 <= 0;
         pathsabove_stay_6 <= 0;
         pathsabove_stay_7 <= 0;
-        pathsabove_write_words_0 <= 0;
-        pathsabove_write_words_1 <= 0;
-        pathsabove_write_words_2 <= 0;
         pathsabove_write_address_address <= 0;
+        pathsabove_write_address_is_here <= false;
         pathsabove_write_address_count_phase <= 7;
-        paths_forward_0 <= 0;
-        paths_forward_1 <= 0;
-        paths_forward_2 <= 0;
-        paths_forward_3 <= 0;
-        paths_forward_4 <= 0;
-        paths_forward_5 <= 0;
-        paths_forward_6 <= 0;
-        paths_forward_7 <= 0;
-        paths_forward_count_phase <= 7;
+        pathsturn_sum_memory_read_address_0 <= 0;
+        pathsturn_sum_memory_read_address_1 <= 0;
+        pathsturn_sum_memory_bank <= false;
+        pathsturn_sum_memory_read_bank <= false;
+        pathsturn_sum_memory_ready_words_0 <= 0;
+        pathsturn_sum_memory_ready_words_1 <= 0;
+        pathsturn_sum_memory_ready_words_2 <= 0;
+        pathsturn_sum_memory_ready_words_3 <= 0;
+        pathsturn_sum_memory_write_words_0_0 <= 0;
+        pathsturn_sum_memory_write_words_0_1 <= 0;
+        pathsturn_sum_memory_write_words_0_2 <= 0;
+        pathsturn_sum_memory_write_words_0_3 <= 0;
+        pathsturn_sum_memory_write_words_1_0 <= 0;
+        pathsturn_sum_memory_write_words_1_1 <= 0;
+        pathsturn_sum_memory_write_words_1_2 <= 0;
+        pathsturn_sum_memory_write_words_1_3 <= 0;
+        pathsturn_sum_memory_write_address_0 <= 0;
+        pathsturn_sum_memory_write_address_1 <= 0;
+        pathsturn_cost_memory_read_address_0 <= 0;
+        pathsturn_cost_memory_read_address_1 <= 0;
+        pathsturn_cost_memory_bank <= false;
+        pathsturn_cost_memory_read_bank <= false;
+        pathsturn_cost_memory_ready_words_0 <= 0;
+        pathsturn_cost_memory_ready_words_1 <= 0;
+        pathsturn_cost_memory_write_words_0_0 <= 0;
+        pathsturn_cost_memory_write_words_0_1 <= 0;
+        pathsturn_cost_memory_write_words_1_0 <= 0;
+        pathsturn_cost_memory_write_words_1_1 <= 0;
+        pathsturn_cost_memory_write_address_0 <= 0;
+        pathsturn_cost_memory_write_address_1 <= 0;
         pathsturn_smallest_address <= 0;
         pathsturn_ready_smallest_0 <= 0;
         pathsturn_read_address_address <= 0;
+        pathsturn_read_address_count_phase <= 7;
         pathsturn_sum_read_address_0 <= 0;
         pathsturn_sum_read_address_1 <= 0;
-        pathsturn_ready_costs_0 <= 0;
-        pathsturn_ready_costs_1 <= 0;
-        pathsturn_ready_sums_0 <= 0;
-        pathsturn_ready_sums_1 <= 0;
-        pathsturn_ready_sums_2 <= 0;
-        pathsturn_ready_sums_3 <= 0;
         pathsturn_write_smallest_0 <= 0;
         pathsturn_write_smallest_address <= 0;
         pathsturn_write_address_address <= 0;
+        pathsturn_write_address_is_here <= false;
         pathsturn_write_address_count_phase <= 7;
         pathsturn_sum_write_address_0 <= 0;
         pathsturn_sum_write_address_1 <= 0;
-        pathsturn_write_costs_0 <= 0;
-        pathsturn_write_costs_1 <= 0;
+        pathsturn_writes_sums_0 <= false;
+        pathsturn_writes_sums_1 <= false;
         pathsright_lost <= false;
         pathsright_short_of <= false;
         pathsright_missing <= 0;
@@ -11700,9 +11950,9 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other_0 <= to_unsigned(0, 49);
+        other_0 <= true;
         other_1 <= to_unsigned(0, 49);
-        other_3 <= 0;
+        other_2 <= to_unsigned(0, 49);
         other_4 <= 0;
         other_5 <= 0;
         other_6 <= 0;
@@ -11718,7 +11968,7 @@ begin
         other_16 <= 0;
         other_17 <= 0;
         other_18 <= 0;
-        other_19 <= true;
+        other_19 <= 0;
       end if;
     end if;
   end process;

@@ -21,6 +21,33 @@ std::string problem(void (*change)(Config&)) {
    return config.problem().text;
 }
 
+TEST(SemiGlobalConfig, SaysWhatCannotBeFolded) {
+   EXPECT_EQ(problem([](Config& c) { c.clocks_per_pixel = 4; }), "");
+   EXPECT_EQ(problem([](Config& c) { c.clocks_per_pixel = 6; }), "");
+   EXPECT_EQ(problem([](Config& c) { c.clocks_per_pixel = 5; }),
+             "the clocks a pixel pair must divide the disparity range");
+   EXPECT_EQ(problem([](Config& c) { c.clocks_per_pixel = 3; }),
+             "the loop of a semi-global path takes four clocks a pixel pair or more, or one");
+   EXPECT_EQ(problem([](Config& c) { c.clocks_per_pixel = 12; }),
+             "with several clocks a pixel pair two disparities or more must be left for each");
+   EXPECT_EQ(problem([](Config& c) {
+                c.clocks_per_pixel = 4;
+                c.aggregation = Aggregation::recursive;
+             }),
+             "with several clocks a pixel pair semi-global costs have no recursive sums");
+   EXPECT_EQ(problem([](Config& c) {
+                c.clocks_per_pixel = 4;
+                c.p2_least = 3;
+             }),
+             "with several clocks a pixel pair P2 does not fall");
+   EXPECT_EQ(problem([](Config& c) {
+                c.clocks_per_pixel = 64;
+                c.disparities = 128;
+                c.width_px = 1300;
+             }),
+             "with so many clocks a pixel pair a row of the map must be shorter");
+}
+
 TEST(SemiGlobalConfig, SaysWhatCannotBeBuilt) {
    EXPECT_EQ(problem([](Config&) {}), "");
    EXPECT_EQ(problem([](Config& c) { c.pixels_per_clock = 2; }), "the semi-global core takes one pixel pair a clock");
