@@ -59,7 +59,7 @@ STEREO_ROW(census_450, system, Config(), width_px = 450, height_px = 375, dispar
 
 STEREO_ROW(census_450_full, system, census_450, full_width = true);
 // The same as a depth map without holes: checked, filtered, with a confidence, filled.
-STEREO_ROW(census_450_dense, planned, census_450_full, left_right_threshold = 1, support_threshold = 10, confidence = true,
+STEREO_ROW(census_450_dense, system, census_450_full, left_right_threshold = 1, support_threshold = 10, confidence = true,
            margin_shift = 3, margin_weight = 1, support_weight = 6, fill_holes = true);
 // For two cameras of 640x480 (examples/camera_system): the same with each check that says how far to trust a disparity.
 STEREO_ROW(vga_64, system, census_450, width_px = 640, height_px = 480, disparities = 64, census_height_px = 3,

@@ -11,15 +11,16 @@
 namespace stereo::block_matching {
 
 /// The best candidate of each column of a row: those of the passes so far are kept, and meet those of the pass that is
-/// shown. Stands where the last slice stands in a core that is not folded; its tags are those of the last pass. 4
-/// clocks. Memory: the next power of two from W on x what a candidate carries.
+/// shown. Stands where the last slice stands in a core that is not folded; its tags are those of the last pass. 5
+/// clocks: what comes out of a memory is compared in one and chosen in the next. Memory: the next power of two from W
+/// on x what a candidate carries.
 template <const auto& C>
 struct RowBest {
    using Best = WindowCandidate<C>;
    using Others = WindowLosers<C>;
    using Value = typename Best::Value;
    static constexpr int kPixels = 1;
-   static constexpr int kClocks = 4;
+   static constexpr int kClocks = 5;
    static constexpr int kPasses = C.clocks_per_pixel;
    static constexpr int kLanes = Best::kHasNeighbours ? 5 : 2;
    static constexpr int kCostBits = bits_for(C.largest_window_cost());
@@ -58,7 +59,16 @@ struct RowBest {
    uint8_t base;   ///< its lowest disparity
    /// The highest disparity before it: a register, as the tool finds no integers for what it makes of base - 1.
    uint8_t last_before;
-   // clock 4
+   // clock 4: which of the two wins
+   Here compared;  ///< `ready`, with its disparity among all
+   PixelTag compared_tag;
+   typename Pack::Word compared_words[Pack::kWords];
+   typename LoserPack::Word compared_losers[LoserPack::kWords];
+   bool first_pass, last_pass;
+   bool here_wins;       ///< against the passes before
+   bool here_is_first;   ///< the winner of the pass is its first disparity
+   bool before_is_last;  ///< that of the passes before is their last one
+   // clock 5
    Here best;
    PixelTag best_tag;
    uint16_t place_column, write_column, late_write_column;
@@ -88,6 +98,15 @@ struct RowBest {
       visit("pass", pass, kPasses - 1);
       visit("base", base);
       visit("last_before", last_before, kNoneBefore);
+      visit("compared", compared);
+      visit("compared_tag", compared_tag);
+      visit("compared_words", compared_words);
+      visit("compared_losers", compared_losers);
+      visit("first_pass", first_pass);
+      visit("last_pass", last_pass);
+      visit("here_wins", here_wins);
+      visit("here_is_first", here_is_first);
+      visit("before_is_last", before_is_last);
       visit("best", best);
       visit("best_tag", best_tag);
       visit("place_column", place_column);
@@ -108,6 +127,7 @@ struct RowBest {
       memory.write(write_column, kept);
       if constexpr (kHasSecond) keep_losers();
       join();
+      compare();
       HLS_UNROLL
       for (int w = 0; w < Pack::kWords; ++w) {
          ready_words[w] = read_words[w];
@@ -140,26 +160,38 @@ struct RowBest {
       pass = at_most<kPasses - 1>(select<uint16_t>(begins, select<uint16_t>(first, 0, uint16_t(pass + 1)), pass));
    }
 
-   HLS_INLINE Best kept_before() const {
-      Best before;
-      before.cost = Value(Pack::lane(ready_words, 0));
-      before.index = uint8_t(Pack::lane(ready_words, 1));
+   static HLS_INLINE Best unpacked(const typename Pack::Word (&words)[Pack::kWords]) {
+      Best kept;
+      kept.cost = Value(Pack::lane(words, 0));
+      kept.index = uint8_t(Pack::lane(words, 1));
       if constexpr (Best::kHasNeighbours) {
-         before.below = Value(Pack::lane(ready_words, 2));
-         before.above = Value(Pack::lane(ready_words, 3));
-         before.last = Value(Pack::lane(ready_words, 4));
+         kept.below = Value(Pack::lane(words, 2));
+         kept.above = Value(Pack::lane(words, 3));
+         kept.last = Value(Pack::lane(words, 4));
       }
-      return before;
+      return kept;
    }
 
    /// The disparities of the passes before are lower, and there are none in the first pass.
-   HLS_INLINE void join() {
-      const bool first = pass == 0, last = pass == kPasses - 1;
-      const Best before = kept_before();
+   HLS_INLINE void compare() {
+      const Best before = unpacked(ready_words);
       Best here = ready.get(0, 0);
+      const bool first = pass == 0;
+      here_wins = first | Best::wins(here.cost, before.cost);
+      here_is_first = here.index == 0;
+      before_is_last = before.index == last_before;
+      first_pass = first;
+      last_pass = pass == kPasses - 1;
+      compared = ready;
       here.index = uint8_t(base + here.index);
-      const bool here_wins = first | Best::wins(here.cost, before.cost);
-      const bool before_is_last = before.index == last_before, here_is_first = ready.get(0, 0).index == 0;
+      compared.set(0, 0, here, ready.choice(0, 0));
+      compared_tag = ready_tag;
+      HLS_UNROLL
+      for (int w = 0; w < Pack::kWords; ++w) compared_words[w] = ready_words[w];
+   }
+
+   HLS_INLINE void join() {
+      const Best before = unpacked(compared_words), here = compared.get(0, 0);
       Best joined;
       joined.cost = select<Value>(here_wins, here.cost, before.cost);
       joined.index = select<uint8_t>(here_wins, here.index, before.index);
@@ -170,17 +202,18 @@ struct RowBest {
       }
       best.set(0, 0, joined,
                Choice::chosen(here_wins, Choice::of(0, false, before_is_last),
-                              Choice::of(1, here_is_first & !first, false)));
+                              Choice::of(1, here_is_first & !first_pass, false)));
       kept_cost = before.cost;
-      was_first = first;
-      place_column = place(ready_tag, place_column);
-      write_column = select<uint16_t>(ready_tag.valid & ready_tag.map_column, place_column, kNoPlace);
-      best_tag = ready_tag;
-      best_tag.map_column = ready_tag.map_column & last;
-      best_tag.output_column = ready_tag.output_column & last;
-      best_tag.first_column = ready_tag.first_column & last;
-      best_tag.start_of_frame = ready_tag.start_of_frame & last;
-      best_tag.end_of_line = ready_tag.end_of_line & last;
+      was_first = first_pass;
+      const PixelTag& now = compared_tag;
+      place_column = place(now, place_column);
+      write_column = select<uint16_t>(now.valid & now.map_column, place_column, kNoPlace);
+      best_tag = now;
+      best_tag.map_column = now.map_column & last_pass;
+      best_tag.output_column = now.output_column & last_pass;
+      best_tag.first_column = now.first_column & last_pass;
+      best_tag.start_of_frame = now.start_of_frame & last_pass;
+      best_tag.end_of_line = now.end_of_line & last_pass;
    }
 
    HLS_INLINE void write_out(Lane (&lanes)[kLanes]) const {
@@ -207,11 +240,12 @@ struct RowBest {
       late_write_column = write_column;
       Others before;
       before.cost = select<Value>(was_first, Others::kNone, kept_cost);
-      before.second = select<Value>(was_first, Others::kNone, Value(LoserPack::lane(ready_losers, 0)));
-      before.but_last = select<Value>(was_first, Others::kNone, Value(LoserPack::lane(ready_losers, 1)));
-      best.join_losers(0, 0, before, ready.losers(0, 0));
+      before.second = select<Value>(was_first, Others::kNone, Value(LoserPack::lane(compared_losers, 0)));
+      before.but_last = select<Value>(was_first, Others::kNone, Value(LoserPack::lane(compared_losers, 1)));
+      best.join_losers(0, 0, before, compared.losers(0, 0));
       HLS_UNROLL
       for (int w = 0; w < LoserPack::kWords; ++w) {
+         compared_losers[w] = ready_losers[w];
          ready_losers[w] = read_losers[w];
          read_losers[w] = found[w];
       }

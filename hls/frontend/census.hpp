@@ -48,7 +48,11 @@ struct Census {
       for (int age = 0; age < kColumns; ++age) {
          HLS_UNROLL
          for (int row = 0; row < C.census_height_px; ++row) {
-            if (!has_census_bit(C.census_pattern, age - kColumns / 2, row - C.transform_rows())) continue;
+            if constexpr (C.census_pattern == CensusPattern::all) {
+               if (age == kColumns / 2 && row == C.transform_rows()) continue;
+            } else {
+               if (!has_census_bit(C.census_pattern, age - kColumns / 2, row - C.transform_rows())) continue;
+            }
             const bool larger = column_inside[age] && column[age][p + row] > centre;
             bits |= Feature<C>(Feature<C>(larger) << bit++);
          }

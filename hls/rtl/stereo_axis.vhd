@@ -44,7 +44,8 @@ entity stereo_axis is
     flush_groups : natural;
     gap_groups : natural;
     lane_bits : positive := 8;
-    run_time_size : boolean := false
+    run_time_size : boolean := false;
+    clocks_per_group : positive := 1  -- from one group to the next, at least
   );
   port (
     aclk : in std_logic;
@@ -102,7 +103,7 @@ architecture rtl of stereo_axis is
   signal beat_flags : std_logic_vector(1 downto 0);  -- start of frame, end of line
   signal beat_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
   signal beat_valid, beat_take : std_logic;
-  signal may_send, may_start, sends, starts, breaks, at_rest, in_flight, all_back, due : std_logic;
+  signal has_credit, in_time, may_send, may_start, sends, starts, breaks, at_rest, in_flight, all_back, due : std_logic;
   signal stream_errors : std_logic_vector(3 downto 0);
   signal group_valid, group_start : std_logic;
   signal group_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
@@ -170,6 +171,32 @@ begin
       in_data => s_axis_tdata,
       out_valid => beat_valid, out_ready => beat_take, out_flags => beat_flags, out_data => beat_pixels);
 
+  may_send <= has_credit and in_time;
+
+  each_clock : if clocks_per_group = 1 generate
+    in_time <= '1';
+  end generate;
+
+  -- in_time: a group may be sent in the next clock, as far as the one before it is concerned.
+  paced : if clocks_per_group > 1 generate
+    signal clocks_left : natural range 0 to clocks_per_group - 2 := 0;
+  begin
+    in_time <= '1' when clocks_left = 0 and sends = '0' else '0';
+    process (aclk)
+    begin
+      if rising_edge(aclk) then
+        if sends = '1' then
+          clocks_left <= clocks_per_group - 2;
+        elsif clocks_left /= 0 then
+          clocks_left <= clocks_left - 1;
+        end if;
+        if clear = '1' then
+          clocks_left <= clocks_per_group - 2;
+        end if;
+      end if;
+    end process;
+  end generate;
+
   framing : entity work.stereo_framing
     generic map (
       columns => width_px, row_groups => height_px / pixels_per_clock,
@@ -218,7 +245,7 @@ begin
     generic map (words => credits, latency => latency_clocks)
     port map (
       clock => aclk, reset => reset, sends => sends, result => result, taken => taken,
-      may_send => may_send, in_flight => in_flight, all_back => all_back, due => due);
+      may_send => has_credit, in_flight => in_flight, all_back => all_back, due => due);
 
   m_axis_tvalid <= word_valid;
   m_axis_tdata(map_bits - 1 downto 0) <= word(map_bits - 1 downto 0);

@@ -28,7 +28,8 @@ entity stereo_shell is
     settings_least : setting_values := (others => 0);  -- the smallest value
     -- of a grey value, and of its lane in s_axis_tdata: 8 and 8, or more and 16; further bits of a lane do not count
     pixel_bits : positive := 8;
-    lane_bits : positive := 8
+    lane_bits : positive := 8;
+    clocks_per_group : positive := 1  -- F: the core takes a group in so many clocks
   );
   port (
     aclk : in std_logic;
@@ -95,7 +96,7 @@ begin
     generic map (
       width_px => width_px, height_px => height_px, pixels_per_clock => pixels_per_clock, disparity_bits => disparity_bits,
       latency_clocks => latency_clocks, flush_groups => flush_groups, gap_groups => gap_groups,
-      lane_bits => lane_bits, run_time_size => settings_largest(width_setting) > 0)
+      lane_bits => lane_bits, run_time_size => settings_largest(width_setting) > 0, clocks_per_group => clocks_per_group)
     port map (
       aclk => aclk, aresetn => aresetn,
       s_axis_tvalid => s_axis_tvalid, s_axis_tready => s_axis_tready, s_axis_tdata => s_axis_tdata,

@@ -35,7 +35,7 @@ struct ColumnPlace {
 template <const Config& C, int First>
 struct ColumnLine {
    static constexpr int kPhases = Stages<C>::kPhases;
-   static constexpr int kFlags = Stages<C>::kBest - First;
+   static constexpr int kFlags = Stages<C>::kEnd - First;
    static constexpr int kPlaces = (kFlags + kPhases - 1) / kPhases;
    static constexpr int kWidth = C.output_width_px();
 

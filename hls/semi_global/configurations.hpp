@@ -120,7 +120,7 @@ STEREO_ROW(tiny_sgm_f4_dense, option, tiny_sgm_dense, clocks_per_pixel = 4);
 
 // sgm_450 as a depth map without holes: of full width, checked, in sixteenths, filtered, with a confidence, filled. A smaller
 // P2 for a room; docs/post_processing.md has its figures.
-STEREO_ROW(sgm_450_dense, planned, sgm_450, full_width = true, left_right_threshold = 1, subpixel = true, p2 = 40,
+STEREO_ROW(sgm_450_dense, system, sgm_450, full_width = true, left_right_threshold = 1, subpixel = true, p2 = 40,
            border_cost = 2, support_threshold = 10, confidence = true, margin_weight = 3, support_weight = 3,
            fill_holes = true);
 

@@ -34,7 +34,7 @@ struct PhaseRowPath {
    static constexpr int kMemories = States::kMemories + Neighbours::kMemories + Lows::kMemories;
    using Tree = MinimumTree<Value, kLanes>;
    /// When the smallest K of a column is written, and when that of look_back columns before is read.
-   static constexpr int kLow = At::kPathCosts + At::kLevels + kPhases;
+   static constexpr int kLow = At::kLow;
    static constexpr int kReadsLow = At::kPaths - 5;
    static_assert(kLookBack < kLowPlaces && kLow < kLookBack * kPhases + kReadsLow, "it must be there");
    /// The upper neighbour's phase comes a clock later, in the clock in which it is read ahead for the next column.

@@ -26,6 +26,10 @@ struct Stages {
    static constexpr int kWinnerLevels = winner_clocks(kIsGated, kLanes, C.winner_group);
    static constexpr int kWinners = kSums + kWinnerLevels;  ///< the best of a phase
    static constexpr int kBest = kWinners + kPhases;        ///< that of all phases is there for one clock
+   /// The smallest K of all phases: later than the best where the winners' tree has fewer levels than that of the
+   /// minimum.
+   static constexpr int kLow = kPathCosts + kLevels + kPhases;
+   static constexpr int kEnd = kBest > kLow ? kBest : kLow + 1;
 };
 
 /// Bits of the words of a deep memory: of one of more than 100,000 bits the tool makes another cell.

@@ -78,11 +78,39 @@ bool can_be_tested(const Config& config) {
    else return true;
 }
 
+/// Whether one of four configurations is to have several clocks a pixel pair, which few random numbers allow.
+template <class Config>
+bool draws_folded(Random& random) {
+   if constexpr (requires { &Config::is_folded; }) return random.percent(25);
+   else return false;
+}
+
+/// Gives it several clocks a pixel pair, and what must go with them.
+template <class Config>
+void fold(Config& config, Random& random) {
+   constexpr int kMostClocks = 8, kMostDisparities = 5;  // disparities of a pass or a phase
+   if constexpr (requires { &Config::is_folded; }) {
+      config.clocks_per_pixel = 2 + random.below(kMostClocks - 1);
+      config.disparities = config.clocks_per_pixel * (2 + random.below(kMostDisparities - 1));
+      config.pixels_per_clock = 1;
+      config.sign_memory = false;
+   }
+   if constexpr (requires { &Config::pass_disparities; }) {
+      config.support_threshold = 0;
+      config.fill_holes = config.confidence = config.full_width = config.run_time_size = false;
+   }
+   if constexpr (requires { &Config::phase_disparities; }) {
+      config.aggregation = Aggregation::direct;
+      config.p2_least = config.p2;
+   }
+}
+
 /// A configuration that its core takes, as the assignments of a row. The choices come first, so that each is as
 /// frequent as the others, however few numbers go with it.
 template <class Config>
 std::string random_row(Random& random) {
    constexpr int kTries = 1000;
+   const bool is_folded = draws_folded<Config>(random);
    while (true) {
       Config choices;
       RandomChoices draw_choices{random};
@@ -91,6 +119,7 @@ std::string random_row(Random& random) {
          Config config = choices;
          RandomNumbers draw_numbers{random};
          Config::options(config, draw_numbers);
+         if (is_folded) fold(config, random);
          if (!can_be_tested(config)) continue;
          RowWriter row;
          Config::options(config, row);

@@ -339,3 +339,20 @@ def test_words_of_cpp(tmp_path, before, after, is_same):
         (tmp_path / name).write_text(text)
         digests.append(sources.words_digest(tmp_path / name))
     assert (digests[0] == digests[1]) is is_same
+
+
+PYTHON = """
+class Empty: pass
+
+def function(a, /, *, b=None, **more):
+    values = [f"{a!r:>{b}}" "text", *[], {None: ()}, {**more}, a[1:2, 0], u"x"]
+    return values, lambda: (yield), type(values)()
+"""
+
+
+def test_words_of_python_are_those_of_each_of_its_releases(tmp_path):
+    """What ast.dump writes has changed from 3.11 to 3.13."""
+    (tmp_path / "a.py").write_text(PYTHON)
+    assert sources.words_digest(tmp_path / "a.py").startswith("a1d47dbc0dfcccf2")
+    (tmp_path / "b.py").write_text(PYTHON.replace("None: ()", "None: None"))
+    assert sources.words_digest(tmp_path / "b.py") != sources.words_digest(tmp_path / "a.py")

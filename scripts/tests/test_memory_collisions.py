@@ -2,7 +2,10 @@
 """Words that a memory reads in the clock in which it writes them.
 
 yosys leaves them open where a memory has the attribute no_rw_check. There are such words: in block matching those of
-bubbles, which nobody looks at, so it gets the attribute; in semi-global matching some that decide the result."""
+bubbles, which nobody looks at, so it gets the attribute; in semi-global matching some that decide the result, in a few
+memories that keep their bypass where there are several clocks a pixel pair."""
+
+import re
 
 import pytest
 
@@ -24,18 +27,31 @@ BLOCK_MATCHING = sorted(
     for name, row in configurations().items()
     if row["family"] == "block_matching" and row["use"] in ("tiny", "option")
 )
+FOLDED_SEMI_GLOBAL = sorted(
+    name
+    for name, row in configurations().items()
+    if row["family"] == "semi_global" and row["use"] == "option" and row["clocks_per_pixel"] > 1
+)
 
 
-def agrees(config, folder, wrong):
+def agrees(config, folder, wrong, but=()):
     """Whether the core answers to two frames with bubbles as the C++ core does although its memories read other words
-    where `wrong` is true."""
+    where `wrong` is true. but: parts of the names of memories that do not."""
     stream(folder, config, scene(folder / "pair", config), "--frames", 2, "--stall-percent", 25)
-    cell = folder / "line_memory.vhd"
     text = rtl.MEMORY_CELL.read_text()
     assert READ in text
-    cell.write_text(text.replace(READ, OTHER.format(wrong)))
+    cell, core = folder / "other_memory.vhd", folder / "core.vhd"
+    cell.write_text(text.replace(READ, OTHER.format(wrong)).replace("line_memory", "other_memory"))
     row = configuration(config)
-    files = [cell if path == rtl.MEMORY_CELL else path for path in manifest.core_files(config)]
+    memory, path = manifest.core_files(config)
+
+    def other(line):
+        return line[0] if any(name in line[1] for name in but) else line[0].replace("line_memory", "other_memory")
+
+    changed, count = re.subn(r"(\w+) : entity work\.line_memory", other, path.read_text())
+    assert count > 0
+    core.write_text(changed)
+    files = [memory, cell, core]
     simulator = Ghdl(
         config, files, folder / "simulation", row["pixels_per_clock"], row["disparity_bits"], kind=rtl.kind_of(row)
     )
@@ -58,6 +74,18 @@ def test_wrong_words_are_seen(ghdl, tmp_path):
 
 def test_semi_global_matching_looks_at_some(ghdl, tmp_path):
     assert not agrees("tiny_sgm", tmp_path, SAME_CLOCK)
+    assert not yosys.memories_without_bypass("semi_global")
+
+
+@pytest.mark.parametrize("config", with_slow(FOLDED_SEMI_GLOBAL, fast() & {*FOLDED_SEMI_GLOBAL}))
+def test_folded_semi_global_matching_looks_at_those_of_a_few_memories(ghdl, tmp_path, config):
+    bypassed = yosys.WITHOUT_BYPASS["semi_global", True]
+    assert agrees(config, tmp_path, SAME_CLOCK, but=bypassed)
+
+
+@pytest.mark.parametrize("but", [("turn_read_words",), ("read_smallest",)])
+def test_each_of_these_memories_needs_its_bypass(ghdl, tmp_path, but):
+    assert not agrees("tiny_sgm_f4", tmp_path, SAME_CLOCK, but=but)
 
 
 @pytest.mark.parametrize("family", FAMILIES.values(), ids=FAMILIES)

@@ -95,3 +95,18 @@ def test_among_registers_with_one_trace_those_around_decide(tmp_path):
     named(netlist_, trace(tmp_path, trace_text()) | {"count_never": still, "tag_never": still, "x_never": still})
     assert flags[0].name == "tag_never" and flags[1].name == "count_never"
     assert alone.name.startswith("other_")
+
+
+def test_a_small_negative_number_is_signed_even_if_the_trace_has_none(tmp_path):
+    """Its register would else have numbers for which VHDL has no integer."""
+    core = design()
+    counter = core.registers[0]
+    difference = netlist.Register("reg_10", n.leaf("register", "reg_10", 32), 0)
+    difference.next = n.wrap(n.sub(counter.value, core.registers[1].value), 32)
+    core.registers.append(difference)
+    core.outputs["disparity_valid"] = n.bit_and(
+        core.outputs["disparity_valid"], n.less(n.wrap(difference.value, 32, signed=True), n.const(1))
+    )
+    adopt_cpp_values(core, trace(tmp_path, trace_text()))
+    assert (difference.value.low, difference.value.high) == (-(1 << 31), (1 << 31) - 1)
+    assert difference.next.op == "sub", "nothing is left to wrap"

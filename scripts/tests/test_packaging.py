@@ -29,10 +29,10 @@ def ghdl_run(ghdl, folder, files, top):
     return step("-r", STANDARD, top, "--ieee-asserts=disable-at-0")
 
 
-CONFIGURATIONS = ["tiny", "tiny_p2", "tiny_p4", "tiny_all_recursive", "example_p2_delayed", "ambrosch2007"]
+CONFIGURATIONS = ["tiny", "tiny_p2", "tiny_f2", "tiny_p4", "tiny_all_recursive", "example_p2_delayed", "ambrosch2007"]
 
 
-@pytest.mark.parametrize("config", design.with_shell())
+@pytest.mark.parametrize("config", committed.known_configurations())
 def test_committed_wrapper_follows_from_the_manifest(config):
     assert template.path(config).read_text() == template.entity(config, manifest.read(committed.folder(config)))
 
@@ -40,15 +40,6 @@ def test_committed_wrapper_follows_from_the_manifest(config):
 def test_command_prints_the_committed_wrapper():
     process = call("instantiate.py", "--config", "tiny")
     assert process.returncode == 0 and process.stdout == template.path("tiny").read_text()
-
-
-def test_a_core_of_several_clocks_a_pixel_has_no_shell(tmp_path):
-    """The shell would give it pairs that it cannot take."""
-    assert "tiny_f2" in committed.known_configurations() and "tiny_f2" not in design.with_shell()
-    said = "'tiny_f2' takes a pixel pair in 2 clocks, and a stereo_ip would give it one in each"
-    for options in ([], ["--instance"], ["--kit", "vivado", "--out", tmp_path / "kit"]):
-        refused(call("instantiate.py", "--config", "tiny_f2", *options), 2, said)
-    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("config", CONFIGURATIONS)

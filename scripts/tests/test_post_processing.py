@@ -30,7 +30,7 @@ def scenes(tmp_path_factory):
 
 # Bad 1 and bad 2 of all pixels, and bad 1 of the surest 80 percent.
 @pytest.mark.parametrize(
-    ("config", "bad_1", "bad_2", "surest"), [("sgm_450", 8.7, 5.2, 3.6), ("census_450", 13.2, 8.6, 4.9)]
+    ("config", "bad_1", "bad_2", "surest"), [("sgm_450", 8.7, 5.2, 2.8), ("census_450", 13.2, 8.6, 3.6)]
 )
 def test_teddy_has_no_holes_and_few_bad_pixels(teddy, config, bad_1, bad_2, surest):
     dense = post_processing.measure(teddy, DENSE[config])

@@ -246,6 +246,21 @@ def test_choices_become_if_statements():
     assert " when " not in text
 
 
+def test_a_register_may_be_held_by_a_choice():
+    """The condition of its `if` is a choice between bits."""
+    design = memory_design()
+    pixel = design.inputs["left_pixel"]
+    held = netlist.Register("b_held", n.leaf("register", "b_held", 8))
+    small, odd, late = n.less(pixel, n.const(9)), n.equal(pixel, n.const(3)), n.less(n.const(99), pixel)
+    held.next = n.mux(n.mux(small, odd, late), pixel, held.value)
+    design.registers.append(held)
+    design.outputs["disparity"] = held.value
+    text = " ".join(VhdlWriter(design, "-- a choice holds", ENTITY).write().split())
+    choice = "b_held_choice := in_left_pixel = 3; else b_held_choice := 99 < in_left_pixel; end if;"
+    assert choice in text, text
+    assert "if b_held_choice then b_held <= in_left_pixel; end if;" in text
+
+
 def test_reset_reaches_flags_through_a_memory():
     """The word has a flag in bit 0 and data above it: a reset must set what the flag depends on, and leave the data
     alone."""

@@ -216,16 +216,18 @@ architecture rtl of stereo_core_ambrosch2007_f10 is
   signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_first_column : boolean;
   -- best
   signal best_read_cost_0_0, best_waiting_cost_0_0, best_ready_cost_0_0 : natural range 0 to 2301;
+  signal best_compared_cost_0_0 : natural range 0 to 2301;
   signal best_read_index_0_0, best_waiting_index_0_0, best_ready_index_0_0 : natural range 0 to 9;
   signal best_read_tag_valid, best_read_tag_map_column, best_read_tag_first_column, best_waiting_tag_valid : boolean;
   signal best_waiting_tag_map_column, best_waiting_tag_first_column, best_ready_tag_valid : boolean;
-  signal best_ready_tag_map_column, best_ready_tag_first_column, best_best_tag_valid : boolean;
-  signal best_best_tag_map_column, best_best_tag_first_column : boolean;
+  signal best_ready_tag_map_column, best_ready_tag_first_column, best_compared_tag_valid : boolean;
+  signal best_compared_tag_map_column, best_compared_tag_first_column, best_last_pass, best_here_wins : boolean;
+  signal best_best_tag_valid, best_best_tag_map_column, best_best_tag_first_column : boolean;
   signal best_column, best_place_column, best_write_column : natural range 0 to 511;
   signal best_read_words_0 : unsigned(19 downto 0);
-  signal best_ready_words_0 : natural range 0 to 1048575;
+  signal best_ready_words_0, best_compared_words_0 : natural range 0 to 1048575;
   signal best_pass : natural range 0 to 15;
-  signal best_base, best_best_index_0_0 : natural range 0 to 255;
+  signal best_base, best_compared_index_0_0, best_best_index_0_0 : natural range 0 to 255;
   signal best_best_cost_0_0 : natural range 0 to 4095;
   -- winners
   signal winners_row, winners_read_tag_valid, winners_read_tag_output_column, winners_read_tag_start_of_frame : boolean;
@@ -233,9 +235,8 @@ architecture rtl of stereo_core_ambrosch2007_f10 is
   signal winners_winners_tag_start_of_frame, winners_winners_tag_end_of_line : boolean;
   signal winners_column : natural range 0 to 511;
   signal winners_write_address : natural range 0 to 1023;
-  signal winners_write_word_0 : natural range 0 to 255;
+  signal winners_write_word_0, winners_winners_disparity_0 : natural range 0 to 127;
   signal winners_read_word_0 : unsigned(6 downto 0);
-  signal winners_winners_disparity_0 : natural range 0 to 127;
   -- other
   signal other_0, other_1 : natural range 0 to 65535;
   signal winners_read_word_0_memory_read_enable : boolean;
@@ -277,7 +278,7 @@ begin
   winners_read_word_0_memory_read_enable <= true;
   winners_read_word_0_memory_read_address <= to_unsigned(passes_write_address, 10);
   winners_read_word_0_memory_write_address <= to_unsigned(winners_write_address, 10);
-  winners_read_word_0_memory_write_data <= to_unsigned((winners_write_word_0 mod 128), 7);
+  winners_read_word_0_memory_write_data <= to_unsigned(winners_write_word_0, 7);
   winners_read_word_0_memory : entity work.line_memory
     generic map (depth => 1024, width => 7, address_bits => 10)
     port map (
@@ -354,8 +355,8 @@ begin
     variable slice0winner1_best_cost_0_2_is_less, slice0winner1_best_cost_0_3_is_less : boolean;
     variable slice0winner1_best_cost_0_4_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
     variable slice0winner2_best_cost_0_1_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice0winner4_best_cost_0_0_is_less, best_base_any, best_base_is_equal, best_best_cost_0_0_any : boolean;
-    variable winners_row_differs, winners_column_any : boolean;
+    variable slice0winner4_best_cost_0_0_is_less, best_base_any, best_base_is_equal, winners_row_differs : boolean;
+    variable winners_column_any : boolean;
     variable raster_place_group_choice : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 255;
     variable passes_search_start_choice, passes_search_start_choice_2 : natural range 0 to 255;
@@ -918,13 +919,12 @@ begin
       else
         best_base_choice_2 := best_base_choice;
       end if;
-      best_best_cost_0_0_any := (best_pass = 0) or ((best_ready_cost_0_0 - (best_ready_words_0 mod 4096)) < 0);
-      if best_ready_tag_first_column then
+      if best_compared_tag_first_column then
         best_write_column_choice := 0;
       else
         best_write_column_choice := (best_place_column + 1) mod 512;
       end if;
-      if best_ready_tag_valid then
+      if best_compared_tag_valid then
         best_write_column_choice_2 := best_write_column_choice;
       else
         best_write_column_choice_2 := best_place_column;
@@ -946,18 +946,26 @@ begin
       best_ready_tag_first_column <= best_waiting_tag_first_column;
       best_ready_words_0 <= to_integer(best_read_words_0);
       best_base <= best_base_choice_2 * 2;
-      best_best_tag_valid <= best_ready_tag_valid;
-      best_best_tag_map_column <= best_base_is_equal and best_ready_tag_map_column;
-      best_best_tag_first_column <= best_base_is_equal and best_ready_tag_first_column;
-      if best_best_cost_0_0_any then
-        best_best_cost_0_0 <= best_ready_cost_0_0;
-        best_best_index_0_0 <= ((((best_base / 2) + (best_ready_index_0_0 / 2)) mod 128) * 2) + (best_ready_index_0_0
-          mod 2);
+      best_compared_cost_0_0 <= best_ready_cost_0_0;
+      best_compared_index_0_0 <= ((((best_base / 2) + (best_ready_index_0_0 / 2)) mod 128) * 2) + (best_ready_index_0_0
+        mod 2);
+      best_compared_tag_valid <= best_ready_tag_valid;
+      best_compared_tag_map_column <= best_ready_tag_map_column;
+      best_compared_tag_first_column <= best_ready_tag_first_column;
+      best_compared_words_0 <= best_ready_words_0;
+      best_last_pass <= best_base_is_equal;
+      best_here_wins <= (best_pass = 0) or ((best_ready_cost_0_0 - (best_ready_words_0 mod 4096)) < 0);
+      best_best_tag_valid <= best_compared_tag_valid;
+      best_best_tag_map_column <= best_last_pass and best_compared_tag_map_column;
+      best_best_tag_first_column <= best_last_pass and best_compared_tag_first_column;
+      if best_here_wins then
+        best_best_cost_0_0 <= best_compared_cost_0_0;
+        best_best_index_0_0 <= best_compared_index_0_0;
       else
-        best_best_cost_0_0 <= best_ready_words_0 mod 4096;
-        best_best_index_0_0 <= best_ready_words_0 / 4096;
+        best_best_cost_0_0 <= best_compared_words_0 mod 4096;
+        best_best_index_0_0 <= best_compared_words_0 / 4096;
       end if;
-      if (not best_ready_tag_map_column) or (not best_ready_tag_valid) then
+      if (not best_compared_tag_map_column) or (not best_compared_tag_valid) then
         best_write_column <= 511;
       else
         best_write_column <= best_write_column_choice_2;
@@ -976,7 +984,7 @@ begin
           best_pass <= (best_pass + 1) mod 16;
         end if;
       end if;
-      if best_ready_tag_valid then
+      if best_compared_tag_valid then
         best_place_column <= best_write_column_choice;
       end if;
       -- winners
@@ -996,9 +1004,8 @@ begin
       winners_column_any := (not best_best_tag_valid) or (not best_best_tag_map_column);
       if not winners_column_any then
         winners_column <= (winners_column_choice + 1) mod 512;
-        winners_write_address <= winners_column_choice + (as_number(winners_row_differs) * 512);
-        winners_write_word_0 <= best_best_index_0_0;
       end if;
+      winners_write_word_0 <= best_best_index_0_0 mod 128;
       winners_read_tag_valid <= passes_arrived;
       winners_read_tag_output_column <= ((passes_write_address mod 512) < 220) and passes_inside_0;
       winners_read_tag_start_of_frame <= ((passes_write_address mod 512) = 0) and passes_leaving_starts;
@@ -1008,6 +1015,11 @@ begin
       winners_winners_tag_output_column <= winners_read_tag_output_column;
       winners_winners_tag_start_of_frame <= winners_read_tag_start_of_frame;
       winners_winners_tag_end_of_line <= winners_read_tag_end_of_line;
+      if winners_column_any then
+        winners_write_address <= 1023;
+      else
+        winners_write_address <= winners_column_choice + (as_number(winners_row_differs) * 512);
+      end if;
       -- other
       if rows_ready_inside_0 then
         other_0_choice := rows_reference_rows_ready_words_0 mod 256;
@@ -1125,6 +1137,10 @@ begin
         best_ready_tag_map_column <= false;
         best_ready_tag_first_column <= false;
         best_pass <= 9;
+        best_compared_tag_valid <= false;
+        best_compared_tag_map_column <= false;
+        best_compared_tag_first_column <= false;
+        best_last_pass <= false;
         best_best_tag_valid <= false;
         best_best_tag_map_column <= false;
         best_best_tag_first_column <= false;

@@ -185,26 +185,27 @@ architecture rtl of stereo_core_ambrosch2007_f20 is
   signal slice0_best_index_0_0 : natural range 0 to 4;
   signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_first_column : boolean;
   -- best
-  signal best_read_cost_0_0, best_waiting_cost_0_0, best_ready_cost_0_0, best_best_cost_0_0 : natural range 0 to 4095;
+  signal best_read_cost_0_0, best_waiting_cost_0_0, best_ready_cost_0_0 : natural range 0 to 4095;
+  signal best_compared_cost_0_0, best_best_cost_0_0 : natural range 0 to 4095;
   signal best_read_index_0_0, best_waiting_index_0_0, best_ready_index_0_0 : natural range 0 to 4;
   signal best_read_tag_valid, best_read_tag_map_column, best_read_tag_first_column, best_waiting_tag_valid : boolean;
   signal best_waiting_tag_map_column, best_waiting_tag_first_column, best_ready_tag_valid : boolean;
-  signal best_ready_tag_map_column, best_ready_tag_first_column, best_best_tag_valid : boolean;
-  signal best_best_tag_map_column, best_best_tag_first_column : boolean;
+  signal best_ready_tag_map_column, best_ready_tag_first_column, best_compared_tag_valid : boolean;
+  signal best_compared_tag_map_column, best_compared_tag_first_column, best_last_pass, best_here_wins : boolean;
+  signal best_best_tag_valid, best_best_tag_map_column, best_best_tag_first_column : boolean;
   signal best_column, best_place_column, best_write_column : natural range 0 to 511;
   signal best_read_words_0 : unsigned(19 downto 0);
-  signal best_ready_words_0 : natural range 0 to 1048575;
+  signal best_ready_words_0, best_compared_words_0 : natural range 0 to 1048575;
   signal best_pass : natural range 0 to 31;
-  signal best_base, best_best_index_0_0 : natural range 0 to 255;
+  signal best_base, best_compared_index_0_0, best_best_index_0_0 : natural range 0 to 255;
   -- winners
   signal winners_row, winners_read_tag_valid, winners_read_tag_output_column, winners_read_tag_start_of_frame : boolean;
   signal winners_read_tag_end_of_line, winners_winners_tag_valid, winners_winners_tag_output_column : boolean;
   signal winners_winners_tag_start_of_frame, winners_winners_tag_end_of_line : boolean;
   signal winners_column : natural range 0 to 511;
   signal winners_write_address : natural range 0 to 1023;
-  signal winners_write_word_0 : natural range 0 to 255;
+  signal winners_write_word_0, winners_winners_disparity_0 : natural range 0 to 127;
   signal winners_read_word_0 : unsigned(6 downto 0);
-  signal winners_winners_disparity_0 : natural range 0 to 127;
   -- other
   signal other_0, other_1 : natural range 0 to 65535;
   signal winners_read_word_0_memory_read_enable : boolean;
@@ -246,7 +247,7 @@ begin
   winners_read_word_0_memory_read_enable <= true;
   winners_read_word_0_memory_read_address <= to_unsigned(passes_write_address, 10);
   winners_read_word_0_memory_write_address <= to_unsigned(winners_write_address, 10);
-  winners_read_word_0_memory_write_data <= to_unsigned((winners_write_word_0 mod 128), 7);
+  winners_read_word_0_memory_write_data <= to_unsigned(winners_write_word_0, 7);
   winners_read_word_0_memory : entity work.line_memory
     generic map (depth => 1024, width => 7, address_bits => 10)
     port map (
@@ -320,9 +321,8 @@ begin
     variable passes_read_tag_border_column_choice, passes_read_tag_border_column_choice_2 : boolean;
     variable passes_read_tag_border_column_differs_2, passes_read_tag_first_cost_is_equal : boolean;
     variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
-    variable slice0winner1_of_four_0_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable best_best_cost_0_0_is_less, best_best_cost_0_0_choice, best_best_tag_map_column_is_equal : boolean;
-    variable best_pass_any, winners_row_differs, winners_column_any : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice0winner2_best_cost_0_0_is_less, best_last_pass_is_equal : boolean;
+    variable best_here_wins_is_less, best_pass_any, winners_row_differs, winners_column_any : boolean;
     variable raster_place_group_choice : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4, other_0_choice : natural range 0 to 255;
     variable other_0_choice_2, other_1_choice, other_1_choice_2 : natural range 0 to 255;
@@ -764,19 +764,14 @@ begin
       slice0_best_tag_map_column <= slice0winner2_tag_map_column;
       slice0_best_tag_first_column <= slice0winner2_tag_first_column;
       -- best
-      best_best_cost_0_0_is_less := (best_ready_cost_0_0 - (best_ready_words_0 mod 4096)) < 0;
-      if (best_pass / 2) = 0 then
-        best_best_cost_0_0_choice := best_best_cost_0_0_is_less or (not ((best_pass mod 2) = 1));
-      else
-        best_best_cost_0_0_choice := best_best_cost_0_0_is_less;
-      end if;
-      best_best_tag_map_column_is_equal := best_pass = 19;
-      if best_ready_tag_first_column then
+      best_last_pass_is_equal := best_pass = 19;
+      best_here_wins_is_less := (best_ready_cost_0_0 - (best_ready_words_0 mod 4096)) < 0;
+      if best_compared_tag_first_column then
         best_write_column_choice := 0;
       else
         best_write_column_choice := (best_place_column + 1) mod 512;
       end if;
-      if best_ready_tag_valid then
+      if best_compared_tag_valid then
         best_write_column_choice_2 := best_write_column_choice;
       else
         best_write_column_choice_2 := best_place_column;
@@ -797,17 +792,29 @@ begin
       best_ready_tag_map_column <= best_waiting_tag_map_column;
       best_ready_tag_first_column <= best_waiting_tag_first_column;
       best_ready_words_0 <= to_integer(best_read_words_0);
-      best_best_tag_valid <= best_ready_tag_valid;
-      best_best_tag_map_column <= best_best_tag_map_column_is_equal and best_ready_tag_map_column;
-      best_best_tag_first_column <= best_best_tag_map_column_is_equal and best_ready_tag_first_column;
-      if best_best_cost_0_0_choice then
-        best_best_cost_0_0 <= best_ready_cost_0_0;
-        best_best_index_0_0 <= (best_base + best_ready_index_0_0) mod 256;
+      best_compared_cost_0_0 <= best_ready_cost_0_0;
+      best_compared_index_0_0 <= (best_base + best_ready_index_0_0) mod 256;
+      best_compared_tag_valid <= best_ready_tag_valid;
+      best_compared_tag_map_column <= best_ready_tag_map_column;
+      best_compared_tag_first_column <= best_ready_tag_first_column;
+      best_compared_words_0 <= best_ready_words_0;
+      best_last_pass <= best_last_pass_is_equal;
+      best_best_tag_valid <= best_compared_tag_valid;
+      best_best_tag_map_column <= best_last_pass and best_compared_tag_map_column;
+      best_best_tag_first_column <= best_last_pass and best_compared_tag_first_column;
+      if (best_pass / 2) = 0 then
+        best_here_wins <= best_here_wins_is_less or (not ((best_pass mod 2) = 1));
       else
-        best_best_cost_0_0 <= best_ready_words_0 mod 4096;
-        best_best_index_0_0 <= best_ready_words_0 / 4096;
+        best_here_wins <= best_here_wins_is_less;
       end if;
-      if (not best_ready_tag_map_column) or (not best_ready_tag_valid) then
+      if best_here_wins then
+        best_best_cost_0_0 <= best_compared_cost_0_0;
+        best_best_index_0_0 <= best_compared_index_0_0;
+      else
+        best_best_cost_0_0 <= best_compared_words_0 mod 4096;
+        best_best_index_0_0 <= best_compared_words_0 / 4096;
+      end if;
+      if (not best_compared_tag_map_column) or (not best_compared_tag_valid) then
         best_write_column <= 511;
       else
         best_write_column <= best_write_column_choice_2;
@@ -821,7 +828,7 @@ begin
       end if;
       best_pass_any := (not best_waiting_tag_valid) or (not best_waiting_tag_first_column);
       if not best_pass_any then
-        if best_best_tag_map_column_is_equal then
+        if best_last_pass_is_equal then
           best_pass <= 0;
           best_base <= 0;
         else
@@ -829,7 +836,7 @@ begin
           best_base <= (best_base + 5) mod 256;
         end if;
       end if;
-      if best_ready_tag_valid then
+      if best_compared_tag_valid then
         best_place_column <= best_write_column_choice;
       end if;
       -- winners
@@ -849,9 +856,8 @@ begin
       winners_column_any := (not best_best_tag_valid) or (not best_best_tag_map_column);
       if not winners_column_any then
         winners_column <= (winners_column_choice + 1) mod 512;
-        winners_write_address <= winners_column_choice + (as_number(winners_row_differs) * 512);
-        winners_write_word_0 <= best_best_index_0_0;
       end if;
+      winners_write_word_0 <= best_best_index_0_0 mod 128;
       winners_read_tag_valid <= passes_arrived;
       winners_read_tag_output_column <= ((passes_write_address mod 512) < 220) and passes_inside_0;
       winners_read_tag_start_of_frame <= ((passes_write_address mod 512) = 0) and passes_leaving_starts;
@@ -861,6 +867,11 @@ begin
       winners_winners_tag_output_column <= winners_read_tag_output_column;
       winners_winners_tag_start_of_frame <= winners_read_tag_start_of_frame;
       winners_winners_tag_end_of_line <= winners_read_tag_end_of_line;
+      if winners_column_any then
+        winners_write_address <= 1023;
+      else
+        winners_write_address <= winners_column_choice + (as_number(winners_row_differs) * 512);
+      end if;
       -- other
       if rows_ready_inside_0 then
         other_0_choice := rows_reference_rows_ready_words_0 mod 256;
@@ -978,6 +989,10 @@ begin
         best_ready_tag_map_column <= false;
         best_ready_tag_first_column <= false;
         best_pass <= 19;
+        best_compared_tag_valid <= false;
+        best_compared_tag_map_column <= false;
+        best_compared_tag_first_column <= false;
+        best_last_pass <= false;
         best_best_tag_valid <= false;
         best_best_tag_map_column <= false;
         best_best_tag_first_column <= false;

@@ -455,18 +455,20 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal slice1_best_index_0_0 : natural range 0 to 39;
   signal slice1_best_tag_valid, slice1_best_tag_map_column, slice1_best_tag_first_column : boolean;
   -- best
-  signal best_read_cost_0_0, best_waiting_cost_0_0, best_ready_cost_0_0, best_best_cost_0_0 : natural range 0 to 16383;
+  signal best_read_cost_0_0, best_waiting_cost_0_0, best_ready_cost_0_0 : natural range 0 to 16383;
+  signal best_compared_cost_0_0, best_best_cost_0_0 : natural range 0 to 16383;
   signal best_read_index_0_0, best_waiting_index_0_0, best_ready_index_0_0 : natural range 0 to 39;
   signal best_read_tag_valid, best_read_tag_map_column, best_read_tag_first_column, best_waiting_tag_valid : boolean;
   signal best_waiting_tag_map_column, best_waiting_tag_first_column, best_ready_tag_valid : boolean;
-  signal best_ready_tag_map_column, best_ready_tag_first_column, best_best_tag_valid : boolean;
-  signal best_best_tag_map_column, best_best_tag_first_column : boolean;
+  signal best_ready_tag_map_column, best_ready_tag_first_column, best_compared_tag_valid : boolean;
+  signal best_compared_tag_map_column, best_compared_tag_first_column, best_last_pass, best_here_wins : boolean;
+  signal best_best_tag_valid, best_best_tag_map_column, best_best_tag_first_column : boolean;
   signal best_column, best_place_column, best_write_column : natural range 0 to 1023;
   signal best_read_words_0 : unsigned(21 downto 0);
-  signal best_ready_words_0 : natural range 0 to 4194303;
+  signal best_ready_words_0, best_compared_words_0 : natural range 0 to 4194303;
   signal best_pass : natural range 0 to 7;
   signal best_base : natural range 0 to 248;
-  signal best_best_index_0_0 : natural range 0 to 255;
+  signal best_compared_index_0_0, best_best_index_0_0 : natural range 0 to 255;
   -- winners
   signal winners_row, winners_read_tag_valid, winners_read_tag_output_column, winners_read_tag_start_of_frame : boolean;
   signal winners_read_tag_end_of_line, winners_winners_tag_valid, winners_winners_tag_output_column : boolean;
@@ -1264,7 +1266,7 @@ begin
     variable slice1winner2_best_cost_0_2_is_less, slice1winner2_best_cost_0_3_is_less : boolean;
     variable slice1winner3_best_cost_0_0_is_less, slice1winner3_best_cost_0_1_is_less : boolean;
     variable slice1winner4_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less, best_base_any : boolean;
-    variable best_base_is_equal, best_best_cost_0_0_any, winners_row_differs, winners_column_any : boolean;
+    variable best_base_is_equal, winners_row_differs, winners_column_any : boolean;
     variable rows_search_choice, rows_search_choice_2, rows_reference_choice : natural range 0 to 255;
     variable rows_reference_choice_2 : natural range 0 to 255;
     variable passes_search_start_choice, passes_search_start_choice_2 : natural range 0 to 127;
@@ -3459,13 +3461,12 @@ begin
       else
         best_base_choice_2 := best_base_choice;
       end if;
-      best_best_cost_0_0_any := ((best_ready_cost_0_0 - (best_ready_words_0 mod 16384)) < 0) or (best_pass = 0);
-      if best_ready_tag_first_column then
+      if best_compared_tag_first_column then
         best_write_column_choice := 0;
       else
         best_write_column_choice := (best_place_column + 1) mod 1024;
       end if;
-      if best_ready_tag_valid then
+      if best_compared_tag_valid then
         best_write_column_choice_2 := best_write_column_choice;
       else
         best_write_column_choice_2 := best_place_column;
@@ -3487,18 +3488,26 @@ begin
       best_ready_tag_first_column <= best_waiting_tag_first_column;
       best_ready_words_0 <= to_integer(best_read_words_0);
       best_base <= best_base_choice_2 * 8;
-      best_best_tag_valid <= best_ready_tag_valid;
-      best_best_tag_map_column <= best_ready_tag_map_column and best_base_is_equal;
-      best_best_tag_first_column <= best_ready_tag_first_column and best_base_is_equal;
-      if best_best_cost_0_0_any then
-        best_best_cost_0_0 <= best_ready_cost_0_0;
-        best_best_index_0_0 <= ((((best_base / 8) + (best_ready_index_0_0 / 8)) mod 32) * 8) + (best_ready_index_0_0
-          mod 8);
+      best_compared_cost_0_0 <= best_ready_cost_0_0;
+      best_compared_index_0_0 <= ((((best_base / 8) + (best_ready_index_0_0 / 8)) mod 32) * 8) + (best_ready_index_0_0
+        mod 8);
+      best_compared_tag_valid <= best_ready_tag_valid;
+      best_compared_tag_map_column <= best_ready_tag_map_column;
+      best_compared_tag_first_column <= best_ready_tag_first_column;
+      best_compared_words_0 <= best_ready_words_0;
+      best_last_pass <= best_base_is_equal;
+      best_here_wins <= ((best_ready_cost_0_0 - (best_ready_words_0 mod 16384)) < 0) or (best_pass = 0);
+      best_best_tag_valid <= best_compared_tag_valid;
+      best_best_tag_map_column <= best_last_pass and best_compared_tag_map_column;
+      best_best_tag_first_column <= best_last_pass and best_compared_tag_first_column;
+      if best_here_wins then
+        best_best_cost_0_0 <= best_compared_cost_0_0;
+        best_best_index_0_0 <= best_compared_index_0_0;
       else
-        best_best_cost_0_0 <= best_ready_words_0 mod 16384;
-        best_best_index_0_0 <= best_ready_words_0 / 16384;
+        best_best_cost_0_0 <= best_compared_words_0 mod 16384;
+        best_best_index_0_0 <= best_compared_words_0 / 16384;
       end if;
-      if (not best_ready_tag_map_column) or (not best_ready_tag_valid) then
+      if (not best_compared_tag_map_column) or (not best_compared_tag_valid) then
         best_write_column <= 1023;
       else
         best_write_column <= best_write_column_choice_2;
@@ -3517,7 +3526,7 @@ begin
           best_pass <= (best_pass + 1) mod 8;
         end if;
       end if;
-      if best_ready_tag_valid then
+      if best_compared_tag_valid then
         best_place_column <= best_write_column_choice;
       end if;
       -- winners
@@ -3537,9 +3546,8 @@ begin
       winners_column_any := (not best_best_tag_valid) or (not best_best_tag_map_column);
       if not winners_column_any then
         winners_column <= (winners_column_choice + 1) mod 1024;
-        winners_write_address <= winners_column_choice + (as_number(winners_row_differs) * 1024);
-        winners_write_word_0 <= best_best_index_0_0;
       end if;
+      winners_write_word_0 <= best_best_index_0_0;
       winners_read_tag_valid <= passes_arrived;
       winners_read_tag_output_column <= ((passes_write_address mod 1024) < 440) and passes_leaving_output;
       winners_read_tag_start_of_frame <= ((passes_write_address mod 1024) = 0) and passes_leaving_starts;
@@ -3549,6 +3557,11 @@ begin
       winners_winners_tag_output_column <= winners_read_tag_output_column;
       winners_winners_tag_start_of_frame <= winners_read_tag_start_of_frame;
       winners_winners_tag_end_of_line <= winners_read_tag_end_of_line;
+      if winners_column_any then
+        winners_write_address <= 2047;
+      else
+        winners_write_address <= winners_column_choice + (as_number(winners_row_differs) * 1024);
+      end if;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;
@@ -3677,6 +3690,10 @@ begin
         best_ready_tag_map_column <= false;
         best_ready_tag_first_column <= false;
         best_pass <= 4;
+        best_compared_tag_valid <= false;
+        best_compared_tag_map_column <= false;
+        best_compared_tag_first_column <= false;
+        best_last_pass <= false;
         best_best_tag_valid <= false;
         best_best_tag_map_column <= false;
         best_best_tag_first_column <= false;

@@ -113,6 +113,15 @@ GroundTruth load(const Arguments& arguments) {
    return truth;
 }
 
+/// The pixels of a map that count.
+GrayImage counted_pixels(const std::vector<NamedMask>& masks, const MapGeometry& geometry, int height) {
+   GrayImage counted(std::max(geometry.width, 0), height);  // too narrow images are refused where they are matched
+   for (int y = 0; y < height; ++y)
+      for (int x = 0; x < counted.width; ++x)
+         counted.at(x, y) = masks.empty() ? 1 : masks.front().mask.at(geometry.first_column + x, y);
+   return counted;
+}
+
 /// range: the disparities that the method looks for; nothing where they are not known.
 void score(EvaluatedMethod& method, const DisparityImage& found, std::optional<DisparityRange> range,
            const GroundTruth& truth) {
@@ -133,11 +142,14 @@ EvaluatedMethod evaluate_core(const std::string& name, const Arguments& argument
    method.engine = word_of(arguments.engine);
    method.postprocessing = postprocessing_json(arguments.postprocessing);
    const MapGeometry geometry = algorithm->map_geometry(truth.shown.left.width);
+   const GrayImage counted = counted_pixels(truth.masks(geometry.reference), geometry, truth.shown.left.height);
+   Postprocessing postprocessing = arguments.postprocessing;
+   postprocessing.counted = &counted;
    const auto match_once = [&](const auto& pair) {
       return match_named(name, pair, *algorithm, arguments.threads, arguments.engine);
    };
    const auto match = [&](const auto& pair) {
-      return match_and_process(match_once, pair, geometry, arguments.postprocessing).map;
+      return match_and_process(match_once, pair, geometry, postprocessing).map;
    };
    const DisparityMap map = timed(method.milliseconds, [&] { return std::visit(match, truth.seen); });
    method.reference = geometry.reference;

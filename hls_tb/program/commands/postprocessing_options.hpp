@@ -30,8 +30,10 @@ inline void add_postprocessing_options(CLI::App& command, Postprocessing& option
        ->check(CLI::Range(0, kLargestConfidence))
        ->capture_default_str();
    command
-       .add_option("--surest", options.surest_percent,
-                   "percent of the map's pixels that stay, those of the most confidence, and others of as much")
+       .add_option(
+           "--surest", options.surest_percent,
+           "percent of the map's pixels that stay, those of the most confidence, and others of as much; evaluate takes "
+           "them of the pixels that it counts")
        ->check(CLI::Range(1, 100))
        ->capture_default_str();
    command.add_flag("--measured-only", options.measured_only,

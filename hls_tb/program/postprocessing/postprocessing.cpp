@@ -26,21 +26,27 @@ GrayImage own_confidence(const DisparityMap& map) {
    return image;
 }
 
-/// The largest confidence that so many percent of the pixels reach.
-int reached_by(const GrayImage& confidence, int percent) {
+/// The largest confidence that so many percent of the counted pixels reach.
+int reached_by(const GrayImage& confidence, int percent, const GrayImage* counted) {
    std::array<std::size_t, kLargestConfidence + 1> pixels{};
-   for (const uint8_t value : confidence.pixels) ++pixels[value];
+   std::size_t all = 0;
+   for (std::size_t i = 0; i < confidence.pixels.size(); ++i) {
+      if (counted && counted->pixels[i] == 0) continue;
+      ++pixels[confidence.pixels[i]];
+      ++all;
+   }
    std::size_t reaching = 0;
    for (int least = kLargestConfidence; least > 0; --least) {
       reaching += pixels[std::size_t(least)];
-      if (100 * reaching >= std::size_t(percent) * confidence.pixels.size()) return least;
+      if (100 * reaching >= std::size_t(percent) * all) return least;
    }
    return 0;
 }
 
 void select(DisparityMap& map, const GrayImage& confidence, const Postprocessing& options) {
-   const int least = std::max(options.least_confidence,
-                              options.surest_percent < 100 ? reached_by(confidence, options.surest_percent) : 0);
+   const int least =
+       std::max(options.least_confidence,
+                options.surest_percent < 100 ? reached_by(confidence, options.surest_percent, options.counted) : 0);
    for (std::size_t i = 0; i < map.valid.size(); ++i) {
       if (confidence.pixels[i] >= least) continue;
       map.valid[i] = 0;

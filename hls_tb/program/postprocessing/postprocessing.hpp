@@ -16,10 +16,11 @@ namespace stereo::app {
 struct Postprocessing {
    int speckle_window_px = 0;  ///< largest speckle that is removed; 0: off
    int speckle_range_px = 1;
-   int least_confidence = 0;       ///< pixels with less become invalid; 0: off
-   int surest_percent = 100;       ///< of the map's pixels, only these stay
-   bool measured_only = false;     ///< filled pixels show nothing
-   bool wants_confidence = false;  ///< even if nothing else needs it
+   int least_confidence = 0;            ///< pixels with less become invalid; 0: off
+   int surest_percent = 100;            ///< of the map's pixels, only these stay
+   const GrayImage* counted = nullptr;  ///< as large as the map: 0 where a pixel is none of those; null: all are
+   bool measured_only = false;          ///< filled pixels show nothing
+   bool wants_confidence = false;       ///< even if nothing else needs it
 
    bool selects() const { return least_confidence > 0 || surest_percent < 100; }
    /// Pixels can become invalid.

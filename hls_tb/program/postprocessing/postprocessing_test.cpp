@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/ximgproc/disparity_filter.hpp>
 
@@ -169,6 +170,27 @@ TEST(Postprocessing, DoesWhatIsOn) {
    remove_speckles(wanted, 300, 1);
    EXPECT_EQ(match_and_process(match, pair, geometry, {.speckle_window_px = 300, .least_confidence = 200}).map, wanted);
    EXPECT_NE(wanted, strict.map) << "the speckles are sought in what the confidence left";
+}
+
+TEST(Postprocessing, TakesThePercentOfTheCountedPixels) {
+   // Sure pixels above, a ramp below; only the ramp counts.
+   DisparityMap map(10, 20);
+   map.valid.assign(map.valid.size(), 1);
+   map.confidence.assign(map.valid.size(), 255);
+   GrayImage counted(map.width, map.height);
+   for (int i = 0; i < 100; ++i) {
+      map.confidence[std::size_t(100 + i)] = uint8_t(1 + i);
+      counted.pixels[std::size_t(100 + i)] = 255;
+   }
+   const ImagePair pair{GrayImage(10, 20), GrayImage(10, 20)};
+   const auto match = [&](const ImagePair&) { return map; };
+   const auto left_over = [&](const GrayImage* pixels) {
+      const Postprocessing options{.surest_percent = 30, .counted = pixels};
+      const DisparityMap found = match_and_process(match, pair, MapGeometry{}, options).map;
+      return std::count(found.valid.begin(), found.valid.end(), uint8_t(1));
+   };
+   EXPECT_EQ(left_over(&counted), 100 + 30);
+   EXPECT_EQ(left_over(nullptr), 100) << "of all pixels those above are half";
 }
 
 }  // namespace

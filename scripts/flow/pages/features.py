@@ -49,6 +49,7 @@ OPTIONS = [
     ("together", [("study_all", "x-Sobel, all checks, subpixel, median")]),
 ]
 # Cores of one map, that of a clock a pixel pair first.
+SMALL_TARGET = "ecp5_25f_grade6"
 FOLDED = (
     "ambrosch2007",
     "ambrosch2007_f5",
@@ -87,8 +88,8 @@ def _known(name: str) -> bool:
     return name in committed.known_configurations()
 
 
-def _routed(name: str) -> Result | None:
-    return Configuration(name).targets.get("ecp5")
+def _routed(name: str, target: str = "ecp5") -> Result | None:
+    return Configuration(name).targets.get(target)
 
 
 def _slowest_path(result: Result | None) -> str:
@@ -166,10 +167,21 @@ def folded_table() -> str:
                 number(clock, 1),
                 number(rates["frames_per_second"] if rates else None),
                 number(rates["evaluations_per_second_per_lut"] / 1e3 if rates else None),
+                _small_device(name),
             ]
         )
     head = ["configuration", "clocks a pixel pair", "clocks a frame", "LUT4", "flip-flops", "memory bits", "block RAMs"]
-    return table([*head, "MHz", "frames a second", "thousand evaluations a second and LUT4"], rows)
+    more = ["MHz", "frames a second", "thousand evaluations a second and LUT4", "25F, grade 6: MHz, frames a second"]
+    return table([*head, *more], rows)
+
+
+def _small_device(name: str) -> str:
+    result = _routed(name, SMALL_TARGET)
+    if not result or "fmax_mhz" not in result:
+        return "-"
+    clock = result["fmax_mhz"]["median"]
+    rates = figures.speed(Configuration(name).parameters, clock, figures.lut_count(result))
+    return f"{number(clock, 1)}, {number(rates['frames_per_second'])}"
 
 
 def depths_table() -> str:

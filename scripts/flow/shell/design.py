@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any, cast
 
 from ..base import committed, rtl
-from ..base.configurations import clocks_per_pixel
 from ..base.errors import FlowError
 from ..base.tools import ROOT
 from ..synthesis import manifest
@@ -31,8 +30,8 @@ JOINER = ("camera_queue", "stereo_joiner")  # of two cameras' streams, in front 
 
 
 def has_shell(parameters: Mapping[str, Any]) -> bool:
-    """A shell gives a core a group of pixel pairs in each clock."""
-    return not rtl.is_stage(parameters) and clocks_per_pixel(parameters) == 1
+    """A stage of the camera system has none."""
+    return not rtl.is_stage(parameters)
 
 
 def with_shell() -> list[str]:
@@ -43,17 +42,8 @@ def with_shell() -> list[str]:
     return [name for name, values in parameters.items() if has_shell(values)]
 
 
-def require_shell(config: str, parameters: Mapping[str, Any]) -> None:
-    if (clocks := clocks_per_pixel(parameters)) > 1:
-        raise FlowError(
-            f"'{config}' takes a pixel pair in {clocks} clocks, and a stereo_ip would give it one in each; "
-            f"there is only {rtl.core_entity(config)}"
-        )
-
-
 def vhdl_files(config: str) -> list[Path]:
     """All files in compile order."""
-    require_shell(config, manifest.read(committed.folder(config))["parameters"])
     return [*manifest.core_files(config), *shell_files(), committed.folder(config) / f"{rtl.ip_entity(config)}.vhd"]
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..base import files, rtl
-from ..base.configurations import Parameters
+from ..base.configurations import Parameters, clocks_per_pixel
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import Word, find_stereo_hls, run
 from ..cosim import vectors
@@ -145,7 +145,7 @@ def _read_frames(folder: Path, parameters: Parameters) -> list[Frame]:
     stimulus = vectors.read_stimulus(folder / "stimulus.txt", rtl.kind_of(parameters))
     words = [line.split() for line in (folder / "stimulus.txt").read_text().splitlines()[1:]]
     expected, latency = vectors.read_expected(folder / "expected.txt")
-    sized = _has_sizes(parameters)
+    sized, pace = _has_sizes(parameters), clocks_per_pixel(parameters)
     starts = [clock for clock, group in enumerate(stimulus) if all(group)][: _frames_of_a_pair(parameters)]
     frames = []
     for number, start in enumerate(starts):
@@ -153,13 +153,13 @@ def _read_frames(folder: Path, parameters: Parameters) -> list[Frame]:
         own = _geometry_of(parameters, settings) if sized else None
         size = own or geometry
         groups = tuple(
-            lanes_of(int(words[start + i][2], 16)) << lane * lanes | lanes_of(int(words[start + i][1], 16))
-            for i in range(size.groups)
+            lanes_of(int(right, 16)) << lane * lanes | lanes_of(int(left, 16))
+            for _, left, right, *_ in words[start : start + pace * size.groups : pace]
         )
         outputs = [output for output in expected if output.frame == number]
         if len(outputs) != size.results:
             raise FlowError(f"the C++ core gave {len(outputs)} outputs instead of {size.results}", EXIT_TOOL_FAILED)
         results = tuple((output.flags >> 2) << map_bits | output.disparity for output in outputs)
-        needs = tuple(min(output.clock - latency - start + 1, size.groups) for output in outputs)
+        needs = tuple(min((output.clock - latency - start) // pace + 1, size.groups) for output in outputs)
         frames.append(Frame(groups, results, needs, settings, own))
     return frames

@@ -7,9 +7,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple, Union
+from typing import Any, NamedTuple, Union
 
 from ..base import committed, files, rtl
+from ..base.configurations import clocks_per_pixel
 from ..cosim.bench import SETTING_BITS
 from ..synthesis import manifest
 from . import design, registers
@@ -39,6 +40,12 @@ def lane_bits(pixel_bits: int) -> int:
 def pixel_generics(pixel_bits: int) -> dict[str, int]:
     """Of a shell or a joiner; none where they are those that it has by itself."""
     return {"pixel_bits": pixel_bits, "lane_bits": lane_bits(pixel_bits)} if pixel_bits > rtl.PIXEL_BITS else {}
+
+
+def pace_generics(parameters: Mapping[str, Any]) -> dict[str, int]:
+    """Of a shell around a core that takes a pair in several clocks."""
+    clocks = clocks_per_pixel(parameters)
+    return {"clocks_per_group": clocks} if clocks > 1 else {}
 
 
 def ports(values: Mapping[str, int], pixel_bits: int = rtl.PIXEL_BITS) -> list[Port]:
@@ -74,7 +81,6 @@ def core_id(entry: manifest.Manifest) -> str:
 
 def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None = None) -> str:
     """The text of stereo_ip_CONFIG. `of_the_shell`: generics that are not those of the core, for tests."""
-    design.require_shell(config, entry["parameters"])
     values = design.generics(entry)
     pixel_bits = rtl.pixel_bits_of(entry["parameters"])
     name, outside = rtl.ip_entity(config), ports(values, pixel_bits)
@@ -92,6 +98,7 @@ def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None 
         **({f"settings_{what}": _values(settings, what) for what in ("largest", "start")} if settings else {}),
         **({"settings_least": _values(settings, "least")} if any(setting.least for setting in settings) else {}),
         **pixel_generics(pixel_bits),
+        **pace_generics(entry["parameters"]),
         **(of_the_shell or {}),
     }
     inside = {port.name: port.name.removeprefix("core_") for port in to_core}

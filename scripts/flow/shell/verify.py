@@ -13,7 +13,7 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 from ..base import files, rtl
-from ..base.configurations import Parameters, configuration
+from ..base.configurations import Parameters, clocks_per_pixel, configuration
 from ..base.errors import EXIT_MISMATCH, EXIT_OK
 from ..base.tools import ROOT, Say
 from . import cocotb_runs, script
@@ -37,6 +37,9 @@ FRAMES = {
     "tiny_all_left_p2": 150,
     "tiny_all_recursive": 150,
     "tiny_all_p4": 150,
+    "tiny_dense_p2": 150,
+    "tiny_f2_lr": 150,
+    "tiny_f3_census": 150,
     "ambrosch2007": 26,
     # each frame with its own settings
     "tiny_settings": 200,
@@ -67,6 +70,8 @@ SHORT_FRAMES = {
     "tiny_p4": 20,
     "tiny_all_recursive": 20,
     "tiny_all_p4": 20,
+    "tiny_dense": 20,
+    "tiny_f4_all": 20,
     "tiny_settings_all": 200,
     "tiny_size_all": 256,
 }
@@ -212,10 +217,11 @@ class Verification:
         case, observation = player.play("full speed", steps, self.seed)
         starts = [clock for _, flags, clock in observation.segments[-1] if flags & RESULT_START]
         periods = sorted(b - a for a, b in zip(starts, starts[1:]))
-        due = geometry.groups + parameters["gap_groups"]
+        pace = clocks_per_pixel(parameters)
+        due = pace * (geometry.groups + parameters["gap_groups"])
         # At most two frames are inside: short ones wait until the one before the last has left.
-        way = parameters["flush_groups"] + parameters["latency_clocks"]
-        longest = due if way <= geometry.groups else due + way
+        way = pace * parameters["flush_groups"] + parameters["latency_clocks"]
+        longest = due if way <= pace * geometry.groups else due + way
         if not periods or periods[0] < due or periods[-1] > longest:
             expected = f"{due}" if longest == due else f"{due} ... {longest}"
             case.problems.append(f"{periods} clocks a frame instead of {expected}")

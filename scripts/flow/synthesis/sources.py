@@ -57,7 +57,20 @@ def _python_words(text: str) -> str:
     for node in ast.walk(tree):
         if isinstance(node, _DOCUMENTED) and ast.get_docstring(node, clean=False) is not None:
             node.body = node.body[1:]
-    return ast.dump(tree)
+        if isinstance(node, ast.JoinedStr):  # Python 3.12 has an empty text behind the last value of a format
+            node.values = [value for value in node.values if getattr(value, "value", None) != ""]
+    return _plain(tree)
+
+
+def _plain(node: object) -> str:
+    """As ast.dump, whose text differs from one release of Python to the next: here, what is empty is left out."""
+    if isinstance(node, ast.AST):
+        fields = ((name, getattr(node, name, None)) for name in node._fields)
+        shown = [f"{name}={_plain(value)}" for name, value in fields if value is not None and value != []]
+        return f"{type(node).__name__}({', '.join(shown)})"
+    if isinstance(node, list):
+        return f"[{', '.join(map(_plain, node))}]"
+    return repr(node)
 
 
 def _cpp_words(text: str) -> Iterable[str]:

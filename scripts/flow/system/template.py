@@ -13,7 +13,7 @@ from ..base.configurations import Parameters, option
 from ..base.errors import FlowError
 from ..base.tools import ROOT
 from ..shell import design, registers
-from ..shell.template import core_id, instance, lane_bits, pixel_generics
+from ..shell.template import core_id, instance, lane_bits, pace_generics, pixel_generics
 from ..synthesis import manifest
 
 FOLDER = ROOT / "examples" / "camera_system"
@@ -174,6 +174,7 @@ def text(system: System) -> str:
         "core_id": f'x"{core_id(entry)}"',
         "enabled_at_reset": "enabled_at_reset",
         **pixel_generics(pixel_bits),
+        **pace_generics(entry["parameters"]),
     }
     outside = [
         ("aclk", "in", "std_logic"),

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
 from .evaluate import compile_step, initial_state
-from .expressions import bit_not, leaf, walk, wrap
+from .expressions import LONG, bit_not, leaf, walk, wrap
 from .netlist import Netlist, Register
 
 _UNNAMED = "other_"  # start of the names of registers that hold nothing of the C++ core
@@ -95,19 +95,30 @@ def adopt_cpp_values(netlist: Netlist, trace: Trace) -> None:
     known = _names_by_values(trace)
     replacement = {}
     for register, values in zip(netlist.registers, trace_netlist(netlist, trace)):
-        if values in known:
-            continue
         old, width = register.value, register.value.width
         half = 1 << (width - 1)
+        if values in known and not _holds_long_negatives(register):
+            continue
         if old.is_bit and tuple(1 - v for v in values) in known:
             register.value, register.initial = leaf("register", f"{register.name}_inverted", 1), 1 - register.initial
             register.next = bit_not(register.next)
             replacement[id(old)] = bit_not(register.value)
-        elif old.low == 0 and tuple(v - 2 * half if v >= half else v for v in values) in known:
+        elif old.low == 0 and (
+            _holds_long_negatives(register) or tuple(v - 2 * half if v >= half else v for v in values) in known
+        ):
             register.value = leaf("register", f"{register.name}_signed", width, signed=True)
             register.next = wrap(register.next, width, signed=True)
             replacement[id(old)] = wrap(register.value, width)
     netlist.substitute(replacement)
+
+
+def _holds_long_negatives(register: Register) -> bool:
+    """It has numbers that no integer of VHDL has, for small negative ones, even if none comes in the trace."""
+    old, following = register.value, register.next
+    if old.low < 0 or old.high <= LONG or following.op != "wrap":
+        return False
+    limit = 1 << (old.width - 1)
+    return -limit <= following.args[0].low < 0 and following.args[0].high < limit
 
 
 def _beside(netlist: Netlist) -> dict[int, list[Register]]:

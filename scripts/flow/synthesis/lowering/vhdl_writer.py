@@ -191,7 +191,7 @@ class VhdlWriter:
             assigned.append((register, value))
             lines += self._variables(value, register.name)
         if condition is not None:
-            lines += self._variables(condition, members[0].name)
+            lines += self._variables(condition, members[0].name, is_assigned=False)
             lines.append(f"{indent}if {without_outer_parentheses(self.text.condition(condition))} then")
             indent += "  "
         lines += self._assignments("<=", [(r.name, r.value, value) for r, value in assigned], indent)
@@ -218,13 +218,14 @@ class VhdlWriter:
             lines.append(f"{indent}end if;")
         return lines
 
-    def _variables(self, root: Node, user: str) -> list[str]:
-        """Assignments of the variables that `root` needs and that are not yet there."""
+    def _variables(self, root: Node, user: str, is_assigned: bool = True) -> list[str]:
+        """Assignments of the variables that `root` needs and that are not yet there. is_assigned: where `root` is a
+        choice it becomes an `if` of its own."""
         lines: list[str] = []
         for node in walk([root]):
             if id(node) in self.names or not node.args:
                 continue
-            if self._needs_variable(node, node is root):
+            if self._needs_variable(node, is_assigned and node is root):
                 lines += self._assign_variable(node, user)
         return lines
 

@@ -7,11 +7,12 @@ below, which simplify locally and give the same object for the same expression; 
 """
 
 from .arithmetic import absolute, add, disjoint_ones, folded, mul, positive, shift_left, sub
-from .bits import bit_and, bit_not, bit_or, bit_xor, bitwise, equal, less, mux, shift_right, wrap
+from .bits import LONG, bit_and, bit_not, bit_or, bit_xor, bitwise, equal, less, mux, shift_right, wrap
 from .node import Node, const, is_const, leaf
 from .traversal import rebuild, walk
 
 __all__ = [
+    "LONG",
     "Node",
     "absolute",
     "add",
