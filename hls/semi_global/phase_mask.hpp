@@ -26,7 +26,12 @@ struct PhaseMask {
    /// The other column that a row's first column meets in lane 0 of phase 0.
    static constexpr int kFarEnd = C.min_disparity + (kFalls ? C.disparities - 1 : 0);
    static constexpr int kStart = kFalls == Turned ? -kFarEnd : kFarEnd;
-   static constexpr int kStep = Turned ? kLanes : -kLanes;
+   /// Other columns are counted from below all that there can be: the tool shifts no negative number.
+   static constexpr int kOrigin = [] {
+      const int range = C.min_disparity < 0 ? -C.min_disparity : C.min_disparity;
+      return 1 << bits_for(C.width_px + range + 2 * C.disparities);
+   }();
+   static constexpr uint16_t kPartnerMask = uint16_t(4 * kOrigin - 1);
    static constexpr uint8_t kFirstBase = kFalls ? C.disparities - 1 : 0;
    static constexpr bool kIsSet = C.run_time_settings;
    static constexpr bool kLeavesOut = kIsSet || !kWindowConfig<C>.searches_all();
@@ -36,7 +41,7 @@ struct PhaseMask {
    [[no_unique_address]] std::conditional_t<kIsSet, SearchedPart, NoSettings> part;
    uint16_t column;  ///< of the map
    // a clock before the answers
-   int16_t partner;  ///< the other column that lane 0 meets
+   uint16_t partner;  ///< the other column that lane 0 meets, and kOrigin
    uint8_t base;     ///< its disparity
    // the answers
    bool inside[kLanes], searched[kLanes];
@@ -62,15 +67,16 @@ struct PhaseMask {
    HLS_INLINE void clock(const Line& line, const Settings& settings, const Size& size) {
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) {
-         const int at = int(partner) + (Turned ? l : -l);
-         inside[l] = (at >= 0) & (at < width.get());
+         const unsigned end = unsigned(kOrigin + width.get());
+         const unsigned first = Turned ? kOrigin - l : kOrigin + l;
+         inside[l] = (partner >= first) & (partner < (Turned ? end - l : end + l));
       }
       if constexpr (kLeavesOut) {
          HLS_UNROLL
          for (int l = 0; l < kLanes; ++l) {
-            const int d = int(base) + (kFalls ? -l : l);
-            if constexpr (kIsSet) searched[l] = (d >= int(part.first)) & (d <= int(part.last));
-            else searched[l] = (d >= C.first_disparity) & (d <= int(kLast));
+            const uint8_t d = uint8_t(kFalls ? base - l : base + l);
+            if constexpr (kIsSet) searched[l] = (d >= part.first) & (d <= part.last);
+            else searched[l] = (int(d) >= C.first_disparity) & (d <= kLast);
          }
       }
       const bool comes = line.template is_there<Stage - 2>();
@@ -81,7 +87,8 @@ struct PhaseMask {
          part.last = select<uint8_t>(starts, settings.last_disparity, part.last);
       }
       const uint16_t here = select<uint16_t>(starts_row(place), 0, uint16_t(column + 1));
-      partner = select<int16_t>(comes, int16_t(int(here) + kStart), int16_t(partner + kStep));
+      const uint16_t beside = Turned ? uint16_t(partner + kLanes) : uint16_t(partner - kLanes);
+      partner = select<uint16_t>(comes, uint16_t(here + (kOrigin + kStart)), beside) & kPartnerMask;
       base = select<uint8_t>(comes, kFirstBase, uint8_t(kFalls ? base - kLanes : base + kLanes));
       column = at_most<C.width_px - 1>(select<uint16_t>(comes, here, column));
       width.clock(size);
