@@ -340,14 +340,17 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsleft_read_words_0, pathsleft_read_words_1, pathsleft_read_words_2 : unsigned(29 downto 0);
   -- pathsabove
   signal pathsabove_memory_read_address_0, pathsabove_memory_write_address_0 : natural range 0 to 4095;
-  signal pathsabove_memory_read_address_1, pathsabove_memory_ready_words_2 : natural range 0 to 1023;
+  signal pathsabove_memory_read_address_1, pathsabove_memory_held_words_0_2 : natural range 0 to 1023;
+  signal pathsabove_memory_held_words_1_2, pathsabove_memory_ready_words_2 : natural range 0 to 1023;
   signal pathsabove_memory_write_words_0_2, pathsabove_memory_write_words_1_2 : natural range 0 to 1023;
   signal pathsabove_memory_write_address_1 : natural range 0 to 1023;
-  signal pathsabove_memory_bank, pathsabove_memory_read_bank, pathsabove_ready_top : boolean;
-  signal pathsabove_write_address_is_here : boolean;
+  signal pathsabove_memory_bank, pathsabove_memory_read_bank, pathsabove_memory_held_bank : boolean;
+  signal pathsabove_ready_top, pathsabove_write_address_is_here : boolean;
   signal pathsabove_memory_read_words_0_0, pathsabove_memory_read_words_0_1 : unsigned(14 downto 0);
   signal pathsabove_memory_read_words_1_0, pathsabove_memory_read_words_1_1 : unsigned(14 downto 0);
   signal pathsabove_memory_read_words_0_2, pathsabove_memory_read_words_1_2 : unsigned(9 downto 0);
+  signal pathsabove_memory_held_words_0_0, pathsabove_memory_held_words_0_1 : natural range 0 to 32767;
+  signal pathsabove_memory_held_words_1_0, pathsabove_memory_held_words_1_1 : natural range 0 to 32767;
   signal pathsabove_memory_ready_words_0, pathsabove_memory_ready_words_1 : natural range 0 to 32767;
   signal pathsabove_memory_write_words_0_0, pathsabove_memory_write_words_0_1 : natural range 0 to 32767;
   signal pathsabove_memory_write_words_1_0, pathsabove_memory_write_words_1_1 : natural range 0 to 32767;
@@ -380,13 +383,17 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsturn_sum_memory_read_address_1, pathsturn_sum_memory_write_address_1 : natural range 0 to 1023;
   signal pathsturn_cost_memory_read_address_1, pathsturn_cost_memory_write_address_1 : natural range 0 to 1023;
   signal pathsturn_smallest_address, pathsturn_write_smallest_address : natural range 0 to 1023;
-  signal pathsturn_sum_memory_bank, pathsturn_sum_memory_read_bank, pathsturn_cost_memory_bank : boolean;
-  signal pathsturn_cost_memory_read_bank, pathsturn_write_address_is_here, pathsturn_writes_sums_0 : boolean;
-  signal pathsturn_writes_sums_1 : boolean;
+  signal pathsturn_sum_memory_bank, pathsturn_sum_memory_read_bank, pathsturn_sum_memory_held_bank : boolean;
+  signal pathsturn_cost_memory_bank, pathsturn_cost_memory_read_bank, pathsturn_cost_memory_held_bank : boolean;
+  signal pathsturn_write_address_is_here, pathsturn_writes_sums_0, pathsturn_writes_sums_1 : boolean;
   signal pathsturn_sum_memory_read_words_0_0, pathsturn_sum_memory_read_words_0_1 : unsigned(13 downto 0);
   signal pathsturn_sum_memory_read_words_0_2, pathsturn_sum_memory_read_words_0_3 : unsigned(13 downto 0);
   signal pathsturn_sum_memory_read_words_1_0, pathsturn_sum_memory_read_words_1_1 : unsigned(13 downto 0);
   signal pathsturn_sum_memory_read_words_1_2, pathsturn_sum_memory_read_words_1_3 : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_held_words_0_0, pathsturn_sum_memory_held_words_0_1 : natural range 0 to 16383;
+  signal pathsturn_sum_memory_held_words_0_2, pathsturn_sum_memory_held_words_0_3 : natural range 0 to 16383;
+  signal pathsturn_sum_memory_held_words_1_0, pathsturn_sum_memory_held_words_1_1 : natural range 0 to 16383;
+  signal pathsturn_sum_memory_held_words_1_2, pathsturn_sum_memory_held_words_1_3 : natural range 0 to 16383;
   signal pathsturn_sum_memory_ready_words_0, pathsturn_sum_memory_ready_words_1 : natural range 0 to 16383;
   signal pathsturn_sum_memory_ready_words_2, pathsturn_sum_memory_ready_words_3 : natural range 0 to 16383;
   signal pathsturn_sum_memory_write_words_0_0, pathsturn_sum_memory_write_words_0_1 : natural range 0 to 16254;
@@ -395,14 +402,16 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsturn_sum_memory_write_words_1_2, pathsturn_sum_memory_write_words_1_3 : natural range 0 to 16254;
   signal pathsturn_cost_memory_read_words_0_0, pathsturn_cost_memory_read_words_0_1 : unsigned(15 downto 0);
   signal pathsturn_cost_memory_read_words_1_0, pathsturn_cost_memory_read_words_1_1 : unsigned(15 downto 0);
+  signal pathsturn_cost_memory_held_words_0_0, pathsturn_cost_memory_held_words_0_1 : natural range 0 to 65535;
+  signal pathsturn_cost_memory_held_words_1_0, pathsturn_cost_memory_held_words_1_1 : natural range 0 to 65535;
   signal pathsturn_cost_memory_ready_words_0, pathsturn_cost_memory_ready_words_1 : natural range 0 to 65535;
   signal pathsturn_cost_memory_write_words_0_0, pathsturn_cost_memory_write_words_0_1 : natural range 0 to 65535;
   signal pathsturn_cost_memory_write_words_1_0, pathsturn_cost_memory_write_words_1_1 : natural range 0 to 65535;
   signal pathsturn_read_smallest_0 : unsigned(3 downto 0);
   signal pathsturn_ready_smallest_0, pathsturn_write_smallest_0 : natural range 0 to 15;
-  signal pathsturn_read_address_address, pathsturn_sum_read_address_0 : natural range 0 to 8191;
-  signal pathsturn_sum_read_address_1, pathsturn_write_address_address : natural range 0 to 8191;
-  signal pathsturn_sum_write_address_0, pathsturn_sum_write_address_1 : natural range 0 to 8191;
+  signal pathsturn_read_address_address, pathsturn_sum_read_address : natural range 0 to 8191;
+  signal pathsturn_write_address_address, pathsturn_sum_write_address_0 : natural range 0 to 8191;
+  signal pathsturn_sum_write_address_1 : natural range 0 to 8191;
   signal pathsturn_read_address_count_phase, pathsturn_write_address_count_phase : natural range 0 to 7;
   -- pathsright
   signal pathsright_lowest_0, pathsright_read_words_3, pathsright_read_neighbour_0 : unsigned(5 downto 0);
@@ -1203,14 +1212,14 @@ begin
     variable transform_counter_group_all, transform_counter_group_differs : boolean;
     variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
     variable transform_counter_next_frame_choice_3, transform_counter_next_frame_choice_4 : boolean;
-    variable transform_read_column_inside_0_is_less, transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_is_equal : boolean;
-    variable transform_left_filter_feature_0_choice_2, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_choice_3, transform_left_filter_feature_0_value_2 : boolean;
-    variable transform_left_filter_feature_0_choice_4, transform_left_filter_feature_0_value_3 : boolean;
-    variable transform_left_filter_feature_0_choice_5, transform_left_filter_feature_0_value_4 : boolean;
-    variable transform_left_filter_feature_0_choice_6, transform_left_filter_feature_0_value_5 : boolean;
-    variable transform_left_filter_feature_0_choice_7, transform_left_filter_feature_0_all : boolean;
+    variable transform_read_column_inside_0_is_less, transform_left_filter_feature_0_value : boolean;
+    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
+    variable transform_left_filter_feature_0_is_equal, transform_left_filter_feature_0_choice_2 : boolean;
+    variable transform_left_filter_feature_0_value_2, transform_left_filter_feature_0_choice_3 : boolean;
+    variable transform_left_filter_feature_0_value_3, transform_left_filter_feature_0_choice_4 : boolean;
+    variable transform_left_filter_feature_0_value_4, transform_left_filter_feature_0_choice_5 : boolean;
+    variable transform_left_filter_feature_0_value_5, transform_left_filter_feature_0_choice_6 : boolean;
+    variable transform_left_filter_feature_0_value_6, transform_left_filter_feature_0_choice_7 : boolean;
     variable transform_left_filter_feature_0_choice_8, transform_left_filter_feature_0_choice_9 : boolean;
     variable transform_left_filter_feature_0_choice_10, transform_left_filter_feature_0_choice_11 : boolean;
     variable transform_left_filter_feature_0_choice_12, transform_left_filter_feature_0_choice_13 : boolean;
@@ -1233,29 +1242,28 @@ begin
     variable transform_left_filter_feature_0_choice_46, transform_left_filter_feature_0_choice_47 : boolean;
     variable transform_left_filter_feature_0_choice_48, transform_left_filter_feature_0_choice_49 : boolean;
     variable transform_left_filter_feature_0_choice_50, transform_left_filter_feature_0_choice_51 : boolean;
-    variable transform_left_filter_feature_0_all_2, transform_left_filter_feature_0_choice_52 : boolean;
-    variable transform_left_filter_feature_0_choice_53, transform_left_filter_feature_0_choice_54 : boolean;
-    variable transform_left_filter_feature_0_choice_55, transform_left_filter_feature_0_choice_56 : boolean;
-    variable transform_left_filter_feature_0_choice_57, transform_left_filter_feature_0_choice_58 : boolean;
-    variable transform_left_filter_feature_0_choice_59, transform_left_filter_feature_0_choice_60 : boolean;
-    variable transform_left_filter_feature_0_choice_61, transform_left_filter_feature_0_choice_62 : boolean;
-    variable transform_left_filter_feature_0_choice_63, transform_left_filter_feature_0_choice_64 : boolean;
-    variable transform_left_filter_feature_0_choice_65, transform_left_filter_feature_0_choice_66 : boolean;
-    variable transform_left_filter_feature_0_choice_67, transform_left_filter_feature_0_choice_68 : boolean;
-    variable transform_left_filter_feature_0_choice_69, transform_left_filter_feature_0_choice_70 : boolean;
-    variable transform_left_filter_feature_0_choice_71, transform_left_filter_feature_0_choice_72 : boolean;
-    variable transform_left_filter_feature_0_choice_73, transform_left_filter_feature_0_choice_74 : boolean;
-    variable transform_left_filter_feature_0_choice_75, transform_left_filter_feature_0_choice_76 : boolean;
-    variable transform_left_filter_feature_0_choice_77, transform_left_filter_feature_0_choice_78 : boolean;
-    variable transform_left_filter_feature_0_choice_79, transform_left_filter_feature_0_choice_80 : boolean;
-    variable transform_left_filter_feature_0_choice_81, transform_left_filter_feature_0_choice_82 : boolean;
-    variable transform_left_filter_feature_0_choice_83, transform_left_filter_feature_0_choice_84 : boolean;
-    variable transform_left_filter_feature_0_choice_85, transform_left_filter_feature_0_choice_86 : boolean;
-    variable transform_left_filter_feature_0_choice_87, transform_left_filter_feature_0_choice_88 : boolean;
-    variable transform_left_filter_feature_0_choice_89, transform_left_filter_feature_0_choice_90 : boolean;
-    variable transform_left_filter_feature_0_choice_91, transform_left_filter_feature_0_choice_92 : boolean;
-    variable transform_left_filter_feature_0_choice_93, transform_left_filter_feature_0_choice_94 : boolean;
-    variable transform_left_filter_feature_0_choice_95, transform_left_filter_feature_0_all_3 : boolean;
+    variable transform_left_filter_feature_0_choice_52, transform_left_filter_feature_0_choice_53 : boolean;
+    variable transform_left_filter_feature_0_choice_54, transform_left_filter_feature_0_choice_55 : boolean;
+    variable transform_left_filter_feature_0_choice_56, transform_left_filter_feature_0_choice_57 : boolean;
+    variable transform_left_filter_feature_0_choice_58, transform_left_filter_feature_0_choice_59 : boolean;
+    variable transform_left_filter_feature_0_choice_60, transform_left_filter_feature_0_choice_61 : boolean;
+    variable transform_left_filter_feature_0_choice_62, transform_left_filter_feature_0_choice_63 : boolean;
+    variable transform_left_filter_feature_0_choice_64, transform_left_filter_feature_0_choice_65 : boolean;
+    variable transform_left_filter_feature_0_choice_66, transform_left_filter_feature_0_choice_67 : boolean;
+    variable transform_left_filter_feature_0_choice_68, transform_left_filter_feature_0_choice_69 : boolean;
+    variable transform_left_filter_feature_0_choice_70, transform_left_filter_feature_0_choice_71 : boolean;
+    variable transform_left_filter_feature_0_choice_72, transform_left_filter_feature_0_choice_73 : boolean;
+    variable transform_left_filter_feature_0_choice_74, transform_left_filter_feature_0_choice_75 : boolean;
+    variable transform_left_filter_feature_0_choice_76, transform_left_filter_feature_0_choice_77 : boolean;
+    variable transform_left_filter_feature_0_choice_78, transform_left_filter_feature_0_choice_79 : boolean;
+    variable transform_left_filter_feature_0_choice_80, transform_left_filter_feature_0_choice_81 : boolean;
+    variable transform_left_filter_feature_0_choice_82, transform_left_filter_feature_0_choice_83 : boolean;
+    variable transform_left_filter_feature_0_choice_84, transform_left_filter_feature_0_choice_85 : boolean;
+    variable transform_left_filter_feature_0_choice_86, transform_left_filter_feature_0_choice_87 : boolean;
+    variable transform_left_filter_feature_0_choice_88, transform_left_filter_feature_0_choice_89 : boolean;
+    variable transform_left_filter_feature_0_choice_90, transform_left_filter_feature_0_choice_91 : boolean;
+    variable transform_left_filter_feature_0_choice_92, transform_left_filter_feature_0_choice_93 : boolean;
+    variable transform_left_filter_feature_0_choice_94, transform_left_filter_feature_0_choice_95 : boolean;
     variable transform_left_filter_feature_0_choice_96, transform_left_filter_feature_0_choice_97 : boolean;
     variable transform_left_filter_feature_0_choice_98, transform_left_filter_feature_0_choice_99 : boolean;
     variable transform_left_filter_feature_0_choice_100, transform_left_filter_feature_0_choice_101 : boolean;
@@ -1278,29 +1286,28 @@ begin
     variable transform_left_filter_feature_0_choice_134, transform_left_filter_feature_0_choice_135 : boolean;
     variable transform_left_filter_feature_0_choice_136, transform_left_filter_feature_0_choice_137 : boolean;
     variable transform_left_filter_feature_0_choice_138, transform_left_filter_feature_0_choice_139 : boolean;
-    variable transform_left_filter_feature_0_all_4, transform_left_filter_feature_0_choice_140 : boolean;
-    variable transform_left_filter_feature_0_choice_141, transform_left_filter_feature_0_choice_142 : boolean;
-    variable transform_left_filter_feature_0_choice_143, transform_left_filter_feature_0_choice_144 : boolean;
-    variable transform_left_filter_feature_0_choice_145, transform_left_filter_feature_0_choice_146 : boolean;
-    variable transform_left_filter_feature_0_choice_147, transform_left_filter_feature_0_choice_148 : boolean;
-    variable transform_left_filter_feature_0_choice_149, transform_left_filter_feature_0_choice_150 : boolean;
-    variable transform_left_filter_feature_0_choice_151, transform_left_filter_feature_0_choice_152 : boolean;
-    variable transform_left_filter_feature_0_choice_153, transform_left_filter_feature_0_choice_154 : boolean;
-    variable transform_left_filter_feature_0_choice_155, transform_left_filter_feature_0_choice_156 : boolean;
-    variable transform_left_filter_feature_0_choice_157, transform_left_filter_feature_0_choice_158 : boolean;
-    variable transform_left_filter_feature_0_choice_159, transform_left_filter_feature_0_choice_160 : boolean;
-    variable transform_left_filter_feature_0_choice_161, transform_left_filter_feature_0_choice_162 : boolean;
-    variable transform_left_filter_feature_0_choice_163, transform_left_filter_feature_0_choice_164 : boolean;
-    variable transform_left_filter_feature_0_choice_165, transform_left_filter_feature_0_choice_166 : boolean;
-    variable transform_left_filter_feature_0_choice_167, transform_left_filter_feature_0_choice_168 : boolean;
-    variable transform_left_filter_feature_0_choice_169, transform_left_filter_feature_0_choice_170 : boolean;
-    variable transform_left_filter_feature_0_choice_171, transform_left_filter_feature_0_choice_172 : boolean;
-    variable transform_left_filter_feature_0_choice_173, transform_left_filter_feature_0_choice_174 : boolean;
-    variable transform_left_filter_feature_0_choice_175, transform_left_filter_feature_0_choice_176 : boolean;
-    variable transform_left_filter_feature_0_choice_177, transform_left_filter_feature_0_choice_178 : boolean;
-    variable transform_left_filter_feature_0_choice_179, transform_left_filter_feature_0_choice_180 : boolean;
-    variable transform_left_filter_feature_0_choice_181, transform_left_filter_feature_0_choice_182 : boolean;
-    variable transform_left_filter_feature_0_choice_183, transform_left_filter_feature_0_all_5 : boolean;
+    variable transform_left_filter_feature_0_choice_140, transform_left_filter_feature_0_choice_141 : boolean;
+    variable transform_left_filter_feature_0_choice_142, transform_left_filter_feature_0_choice_143 : boolean;
+    variable transform_left_filter_feature_0_choice_144, transform_left_filter_feature_0_choice_145 : boolean;
+    variable transform_left_filter_feature_0_choice_146, transform_left_filter_feature_0_choice_147 : boolean;
+    variable transform_left_filter_feature_0_choice_148, transform_left_filter_feature_0_choice_149 : boolean;
+    variable transform_left_filter_feature_0_choice_150, transform_left_filter_feature_0_choice_151 : boolean;
+    variable transform_left_filter_feature_0_choice_152, transform_left_filter_feature_0_choice_153 : boolean;
+    variable transform_left_filter_feature_0_choice_154, transform_left_filter_feature_0_choice_155 : boolean;
+    variable transform_left_filter_feature_0_choice_156, transform_left_filter_feature_0_choice_157 : boolean;
+    variable transform_left_filter_feature_0_choice_158, transform_left_filter_feature_0_choice_159 : boolean;
+    variable transform_left_filter_feature_0_choice_160, transform_left_filter_feature_0_choice_161 : boolean;
+    variable transform_left_filter_feature_0_choice_162, transform_left_filter_feature_0_choice_163 : boolean;
+    variable transform_left_filter_feature_0_choice_164, transform_left_filter_feature_0_choice_165 : boolean;
+    variable transform_left_filter_feature_0_choice_166, transform_left_filter_feature_0_choice_167 : boolean;
+    variable transform_left_filter_feature_0_choice_168, transform_left_filter_feature_0_choice_169 : boolean;
+    variable transform_left_filter_feature_0_choice_170, transform_left_filter_feature_0_choice_171 : boolean;
+    variable transform_left_filter_feature_0_choice_172, transform_left_filter_feature_0_choice_173 : boolean;
+    variable transform_left_filter_feature_0_choice_174, transform_left_filter_feature_0_choice_175 : boolean;
+    variable transform_left_filter_feature_0_choice_176, transform_left_filter_feature_0_choice_177 : boolean;
+    variable transform_left_filter_feature_0_choice_178, transform_left_filter_feature_0_choice_179 : boolean;
+    variable transform_left_filter_feature_0_choice_180, transform_left_filter_feature_0_choice_181 : boolean;
+    variable transform_left_filter_feature_0_choice_182, transform_left_filter_feature_0_choice_183 : boolean;
     variable transform_left_filter_feature_0_choice_184, transform_left_filter_feature_0_choice_185 : boolean;
     variable transform_left_filter_feature_0_choice_186, transform_left_filter_feature_0_choice_187 : boolean;
     variable transform_left_filter_feature_0_choice_188, transform_left_filter_feature_0_choice_189 : boolean;
@@ -1318,30 +1325,29 @@ begin
     variable transform_left_filter_feature_0_choice_212, transform_left_filter_feature_0_choice_213 : boolean;
     variable transform_left_filter_feature_0_choice_214, transform_left_filter_feature_0_choice_215 : boolean;
     variable transform_left_filter_feature_0_choice_216, transform_left_filter_feature_0_choice_217 : boolean;
-    variable transform_left_filter_feature_0_choice_218, transform_left_filter_feature_0_all_6 : boolean;
-    variable transform_left_filter_feature_0_choice_219, transform_left_filter_feature_0_choice_220 : boolean;
-    variable transform_left_filter_feature_0_choice_221, transform_left_filter_feature_0_choice_222 : boolean;
-    variable transform_left_filter_feature_0_choice_223, transform_left_filter_feature_0_choice_224 : boolean;
-    variable transform_left_filter_feature_0_choice_225, transform_left_filter_feature_0_choice_226 : boolean;
-    variable transform_left_filter_feature_0_choice_227, transform_left_filter_feature_0_choice_228 : boolean;
-    variable transform_left_filter_feature_0_choice_229, transform_left_filter_feature_0_choice_230 : boolean;
-    variable transform_left_filter_feature_0_choice_231, transform_left_filter_feature_0_choice_232 : boolean;
-    variable transform_left_filter_feature_0_choice_233, transform_left_filter_feature_0_choice_234 : boolean;
-    variable transform_left_filter_feature_0_choice_235, transform_left_filter_feature_0_choice_236 : boolean;
-    variable transform_left_filter_feature_0_choice_237, transform_left_filter_feature_0_choice_238 : boolean;
-    variable transform_left_filter_feature_0_choice_239, transform_left_filter_feature_0_choice_240 : boolean;
-    variable transform_left_filter_feature_0_choice_241, transform_left_filter_feature_0_choice_242 : boolean;
-    variable transform_left_filter_feature_0_choice_243, transform_left_filter_feature_0_choice_244 : boolean;
-    variable transform_left_filter_feature_0_choice_245, transform_left_filter_feature_0_choice_246 : boolean;
-    variable transform_left_filter_feature_0_choice_247, transform_left_filter_feature_0_choice_248 : boolean;
-    variable transform_left_filter_feature_0_choice_249, transform_left_filter_feature_0_choice_250 : boolean;
-    variable transform_left_filter_feature_0_choice_251, transform_left_filter_feature_0_choice_252 : boolean;
-    variable transform_left_filter_feature_0_choice_253, transform_left_filter_feature_0_choice_254 : boolean;
-    variable transform_left_filter_feature_0_choice_255, transform_left_filter_feature_0_choice_256 : boolean;
-    variable transform_left_filter_feature_0_choice_257, transform_left_filter_feature_0_choice_258 : boolean;
-    variable transform_left_filter_feature_0_choice_259, transform_left_filter_feature_0_choice_260 : boolean;
-    variable transform_left_filter_feature_0_choice_261, transform_left_filter_feature_0_choice_262 : boolean;
-    variable transform_left_filter_feature_0_all_7, transform_left_filter_feature_0_choice_263 : boolean;
+    variable transform_left_filter_feature_0_choice_218, transform_left_filter_feature_0_choice_219 : boolean;
+    variable transform_left_filter_feature_0_choice_220, transform_left_filter_feature_0_choice_221 : boolean;
+    variable transform_left_filter_feature_0_choice_222, transform_left_filter_feature_0_choice_223 : boolean;
+    variable transform_left_filter_feature_0_choice_224, transform_left_filter_feature_0_choice_225 : boolean;
+    variable transform_left_filter_feature_0_choice_226, transform_left_filter_feature_0_choice_227 : boolean;
+    variable transform_left_filter_feature_0_choice_228, transform_left_filter_feature_0_choice_229 : boolean;
+    variable transform_left_filter_feature_0_choice_230, transform_left_filter_feature_0_choice_231 : boolean;
+    variable transform_left_filter_feature_0_choice_232, transform_left_filter_feature_0_choice_233 : boolean;
+    variable transform_left_filter_feature_0_choice_234, transform_left_filter_feature_0_choice_235 : boolean;
+    variable transform_left_filter_feature_0_choice_236, transform_left_filter_feature_0_choice_237 : boolean;
+    variable transform_left_filter_feature_0_choice_238, transform_left_filter_feature_0_choice_239 : boolean;
+    variable transform_left_filter_feature_0_choice_240, transform_left_filter_feature_0_choice_241 : boolean;
+    variable transform_left_filter_feature_0_choice_242, transform_left_filter_feature_0_choice_243 : boolean;
+    variable transform_left_filter_feature_0_choice_244, transform_left_filter_feature_0_choice_245 : boolean;
+    variable transform_left_filter_feature_0_choice_246, transform_left_filter_feature_0_choice_247 : boolean;
+    variable transform_left_filter_feature_0_choice_248, transform_left_filter_feature_0_choice_249 : boolean;
+    variable transform_left_filter_feature_0_choice_250, transform_left_filter_feature_0_choice_251 : boolean;
+    variable transform_left_filter_feature_0_choice_252, transform_left_filter_feature_0_choice_253 : boolean;
+    variable transform_left_filter_feature_0_choice_254, transform_left_filter_feature_0_choice_255 : boolean;
+    variable transform_left_filter_feature_0_choice_256, transform_left_filter_feature_0_choice_257 : boolean;
+    variable transform_left_filter_feature_0_choice_258, transform_left_filter_feature_0_choice_259 : boolean;
+    variable transform_left_filter_feature_0_choice_260, transform_left_filter_feature_0_choice_261 : boolean;
+    variable transform_left_filter_feature_0_choice_262, transform_left_filter_feature_0_choice_263 : boolean;
     variable transform_left_filter_feature_0_choice_264, transform_left_filter_feature_0_choice_265 : boolean;
     variable transform_left_filter_feature_0_choice_266, transform_left_filter_feature_0_choice_267 : boolean;
     variable transform_left_filter_feature_0_choice_268, transform_left_filter_feature_0_choice_269 : boolean;
@@ -1363,79 +1369,63 @@ begin
     variable transform_left_filter_feature_0_choice_300, transform_left_filter_feature_0_choice_301 : boolean;
     variable transform_left_filter_feature_0_choice_302, transform_left_filter_feature_0_choice_303 : boolean;
     variable transform_left_filter_feature_0_choice_304, transform_left_filter_feature_0_choice_305 : boolean;
-    variable transform_left_filter_feature_0_choice_306, transform_left_filter_feature_0_all_8 : boolean;
-    variable transform_left_filter_feature_0_choice_307, transform_left_filter_feature_0_choice_308 : boolean;
-    variable transform_left_filter_feature_0_choice_309, transform_left_filter_feature_0_choice_310 : boolean;
-    variable transform_left_filter_feature_0_choice_311, transform_left_filter_feature_0_choice_312 : boolean;
-    variable transform_left_filter_feature_0_choice_313, transform_left_filter_feature_0_choice_314 : boolean;
-    variable transform_left_filter_feature_0_choice_315, transform_left_filter_feature_0_choice_316 : boolean;
-    variable transform_left_filter_feature_0_choice_317, transform_left_filter_feature_0_choice_318 : boolean;
-    variable transform_left_filter_feature_0_choice_319, transform_left_filter_feature_0_choice_320 : boolean;
-    variable transform_left_filter_feature_0_choice_321, transform_left_filter_feature_0_choice_322 : boolean;
-    variable transform_left_filter_feature_0_choice_323, transform_left_filter_feature_0_choice_324 : boolean;
-    variable transform_left_filter_feature_0_choice_325, transform_left_filter_feature_0_choice_326 : boolean;
-    variable transform_left_filter_feature_0_choice_327, transform_left_filter_feature_0_choice_328 : boolean;
-    variable transform_left_filter_feature_0_choice_329, transform_left_filter_feature_0_choice_330 : boolean;
-    variable transform_left_filter_feature_0_choice_331, transform_left_filter_feature_0_choice_332 : boolean;
-    variable transform_left_filter_feature_0_choice_333, transform_left_filter_feature_0_choice_334 : boolean;
-    variable transform_left_filter_feature_0_choice_335, transform_left_filter_feature_0_choice_336 : boolean;
-    variable transform_left_filter_feature_0_choice_337, transform_left_filter_feature_0_choice_338 : boolean;
-    variable transform_left_filter_feature_0_choice_339, transform_left_filter_feature_0_choice_340 : boolean;
-    variable transform_left_filter_feature_0_choice_341, transform_left_filter_feature_0_choice_342 : boolean;
-    variable transform_left_filter_feature_0_choice_343, transform_left_filter_feature_0_choice_344 : boolean;
-    variable transform_left_filter_feature_0_choice_345, transform_left_filter_feature_0_choice_346 : boolean;
-    variable transform_left_filter_feature_0_choice_347, transform_left_filter_feature_0_choice_348 : boolean;
-    variable transform_left_filter_feature_0_choice_349, transform_left_filter_feature_0_choice_350 : boolean;
-    variable transform_left_filter_feature_0_all_9, transform_left_filter_feature_0_choice_351 : boolean;
-    variable transform_left_filter_feature_0_choice_352, transform_left_filter_feature_0_choice_353 : boolean;
-    variable transform_left_filter_feature_0_choice_354, transform_left_filter_feature_0_choice_355 : boolean;
-    variable transform_left_filter_feature_0_choice_356, transform_left_filter_feature_0_choice_357 : boolean;
-    variable transform_left_filter_feature_0_choice_358, transform_left_filter_feature_0_choice_359 : boolean;
-    variable transform_left_filter_feature_0_choice_360, transform_left_filter_feature_0_choice_361 : boolean;
-    variable transform_left_filter_feature_0_choice_362, transform_left_filter_feature_0_choice_363 : boolean;
-    variable transform_left_filter_feature_0_choice_364, transform_left_filter_feature_0_choice_365 : boolean;
-    variable transform_left_filter_feature_0_choice_366, transform_left_filter_feature_0_choice_367 : boolean;
-    variable transform_left_filter_feature_0_choice_368, transform_left_filter_feature_0_choice_369 : boolean;
-    variable transform_left_filter_feature_0_choice_370, transform_left_filter_feature_0_choice_371 : boolean;
-    variable transform_left_filter_feature_0_choice_372, transform_left_filter_feature_0_choice_373 : boolean;
-    variable transform_left_filter_feature_0_choice_374, transform_left_filter_feature_0_choice_375 : boolean;
-    variable transform_left_filter_feature_0_choice_376, transform_left_filter_feature_0_choice_377 : boolean;
-    variable transform_left_filter_feature_0_choice_378, transform_left_filter_feature_0_choice_379 : boolean;
-    variable transform_left_filter_feature_0_choice_380, transform_left_filter_feature_0_choice_381 : boolean;
-    variable transform_left_filter_feature_0_choice_382, transform_left_filter_feature_0_choice_383 : boolean;
-    variable transform_left_filter_feature_0_choice_384, transform_left_filter_feature_0_choice_385 : boolean;
-    variable transform_left_filter_feature_0_choice_386, transform_left_filter_feature_0_choice_387 : boolean;
+    variable transform_left_filter_feature_0_choice_306, transform_left_filter_feature_0_choice_307 : boolean;
+    variable transform_left_filter_feature_0_choice_308, transform_left_filter_feature_0_choice_309 : boolean;
+    variable transform_left_filter_feature_0_choice_310, transform_left_filter_feature_0_choice_311 : boolean;
+    variable transform_left_filter_feature_0_choice_312, transform_left_filter_feature_0_choice_313 : boolean;
+    variable transform_left_filter_feature_0_choice_314, transform_left_filter_feature_0_choice_315 : boolean;
+    variable transform_left_filter_feature_0_choice_316, transform_left_filter_feature_0_choice_317 : boolean;
+    variable transform_left_filter_feature_0_choice_318, transform_left_filter_feature_0_choice_319 : boolean;
+    variable transform_left_filter_feature_0_choice_320, transform_left_filter_feature_0_choice_321 : boolean;
+    variable transform_left_filter_feature_0_choice_322, transform_left_filter_feature_0_choice_323 : boolean;
+    variable transform_left_filter_feature_0_choice_324, transform_left_filter_feature_0_choice_325 : boolean;
+    variable transform_left_filter_feature_0_choice_326, transform_left_filter_feature_0_choice_327 : boolean;
+    variable transform_left_filter_feature_0_choice_328, transform_left_filter_feature_0_choice_329 : boolean;
+    variable transform_left_filter_feature_0_choice_330, transform_left_filter_feature_0_choice_331 : boolean;
+    variable transform_left_filter_feature_0_choice_332, transform_left_filter_feature_0_choice_333 : boolean;
+    variable transform_left_filter_feature_0_choice_334, transform_left_filter_feature_0_choice_335 : boolean;
+    variable transform_left_filter_feature_0_choice_336, transform_left_filter_feature_0_choice_337 : boolean;
+    variable transform_left_filter_feature_0_choice_338, transform_left_filter_feature_0_choice_339 : boolean;
+    variable transform_left_filter_feature_0_choice_340, transform_left_filter_feature_0_choice_341 : boolean;
+    variable transform_left_filter_feature_0_choice_342, transform_left_filter_feature_0_choice_343 : boolean;
+    variable transform_left_filter_feature_0_choice_344, transform_left_filter_feature_0_choice_345 : boolean;
+    variable transform_left_filter_feature_0_choice_346, transform_left_filter_feature_0_choice_347 : boolean;
+    variable transform_left_filter_feature_0_value_7, transform_left_filter_feature_0_choice_348 : boolean;
+    variable transform_left_filter_feature_0_value_8, transform_left_filter_feature_0_choice_349 : boolean;
+    variable transform_left_filter_feature_0_value_9, transform_left_filter_feature_0_choice_350 : boolean;
+    variable transform_left_filter_feature_0_value_10, transform_left_filter_feature_0_choice_351 : boolean;
+    variable transform_left_filter_feature_0_value_11, transform_left_filter_feature_0_choice_352 : boolean;
+    variable transform_left_filter_feature_0_choice_353, transform_right_filter_feature_0_value : boolean;
     variable transform_right_filter_feature_0_any, transform_right_filter_feature_0_choice : boolean;
     variable transform_right_filter_feature_0_is_equal, transform_right_filter_feature_0_choice_2 : boolean;
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_choice_3 : boolean;
-    variable transform_right_filter_feature_0_value_2, transform_right_filter_feature_0_choice_4 : boolean;
-    variable transform_right_filter_feature_0_value_3, transform_right_filter_feature_0_choice_5 : boolean;
-    variable transform_right_filter_feature_0_value_4, transform_right_filter_feature_0_choice_6 : boolean;
-    variable transform_right_filter_feature_0_value_5, transform_right_filter_feature_0_choice_7 : boolean;
-    variable transform_right_filter_feature_0_all, transform_right_filter_feature_0_choice_8 : boolean;
-    variable transform_right_filter_feature_0_choice_9, transform_right_filter_feature_0_choice_10 : boolean;
-    variable transform_right_filter_feature_0_choice_11, transform_right_filter_feature_0_choice_12 : boolean;
-    variable transform_right_filter_feature_0_choice_13, transform_right_filter_feature_0_choice_14 : boolean;
-    variable transform_right_filter_feature_0_choice_15, transform_right_filter_feature_0_choice_16 : boolean;
-    variable transform_right_filter_feature_0_choice_17, transform_right_filter_feature_0_choice_18 : boolean;
-    variable transform_right_filter_feature_0_choice_19, transform_right_filter_feature_0_choice_20 : boolean;
-    variable transform_right_filter_feature_0_choice_21, transform_right_filter_feature_0_choice_22 : boolean;
-    variable transform_right_filter_feature_0_choice_23, transform_right_filter_feature_0_choice_24 : boolean;
-    variable transform_right_filter_feature_0_choice_25, transform_right_filter_feature_0_choice_26 : boolean;
-    variable transform_right_filter_feature_0_choice_27, transform_right_filter_feature_0_choice_28 : boolean;
-    variable transform_right_filter_feature_0_choice_29, transform_right_filter_feature_0_choice_30 : boolean;
-    variable transform_right_filter_feature_0_choice_31, transform_right_filter_feature_0_choice_32 : boolean;
-    variable transform_right_filter_feature_0_choice_33, transform_right_filter_feature_0_choice_34 : boolean;
-    variable transform_right_filter_feature_0_choice_35, transform_right_filter_feature_0_choice_36 : boolean;
-    variable transform_right_filter_feature_0_choice_37, transform_right_filter_feature_0_choice_38 : boolean;
-    variable transform_right_filter_feature_0_choice_39, transform_right_filter_feature_0_choice_40 : boolean;
-    variable transform_right_filter_feature_0_choice_41, transform_right_filter_feature_0_choice_42 : boolean;
-    variable transform_right_filter_feature_0_choice_43, transform_right_filter_feature_0_choice_44 : boolean;
-    variable transform_right_filter_feature_0_choice_45, transform_right_filter_feature_0_choice_46 : boolean;
-    variable transform_right_filter_feature_0_choice_47, transform_right_filter_feature_0_choice_48 : boolean;
-    variable transform_right_filter_feature_0_choice_49, transform_right_filter_feature_0_choice_50 : boolean;
-    variable transform_right_filter_feature_0_choice_51, transform_right_filter_feature_0_choice_52 : boolean;
-    variable transform_right_filter_feature_0_all_2, transform_right_filter_feature_0_choice_53 : boolean;
+    variable transform_right_filter_feature_0_value_2, transform_right_filter_feature_0_choice_3 : boolean;
+    variable transform_right_filter_feature_0_value_3, transform_right_filter_feature_0_choice_4 : boolean;
+    variable transform_right_filter_feature_0_value_4, transform_right_filter_feature_0_choice_5 : boolean;
+    variable transform_right_filter_feature_0_value_5, transform_right_filter_feature_0_choice_6 : boolean;
+    variable transform_right_filter_feature_0_value_6, transform_right_filter_feature_0_choice_7 : boolean;
+    variable transform_right_filter_feature_0_choice_8, transform_right_filter_feature_0_choice_9 : boolean;
+    variable transform_right_filter_feature_0_choice_10, transform_right_filter_feature_0_choice_11 : boolean;
+    variable transform_right_filter_feature_0_choice_12, transform_right_filter_feature_0_choice_13 : boolean;
+    variable transform_right_filter_feature_0_choice_14, transform_right_filter_feature_0_choice_15 : boolean;
+    variable transform_right_filter_feature_0_choice_16, transform_right_filter_feature_0_choice_17 : boolean;
+    variable transform_right_filter_feature_0_choice_18, transform_right_filter_feature_0_choice_19 : boolean;
+    variable transform_right_filter_feature_0_choice_20, transform_right_filter_feature_0_choice_21 : boolean;
+    variable transform_right_filter_feature_0_choice_22, transform_right_filter_feature_0_choice_23 : boolean;
+    variable transform_right_filter_feature_0_choice_24, transform_right_filter_feature_0_choice_25 : boolean;
+    variable transform_right_filter_feature_0_choice_26, transform_right_filter_feature_0_choice_27 : boolean;
+    variable transform_right_filter_feature_0_choice_28, transform_right_filter_feature_0_choice_29 : boolean;
+    variable transform_right_filter_feature_0_choice_30, transform_right_filter_feature_0_choice_31 : boolean;
+    variable transform_right_filter_feature_0_choice_32, transform_right_filter_feature_0_choice_33 : boolean;
+    variable transform_right_filter_feature_0_choice_34, transform_right_filter_feature_0_choice_35 : boolean;
+    variable transform_right_filter_feature_0_choice_36, transform_right_filter_feature_0_choice_37 : boolean;
+    variable transform_right_filter_feature_0_choice_38, transform_right_filter_feature_0_choice_39 : boolean;
+    variable transform_right_filter_feature_0_choice_40, transform_right_filter_feature_0_choice_41 : boolean;
+    variable transform_right_filter_feature_0_choice_42, transform_right_filter_feature_0_choice_43 : boolean;
+    variable transform_right_filter_feature_0_choice_44, transform_right_filter_feature_0_choice_45 : boolean;
+    variable transform_right_filter_feature_0_choice_46, transform_right_filter_feature_0_choice_47 : boolean;
+    variable transform_right_filter_feature_0_choice_48, transform_right_filter_feature_0_choice_49 : boolean;
+    variable transform_right_filter_feature_0_choice_50, transform_right_filter_feature_0_choice_51 : boolean;
+    variable transform_right_filter_feature_0_choice_52, transform_right_filter_feature_0_choice_53 : boolean;
     variable transform_right_filter_feature_0_choice_54, transform_right_filter_feature_0_choice_55 : boolean;
     variable transform_right_filter_feature_0_choice_56, transform_right_filter_feature_0_choice_57 : boolean;
     variable transform_right_filter_feature_0_choice_58, transform_right_filter_feature_0_choice_59 : boolean;
@@ -1458,30 +1448,29 @@ begin
     variable transform_right_filter_feature_0_choice_92, transform_right_filter_feature_0_choice_93 : boolean;
     variable transform_right_filter_feature_0_choice_94, transform_right_filter_feature_0_choice_95 : boolean;
     variable transform_right_filter_feature_0_choice_96, transform_right_filter_feature_0_choice_97 : boolean;
-    variable transform_right_filter_feature_0_all_3, transform_right_filter_feature_0_choice_98 : boolean;
-    variable transform_right_filter_feature_0_choice_99, transform_right_filter_feature_0_choice_100 : boolean;
-    variable transform_right_filter_feature_0_choice_101, transform_right_filter_feature_0_choice_102 : boolean;
-    variable transform_right_filter_feature_0_choice_103, transform_right_filter_feature_0_choice_104 : boolean;
-    variable transform_right_filter_feature_0_choice_105, transform_right_filter_feature_0_choice_106 : boolean;
-    variable transform_right_filter_feature_0_choice_107, transform_right_filter_feature_0_choice_108 : boolean;
-    variable transform_right_filter_feature_0_choice_109, transform_right_filter_feature_0_choice_110 : boolean;
-    variable transform_right_filter_feature_0_choice_111, transform_right_filter_feature_0_choice_112 : boolean;
-    variable transform_right_filter_feature_0_choice_113, transform_right_filter_feature_0_choice_114 : boolean;
-    variable transform_right_filter_feature_0_choice_115, transform_right_filter_feature_0_choice_116 : boolean;
-    variable transform_right_filter_feature_0_choice_117, transform_right_filter_feature_0_choice_118 : boolean;
-    variable transform_right_filter_feature_0_choice_119, transform_right_filter_feature_0_choice_120 : boolean;
-    variable transform_right_filter_feature_0_choice_121, transform_right_filter_feature_0_choice_122 : boolean;
-    variable transform_right_filter_feature_0_choice_123, transform_right_filter_feature_0_choice_124 : boolean;
-    variable transform_right_filter_feature_0_choice_125, transform_right_filter_feature_0_choice_126 : boolean;
-    variable transform_right_filter_feature_0_choice_127, transform_right_filter_feature_0_choice_128 : boolean;
-    variable transform_right_filter_feature_0_choice_129, transform_right_filter_feature_0_choice_130 : boolean;
-    variable transform_right_filter_feature_0_choice_131, transform_right_filter_feature_0_choice_132 : boolean;
-    variable transform_right_filter_feature_0_choice_133, transform_right_filter_feature_0_choice_134 : boolean;
-    variable transform_right_filter_feature_0_choice_135, transform_right_filter_feature_0_choice_136 : boolean;
-    variable transform_right_filter_feature_0_choice_137, transform_right_filter_feature_0_choice_138 : boolean;
-    variable transform_right_filter_feature_0_choice_139, transform_right_filter_feature_0_choice_140 : boolean;
-    variable transform_right_filter_feature_0_choice_141, transform_right_filter_feature_0_choice_142 : boolean;
-    variable transform_right_filter_feature_0_all_4, transform_right_filter_feature_0_choice_143 : boolean;
+    variable transform_right_filter_feature_0_choice_98, transform_right_filter_feature_0_choice_99 : boolean;
+    variable transform_right_filter_feature_0_choice_100, transform_right_filter_feature_0_choice_101 : boolean;
+    variable transform_right_filter_feature_0_choice_102, transform_right_filter_feature_0_choice_103 : boolean;
+    variable transform_right_filter_feature_0_choice_104, transform_right_filter_feature_0_choice_105 : boolean;
+    variable transform_right_filter_feature_0_choice_106, transform_right_filter_feature_0_choice_107 : boolean;
+    variable transform_right_filter_feature_0_choice_108, transform_right_filter_feature_0_choice_109 : boolean;
+    variable transform_right_filter_feature_0_choice_110, transform_right_filter_feature_0_choice_111 : boolean;
+    variable transform_right_filter_feature_0_choice_112, transform_right_filter_feature_0_choice_113 : boolean;
+    variable transform_right_filter_feature_0_choice_114, transform_right_filter_feature_0_choice_115 : boolean;
+    variable transform_right_filter_feature_0_choice_116, transform_right_filter_feature_0_choice_117 : boolean;
+    variable transform_right_filter_feature_0_choice_118, transform_right_filter_feature_0_choice_119 : boolean;
+    variable transform_right_filter_feature_0_choice_120, transform_right_filter_feature_0_choice_121 : boolean;
+    variable transform_right_filter_feature_0_choice_122, transform_right_filter_feature_0_choice_123 : boolean;
+    variable transform_right_filter_feature_0_choice_124, transform_right_filter_feature_0_choice_125 : boolean;
+    variable transform_right_filter_feature_0_choice_126, transform_right_filter_feature_0_choice_127 : boolean;
+    variable transform_right_filter_feature_0_choice_128, transform_right_filter_feature_0_choice_129 : boolean;
+    variable transform_right_filter_feature_0_choice_130, transform_right_filter_feature_0_choice_131 : boolean;
+    variable transform_right_filter_feature_0_choice_132, transform_right_filter_feature_0_choice_133 : boolean;
+    variable transform_right_filter_feature_0_choice_134, transform_right_filter_feature_0_choice_135 : boolean;
+    variable transform_right_filter_feature_0_choice_136, transform_right_filter_feature_0_choice_137 : boolean;
+    variable transform_right_filter_feature_0_choice_138, transform_right_filter_feature_0_choice_139 : boolean;
+    variable transform_right_filter_feature_0_choice_140, transform_right_filter_feature_0_choice_141 : boolean;
+    variable transform_right_filter_feature_0_choice_142, transform_right_filter_feature_0_choice_143 : boolean;
     variable transform_right_filter_feature_0_choice_144, transform_right_filter_feature_0_choice_145 : boolean;
     variable transform_right_filter_feature_0_choice_146, transform_right_filter_feature_0_choice_147 : boolean;
     variable transform_right_filter_feature_0_choice_148, transform_right_filter_feature_0_choice_149 : boolean;
@@ -1504,25 +1493,24 @@ begin
     variable transform_right_filter_feature_0_choice_182, transform_right_filter_feature_0_choice_183 : boolean;
     variable transform_right_filter_feature_0_choice_184, transform_right_filter_feature_0_choice_185 : boolean;
     variable transform_right_filter_feature_0_choice_186, transform_right_filter_feature_0_choice_187 : boolean;
-    variable transform_right_filter_feature_0_all_5, transform_right_filter_feature_0_choice_188 : boolean;
-    variable transform_right_filter_feature_0_choice_189, transform_right_filter_feature_0_choice_190 : boolean;
-    variable transform_right_filter_feature_0_choice_191, transform_right_filter_feature_0_choice_192 : boolean;
-    variable transform_right_filter_feature_0_choice_193, transform_right_filter_feature_0_choice_194 : boolean;
-    variable transform_right_filter_feature_0_choice_195, transform_right_filter_feature_0_choice_196 : boolean;
-    variable transform_right_filter_feature_0_choice_197, transform_right_filter_feature_0_choice_198 : boolean;
-    variable transform_right_filter_feature_0_choice_199, transform_right_filter_feature_0_choice_200 : boolean;
-    variable transform_right_filter_feature_0_choice_201, transform_right_filter_feature_0_choice_202 : boolean;
-    variable transform_right_filter_feature_0_choice_203, transform_right_filter_feature_0_choice_204 : boolean;
-    variable transform_right_filter_feature_0_choice_205, transform_right_filter_feature_0_choice_206 : boolean;
-    variable transform_right_filter_feature_0_choice_207, transform_right_filter_feature_0_choice_208 : boolean;
-    variable transform_right_filter_feature_0_choice_209, transform_right_filter_feature_0_choice_210 : boolean;
-    variable transform_right_filter_feature_0_choice_211, transform_right_filter_feature_0_choice_212 : boolean;
-    variable transform_right_filter_feature_0_choice_213, transform_right_filter_feature_0_choice_214 : boolean;
-    variable transform_right_filter_feature_0_choice_215, transform_right_filter_feature_0_choice_216 : boolean;
-    variable transform_right_filter_feature_0_choice_217, transform_right_filter_feature_0_choice_218 : boolean;
-    variable transform_right_filter_feature_0_choice_219, transform_right_filter_feature_0_choice_220 : boolean;
-    variable transform_right_filter_feature_0_choice_221, transform_right_filter_feature_0_choice_222 : boolean;
-    variable transform_right_filter_feature_0_choice_223, transform_right_filter_feature_0_all_6 : boolean;
+    variable transform_right_filter_feature_0_choice_188, transform_right_filter_feature_0_choice_189 : boolean;
+    variable transform_right_filter_feature_0_choice_190, transform_right_filter_feature_0_choice_191 : boolean;
+    variable transform_right_filter_feature_0_choice_192, transform_right_filter_feature_0_choice_193 : boolean;
+    variable transform_right_filter_feature_0_choice_194, transform_right_filter_feature_0_choice_195 : boolean;
+    variable transform_right_filter_feature_0_choice_196, transform_right_filter_feature_0_choice_197 : boolean;
+    variable transform_right_filter_feature_0_choice_198, transform_right_filter_feature_0_choice_199 : boolean;
+    variable transform_right_filter_feature_0_choice_200, transform_right_filter_feature_0_choice_201 : boolean;
+    variable transform_right_filter_feature_0_choice_202, transform_right_filter_feature_0_choice_203 : boolean;
+    variable transform_right_filter_feature_0_choice_204, transform_right_filter_feature_0_choice_205 : boolean;
+    variable transform_right_filter_feature_0_choice_206, transform_right_filter_feature_0_choice_207 : boolean;
+    variable transform_right_filter_feature_0_choice_208, transform_right_filter_feature_0_choice_209 : boolean;
+    variable transform_right_filter_feature_0_choice_210, transform_right_filter_feature_0_choice_211 : boolean;
+    variable transform_right_filter_feature_0_choice_212, transform_right_filter_feature_0_choice_213 : boolean;
+    variable transform_right_filter_feature_0_choice_214, transform_right_filter_feature_0_choice_215 : boolean;
+    variable transform_right_filter_feature_0_choice_216, transform_right_filter_feature_0_choice_217 : boolean;
+    variable transform_right_filter_feature_0_choice_218, transform_right_filter_feature_0_choice_219 : boolean;
+    variable transform_right_filter_feature_0_choice_220, transform_right_filter_feature_0_choice_221 : boolean;
+    variable transform_right_filter_feature_0_choice_222, transform_right_filter_feature_0_choice_223 : boolean;
     variable transform_right_filter_feature_0_choice_224, transform_right_filter_feature_0_choice_225 : boolean;
     variable transform_right_filter_feature_0_choice_226, transform_right_filter_feature_0_choice_227 : boolean;
     variable transform_right_filter_feature_0_choice_228, transform_right_filter_feature_0_choice_229 : boolean;
@@ -1545,30 +1533,29 @@ begin
     variable transform_right_filter_feature_0_choice_262, transform_right_filter_feature_0_choice_263 : boolean;
     variable transform_right_filter_feature_0_choice_264, transform_right_filter_feature_0_choice_265 : boolean;
     variable transform_right_filter_feature_0_choice_266, transform_right_filter_feature_0_choice_267 : boolean;
-    variable transform_right_filter_feature_0_choice_268, transform_right_filter_feature_0_all_7 : boolean;
-    variable transform_right_filter_feature_0_choice_269, transform_right_filter_feature_0_choice_270 : boolean;
-    variable transform_right_filter_feature_0_choice_271, transform_right_filter_feature_0_choice_272 : boolean;
-    variable transform_right_filter_feature_0_choice_273, transform_right_filter_feature_0_choice_274 : boolean;
-    variable transform_right_filter_feature_0_choice_275, transform_right_filter_feature_0_choice_276 : boolean;
-    variable transform_right_filter_feature_0_choice_277, transform_right_filter_feature_0_choice_278 : boolean;
-    variable transform_right_filter_feature_0_choice_279, transform_right_filter_feature_0_choice_280 : boolean;
-    variable transform_right_filter_feature_0_choice_281, transform_right_filter_feature_0_choice_282 : boolean;
-    variable transform_right_filter_feature_0_choice_283, transform_right_filter_feature_0_choice_284 : boolean;
-    variable transform_right_filter_feature_0_choice_285, transform_right_filter_feature_0_choice_286 : boolean;
-    variable transform_right_filter_feature_0_choice_287, transform_right_filter_feature_0_choice_288 : boolean;
-    variable transform_right_filter_feature_0_choice_289, transform_right_filter_feature_0_choice_290 : boolean;
-    variable transform_right_filter_feature_0_choice_291, transform_right_filter_feature_0_choice_292 : boolean;
-    variable transform_right_filter_feature_0_choice_293, transform_right_filter_feature_0_choice_294 : boolean;
-    variable transform_right_filter_feature_0_choice_295, transform_right_filter_feature_0_choice_296 : boolean;
-    variable transform_right_filter_feature_0_choice_297, transform_right_filter_feature_0_choice_298 : boolean;
-    variable transform_right_filter_feature_0_choice_299, transform_right_filter_feature_0_choice_300 : boolean;
-    variable transform_right_filter_feature_0_choice_301, transform_right_filter_feature_0_choice_302 : boolean;
-    variable transform_right_filter_feature_0_choice_303, transform_right_filter_feature_0_choice_304 : boolean;
-    variable transform_right_filter_feature_0_choice_305, transform_right_filter_feature_0_choice_306 : boolean;
-    variable transform_right_filter_feature_0_choice_307, transform_right_filter_feature_0_choice_308 : boolean;
-    variable transform_right_filter_feature_0_choice_309, transform_right_filter_feature_0_choice_310 : boolean;
-    variable transform_right_filter_feature_0_choice_311, transform_right_filter_feature_0_choice_312 : boolean;
-    variable transform_right_filter_feature_0_choice_313, transform_right_filter_feature_0_all_8 : boolean;
+    variable transform_right_filter_feature_0_choice_268, transform_right_filter_feature_0_choice_269 : boolean;
+    variable transform_right_filter_feature_0_choice_270, transform_right_filter_feature_0_choice_271 : boolean;
+    variable transform_right_filter_feature_0_choice_272, transform_right_filter_feature_0_choice_273 : boolean;
+    variable transform_right_filter_feature_0_choice_274, transform_right_filter_feature_0_choice_275 : boolean;
+    variable transform_right_filter_feature_0_choice_276, transform_right_filter_feature_0_choice_277 : boolean;
+    variable transform_right_filter_feature_0_choice_278, transform_right_filter_feature_0_choice_279 : boolean;
+    variable transform_right_filter_feature_0_choice_280, transform_right_filter_feature_0_choice_281 : boolean;
+    variable transform_right_filter_feature_0_choice_282, transform_right_filter_feature_0_choice_283 : boolean;
+    variable transform_right_filter_feature_0_choice_284, transform_right_filter_feature_0_choice_285 : boolean;
+    variable transform_right_filter_feature_0_choice_286, transform_right_filter_feature_0_choice_287 : boolean;
+    variable transform_right_filter_feature_0_choice_288, transform_right_filter_feature_0_choice_289 : boolean;
+    variable transform_right_filter_feature_0_choice_290, transform_right_filter_feature_0_choice_291 : boolean;
+    variable transform_right_filter_feature_0_choice_292, transform_right_filter_feature_0_choice_293 : boolean;
+    variable transform_right_filter_feature_0_choice_294, transform_right_filter_feature_0_choice_295 : boolean;
+    variable transform_right_filter_feature_0_choice_296, transform_right_filter_feature_0_choice_297 : boolean;
+    variable transform_right_filter_feature_0_choice_298, transform_right_filter_feature_0_choice_299 : boolean;
+    variable transform_right_filter_feature_0_choice_300, transform_right_filter_feature_0_choice_301 : boolean;
+    variable transform_right_filter_feature_0_choice_302, transform_right_filter_feature_0_choice_303 : boolean;
+    variable transform_right_filter_feature_0_choice_304, transform_right_filter_feature_0_choice_305 : boolean;
+    variable transform_right_filter_feature_0_choice_306, transform_right_filter_feature_0_choice_307 : boolean;
+    variable transform_right_filter_feature_0_choice_308, transform_right_filter_feature_0_choice_309 : boolean;
+    variable transform_right_filter_feature_0_choice_310, transform_right_filter_feature_0_choice_311 : boolean;
+    variable transform_right_filter_feature_0_choice_312, transform_right_filter_feature_0_choice_313 : boolean;
     variable transform_right_filter_feature_0_choice_314, transform_right_filter_feature_0_choice_315 : boolean;
     variable transform_right_filter_feature_0_choice_316, transform_right_filter_feature_0_choice_317 : boolean;
     variable transform_right_filter_feature_0_choice_318, transform_right_filter_feature_0_choice_319 : boolean;
@@ -1586,57 +1573,37 @@ begin
     variable transform_right_filter_feature_0_choice_342, transform_right_filter_feature_0_choice_343 : boolean;
     variable transform_right_filter_feature_0_choice_344, transform_right_filter_feature_0_choice_345 : boolean;
     variable transform_right_filter_feature_0_choice_346, transform_right_filter_feature_0_choice_347 : boolean;
-    variable transform_right_filter_feature_0_choice_348, transform_right_filter_feature_0_choice_349 : boolean;
-    variable transform_right_filter_feature_0_choice_350, transform_right_filter_feature_0_choice_351 : boolean;
-    variable transform_right_filter_feature_0_choice_352, transform_right_filter_feature_0_choice_353 : boolean;
-    variable transform_right_filter_feature_0_choice_354, transform_right_filter_feature_0_choice_355 : boolean;
-    variable transform_right_filter_feature_0_choice_356, transform_right_filter_feature_0_choice_357 : boolean;
-    variable transform_right_filter_feature_0_choice_358, transform_right_filter_feature_0_all_9 : boolean;
-    variable transform_right_filter_feature_0_choice_359, transform_right_filter_feature_0_choice_360 : boolean;
-    variable transform_right_filter_feature_0_choice_361, transform_right_filter_feature_0_choice_362 : boolean;
-    variable transform_right_filter_feature_0_choice_363, transform_right_filter_feature_0_choice_364 : boolean;
-    variable transform_right_filter_feature_0_choice_365, transform_right_filter_feature_0_choice_366 : boolean;
-    variable transform_right_filter_feature_0_choice_367, transform_right_filter_feature_0_choice_368 : boolean;
-    variable transform_right_filter_feature_0_choice_369, transform_right_filter_feature_0_choice_370 : boolean;
-    variable transform_right_filter_feature_0_choice_371, transform_right_filter_feature_0_choice_372 : boolean;
-    variable transform_right_filter_feature_0_choice_373, transform_right_filter_feature_0_choice_374 : boolean;
-    variable transform_right_filter_feature_0_choice_375, transform_right_filter_feature_0_choice_376 : boolean;
-    variable transform_right_filter_feature_0_choice_377, transform_right_filter_feature_0_choice_378 : boolean;
-    variable transform_right_filter_feature_0_choice_379, transform_right_filter_feature_0_choice_380 : boolean;
-    variable transform_right_filter_feature_0_choice_381, transform_right_filter_feature_0_choice_382 : boolean;
-    variable transform_right_filter_feature_0_choice_383, transform_right_filter_feature_0_choice_384 : boolean;
-    variable transform_right_filter_feature_0_choice_385, transform_right_filter_feature_0_choice_386 : boolean;
-    variable transform_right_filter_feature_0_choice_387, transform_right_filter_feature_0_choice_388 : boolean;
-    variable transform_right_filter_feature_0_choice_389, transform_right_filter_feature_0_choice_390 : boolean;
-    variable transform_right_filter_feature_0_choice_391, transform_right_filter_feature_0_choice_392 : boolean;
-    variable transform_right_filter_feature_0_choice_393, transform_right_filter_feature_0_choice_394 : boolean;
-    variable transform_right_filter_feature_0_choice_395, transform_right_filter_feature_0_choice_396 : boolean;
-    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
-    variable delay_tag_map_column_is_less, line_order_falls_any, line_order_falls_all : boolean;
-    variable line_order_complete_any, line_order_turned_output_column_choice : boolean;
-    variable costscolumn_pixels_first_0_0_count_0_value, costscolumn_pixels_first_0_0_count_0_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_1_value, costscolumn_pixels_first_0_0_count_1_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_1_value_3, costscolumn_pixels_first_0_0_count_2_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_2_value_2, costscolumn_pixels_first_0_0_count_3_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_3_value_2, costscolumn_pixels_first_0_0_count_3_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_4_value, costscolumn_pixels_first_0_0_count_4_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_4_value_3, costscolumn_pixels_first_0_0_count_5_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_5_value_2, costscolumn_pixels_first_0_0_count_5_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_6_value, costscolumn_pixels_first_0_0_count_6_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_6_value_3, costscolumn_pixels_first_0_0_count_7_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_7_value_2, costscolumn_pixels_first_0_0_count_7_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_8_value, costscolumn_pixels_first_0_0_count_8_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_8_value_3, costscolumn_pixels_first_0_0_count_9_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_9_value_2, costscolumn_pixels_first_0_0_count_9_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_10_value, costscolumn_pixels_first_0_0_count_10_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_10_value_3, costscolumn_pixels_first_0_0_count_11_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_11_value_2, costscolumn_pixels_first_0_0_count_11_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_12_value, costscolumn_pixels_first_0_0_count_12_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_12_value_3, costscolumn_pixels_first_0_0_count_13_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_13_value_2, costscolumn_pixels_first_0_0_count_13_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_14_value, pathsleft_read_count_phase_is_equal : boolean;
-    variable pathsleft_step_0_is_equal, pathsleft_cost_0_any, pathsabove_ready_top_choice : boolean;
-    variable pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
+    variable transform_right_filter_feature_0_value_7, transform_right_filter_feature_0_choice_348 : boolean;
+    variable transform_right_filter_feature_0_value_8, transform_right_filter_feature_0_choice_349 : boolean;
+    variable transform_right_filter_feature_0_value_9, transform_right_filter_feature_0_choice_350 : boolean;
+    variable transform_right_filter_feature_0_value_10, transform_right_filter_feature_0_choice_351 : boolean;
+    variable transform_right_filter_feature_0_value_11, transform_right_filter_feature_0_choice_352 : boolean;
+    variable transform_right_filter_feature_0_choice_353, raster_place_group_is_equal : boolean;
+    variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
+    variable line_order_falls_any, line_order_falls_all, line_order_complete_any : boolean;
+    variable line_order_turned_output_column_choice, costscolumn_pixels_first_0_0_count_0_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_0_value_2, costscolumn_pixels_first_0_0_count_1_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_1_value_2, costscolumn_pixels_first_0_0_count_1_value_3 : boolean;
+    variable costscolumn_pixels_first_0_0_count_2_value, costscolumn_pixels_first_0_0_count_2_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_3_value, costscolumn_pixels_first_0_0_count_3_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_3_value_3, costscolumn_pixels_first_0_0_count_4_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_4_value_2, costscolumn_pixels_first_0_0_count_4_value_3 : boolean;
+    variable costscolumn_pixels_first_0_0_count_5_value, costscolumn_pixels_first_0_0_count_5_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_5_value_3, costscolumn_pixels_first_0_0_count_6_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_6_value_2, costscolumn_pixels_first_0_0_count_6_value_3 : boolean;
+    variable costscolumn_pixels_first_0_0_count_7_value, costscolumn_pixels_first_0_0_count_7_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_7_value_3, costscolumn_pixels_first_0_0_count_8_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_8_value_2, costscolumn_pixels_first_0_0_count_8_value_3 : boolean;
+    variable costscolumn_pixels_first_0_0_count_9_value, costscolumn_pixels_first_0_0_count_9_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_9_value_3, costscolumn_pixels_first_0_0_count_10_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_10_value_2, costscolumn_pixels_first_0_0_count_10_value_3 : boolean;
+    variable costscolumn_pixels_first_0_0_count_11_value, costscolumn_pixels_first_0_0_count_11_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_11_value_3, costscolumn_pixels_first_0_0_count_12_value : boolean;
+    variable costscolumn_pixels_first_0_0_count_12_value_2, costscolumn_pixels_first_0_0_count_12_value_3 : boolean;
+    variable costscolumn_pixels_first_0_0_count_13_value, costscolumn_pixels_first_0_0_count_13_value_2 : boolean;
+    variable costscolumn_pixels_first_0_0_count_13_value_3, costscolumn_pixels_first_0_0_count_14_value : boolean;
+    variable pathsleft_read_count_phase_is_equal, pathsleft_step_0_is_equal, pathsleft_cost_0_any : boolean;
+    variable pathsabove_ready_top_choice, pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
     variable pathsabove_memory_write_words_0_0_all, pathsabove_memory_write_words_1_0_all : boolean;
     variable pathsturn_sum_memory_write_words_0_0_all, pathsturn_sum_memory_write_words_1_0_all : boolean;
     variable pathsturn_cost_memory_write_words_0_0_all, pathsturn_cost_memory_write_words_1_0_all : boolean;
@@ -1791,6 +1758,36 @@ begin
     variable map_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 511;
     variable map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 511;
+    variable transform_left_filter_feature_0_choice_354 : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_354, pathsleft_q_choice : natural range 0 to 31;
+    variable pathsleft_q_choice_2, pathsleft_room_left_choice, pathsabove_total_0_choice : natural range 0 to 31;
+    variable pathsabove_total_1_choice, pathsabove_total_2_choice, pathsabove_total_3_choice : natural range 0 to 31;
+    variable pathsabove_total_4_choice, pathsabove_total_5_choice, pathsabove_total_6_choice : natural range 0 to 31;
+    variable pathsabove_total_7_choice, pathsabove_memory_write_words_0_0_choice : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_0_choice_2 : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_0_choice_3 : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_1_choice : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_1_choice_2 : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_1_choice_3 : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_2_choice : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_2_choice_2, pathsright_q_choice : natural range 0 to 31;
+    variable pathsright_q_choice_2, pathsright_room_left_choice, winners_base_choice : natural range 0 to 31;
+    variable transform_left_filter_feature_0_choice_355 : natural range 0 to 1023;
+    variable transform_right_filter_feature_0_choice_355 : natural range 0 to 1023;
+    variable pathsabove_memory_read_address_1_choice, pathsabove_memory_write_words_0_2_sum : natural range 0 to 1023;
+    variable transform_left_filter_feature_0_choice_356 : natural range 0 to 32767;
+    variable transform_right_filter_feature_0_choice_356 : natural range 0 to 32767;
+    variable pathsabove_memory_write_words_0_0_sum, pathsabove_memory_write_words_0_1_sum : natural range 0 to 32767;
+    variable transform_left_filter_feature_0_choice_357 : natural range 0 to 1048575;
+    variable transform_right_filter_feature_0_choice_357 : natural range 0 to 1048575;
+    variable transform_left_filter_feature_0_choice_358 : natural range 0 to 8388607;
+    variable transform_right_filter_feature_0_choice_358 : natural range 0 to 8388607;
+    variable transform_left_filter_feature_0_choice_359 : natural range 0 to 536870911;
+    variable transform_right_filter_feature_0_choice_359 : natural range 0 to 536870911;
+    variable transform_left_filter_feature_0_choice_360 : unsigned(33 downto 0);
+    variable transform_right_filter_feature_0_choice_360 : unsigned(33 downto 0);
+    variable transform_left_filter_feature_0_choice_361 : unsigned(38 downto 0);
+    variable transform_right_filter_feature_0_choice_361 : unsigned(38 downto 0);
     variable line_order_address_choice, turn_order_address_choice : natural range 1 to 1023;
     variable line_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 9;
     variable costsshift_count_phase_choice, pathsleft_read_count_phase_choice : natural range 0 to 7;
@@ -1820,22 +1817,11 @@ begin
     variable pathsright_step_2_choice, pathsright_step_3_choice, pathsright_step_4_choice : natural range 0 to 63;
     variable pathsright_step_5_choice, pathsright_step_6_choice, pathsright_step_7_choice : natural range 0 to 63;
     variable pathsright_step_7_choice_2, pathsright_low_0_choice : natural range 0 to 63;
-    variable pathsleft_q_choice, pathsleft_q_choice_2, pathsleft_room_left_choice : natural range 0 to 31;
-    variable pathsabove_total_0_choice, pathsabove_total_1_choice, pathsabove_total_2_choice : natural range 0 to 31;
-    variable pathsabove_total_3_choice, pathsabove_total_4_choice, pathsabove_total_5_choice : natural range 0 to 31;
-    variable pathsabove_total_6_choice, pathsabove_total_7_choice : natural range 0 to 31;
-    variable pathsabove_memory_write_words_0_0_choice : natural range 0 to 31;
-    variable pathsabove_memory_write_words_0_0_choice_2 : natural range 0 to 31;
-    variable pathsabove_memory_write_words_0_0_choice_3 : natural range 0 to 31;
-    variable pathsabove_memory_write_words_0_1_choice : natural range 0 to 31;
-    variable pathsabove_memory_write_words_0_1_choice_2 : natural range 0 to 31;
-    variable pathsabove_memory_write_words_0_1_choice_3 : natural range 0 to 31;
-    variable pathsabove_memory_write_words_0_2_choice : natural range 0 to 31;
-    variable pathsabove_memory_write_words_0_2_choice_2, pathsright_q_choice : natural range 0 to 31;
-    variable pathsright_q_choice_2, pathsright_room_left_choice, winners_base_choice : natural range 0 to 31;
-    variable pathsabove_read_address_address_choice, pathsabove_write_address_address_choice : natural range 0 to 8191;
-    variable pathsabove_memory_write_words_0_0_sum, pathsabove_memory_write_words_0_1_sum : natural range 0 to 32767;
-    variable pathsabove_memory_write_words_0_2_sum : natural range 0 to 1023;
+    variable pathsabove_memory_read_address_0_sum : natural range 1 to 8192;
+    variable pathsabove_memory_read_address_0_choice : natural range 0 to 4095;
+    variable pathsabove_memory_read_address_0_sum_2, pathsturn_cost_memory_read_address_0_sum : natural range 0 to 8192;
+    variable pathsabove_memory_bank_choice, pathsabove_memory_bank_choice_2 : natural range 0 to 8191;
+    variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
     variable pathsturn_sum_memory_write_words_0_0_sum : natural range 0 to 16254;
     variable pathsturn_sum_memory_write_words_0_1_sum : natural range 0 to 16254;
     variable pathsturn_sum_memory_write_words_0_2_sum : natural range 0 to 16254;
@@ -1895,1209 +1881,1243 @@ begin
           transform_counter_group_is_equal_2 and in_valid and in_start_of_frame;
       end if;
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_feature_0_any := (not (((transform_left_filter_column_4_2 / 2) mod 2) = 1)) or (not
+      transform_left_filter_feature_0_value := ((transform_left_filter_column_4_2 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
         ((transform_left_filter_column_4_2 mod 2) = 1));
-      if (transform_left_filter_column_0_1 mod 2) = 1 then
+      if (transform_left_filter_column_8_0 mod 2) = 1 then
         transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
       end if;
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column_4_2 mod 4) = 0;
-      if ((transform_left_filter_column_0_1 / 2) mod 2) = 1 then
+      if ((transform_left_filter_column_8_0 / 2) mod 2) = 1 then
         transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
       else
-        transform_left_filter_feature_0_choice_2 := ((transform_left_filter_column_0_1 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_2 := ((transform_left_filter_column_8_0 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      transform_left_filter_feature_0_value := ((transform_left_filter_column_4_2 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_4_2 / 4) mod 2) = 1;
       if transform_left_filter_feature_0_choice_2 then
-        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
-      transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_4_2 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_4_2 / 8) mod 2) = 1;
       if transform_left_filter_feature_0_choice_3 then
-        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_4_2 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_4_2 / 16) mod 2) = 1;
       if transform_left_filter_feature_0_choice_4 then
-        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_4_2 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_4_2 / 32) mod 2) = 1;
       if transform_left_filter_feature_0_choice_5 then
-        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
-      transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_4_2 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_4_2 / 64) mod 2) = 1;
       if transform_left_filter_feature_0_choice_6 then
-        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      transform_left_filter_feature_0_all := transform_filtering_0_column_inside_0 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_0_1 / 128) = 1 then
-        transform_left_filter_feature_0_choice_8 := transform_filtering_0_column_inside_0;
-      else
-        transform_left_filter_feature_0_choice_8 := transform_left_filter_feature_0_all;
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_7 then
-        transform_left_filter_feature_0_choice_9 := ((transform_left_filter_column_0_1 / 128) = 1) and
-          transform_filtering_0_column_inside_0 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_8_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_choice_8;
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_8_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_left_filter_column_0_3 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_any;
+      if (transform_left_filter_column_8_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_10 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_9 := not transform_left_filter_feature_0_value;
       end if;
-      if ((transform_left_filter_column_0_3 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_11 := transform_left_filter_feature_0_choice_10;
+      if ((transform_left_filter_column_8_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9;
       else
-        transform_left_filter_feature_0_choice_11 := ((transform_left_filter_column_0_3 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_10 := ((transform_left_filter_column_8_1 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_10 then
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_11 then
-        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_12 then
-        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_13 then
-        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_14 then
-        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_15 then
-        transform_left_filter_feature_0_choice_16 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_8_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_16 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_8_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_left_filter_column_0_3 / 128) = 1 then
-        transform_left_filter_feature_0_choice_17 := transform_filtering_0_column_inside_0;
+      if (transform_left_filter_column_8_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_all;
+        transform_left_filter_feature_0_choice_17 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_16 then
-        transform_left_filter_feature_0_choice_18 := ((transform_left_filter_column_0_3 / 128) = 1) and
-          transform_filtering_0_column_inside_0 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
+      if ((transform_left_filter_column_8_2 / 2) mod 2) = 1 then
         transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17;
-      end if;
-      if (transform_left_filter_column_0_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_19 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_19 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_0_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_20 := transform_left_filter_feature_0_choice_19;
-      else
-        transform_left_filter_feature_0_choice_20 := ((transform_left_filter_column_0_0 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_18 := ((transform_left_filter_column_8_2 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_18 then
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_19 then
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_20 then
-        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_0_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_0_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_21 then
-        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_0_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_0_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_22 then
-        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_0_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_0_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_23 then
-        transform_left_filter_feature_0_choice_24 := (not (((transform_left_filter_column_0_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_8_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_24 := (not (((transform_left_filter_column_0_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_8_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_24 then
-        transform_left_filter_feature_0_choice_25 := (not (((transform_left_filter_column_0_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if (transform_left_filter_column_8_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_25 := (not (((transform_left_filter_column_0_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_25 := not transform_left_filter_feature_0_value;
       end if;
-      if (transform_left_filter_column_0_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_26 := transform_filtering_0_column_inside_0;
+      if ((transform_left_filter_column_8_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25;
       else
-        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_all;
-      end if;
-      if transform_left_filter_feature_0_choice_25 then
-        transform_left_filter_feature_0_choice_27 := ((transform_left_filter_column_0_0 / 128) = 1) and
-          transform_filtering_0_column_inside_0 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_27 := transform_left_filter_feature_0_choice_26;
-      end if;
-      if (transform_left_filter_column_0_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_28 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_28 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_0_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_29 := transform_left_filter_feature_0_choice_28;
-      else
-        transform_left_filter_feature_0_choice_29 := ((transform_left_filter_column_0_2 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_26 := ((transform_left_filter_column_8_3 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_26 then
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_8_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_8_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_27 then
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_8_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_8_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_28 then
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_8_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_8_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_29 then
-        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_8_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_8_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_30 then
-        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_8_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_8_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_31 then
-        transform_left_filter_feature_0_choice_32 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_8_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_32 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_8_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_32 then
-        transform_left_filter_feature_0_choice_33 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if (transform_left_filter_column_8_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_33 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_33 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_33 then
-        transform_left_filter_feature_0_choice_34 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if ((transform_left_filter_column_8_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33;
       else
-        transform_left_filter_feature_0_choice_34 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_0_2 / 128) = 1 then
-        transform_left_filter_feature_0_choice_35 := transform_filtering_0_column_inside_0;
-      else
-        transform_left_filter_feature_0_choice_35 := transform_left_filter_feature_0_all;
+        transform_left_filter_feature_0_choice_34 := ((transform_left_filter_column_8_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_34 then
-        transform_left_filter_feature_0_choice_36 := ((transform_left_filter_column_0_2 / 128) = 1) and
-          transform_filtering_0_column_inside_0 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_36 := transform_left_filter_feature_0_choice_35;
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
-      if (transform_left_filter_column_0_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_37 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_35 then
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_37 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      if ((transform_left_filter_column_0_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_38 := transform_left_filter_feature_0_choice_37;
+      if transform_left_filter_feature_0_choice_36 then
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_38 := ((transform_left_filter_column_0_4 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_37 then
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_38 then
-        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_39 then
-        transform_left_filter_feature_0_choice_40 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_8_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_40 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_8_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_40 then
-        transform_left_filter_feature_0_choice_41 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      if (transform_left_filter_column_7_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_41 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_41 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_41 then
-        transform_left_filter_feature_0_choice_42 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if ((transform_left_filter_column_7_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41;
       else
-        transform_left_filter_feature_0_choice_42 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_42 := ((transform_left_filter_column_7_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_42 then
-        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_43 then
-        transform_left_filter_feature_0_choice_44 := transform_filtering_0_column_inside_0 and
-          ((transform_left_filter_column_0_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_44 := transform_filtering_0_column_inside_0 and
-          (((transform_left_filter_column_0_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      if (transform_left_filter_column_1_3 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_45 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_44 then
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_45 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      if ((transform_left_filter_column_1_3 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_46 := transform_left_filter_feature_0_choice_45;
+      if transform_left_filter_feature_0_choice_45 then
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_46 := ((transform_left_filter_column_1_3 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_46 then
-        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_47 then
-        transform_left_filter_feature_0_choice_48 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_7_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_48 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_7_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_48 then
-        transform_left_filter_feature_0_choice_49 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      if (transform_left_filter_column_7_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_49 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_49 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_49 then
-        transform_left_filter_feature_0_choice_50 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if ((transform_left_filter_column_7_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49;
       else
-        transform_left_filter_feature_0_choice_50 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_50 := ((transform_left_filter_column_7_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_50 then
-        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      transform_left_filter_feature_0_all_2 := transform_filtering_0_column_inside_1 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_1_3 / 128) = 1 then
-        transform_left_filter_feature_0_choice_52 := transform_filtering_0_column_inside_1;
-      else
-        transform_left_filter_feature_0_choice_52 := transform_left_filter_feature_0_all_2;
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_51 then
-        transform_left_filter_feature_0_choice_53 := ((transform_left_filter_column_1_3 / 128) = 1) and
-          transform_filtering_0_column_inside_1 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_53 := transform_left_filter_feature_0_choice_52;
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      if (transform_left_filter_column_1_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_54 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_52 then
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_54 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      if ((transform_left_filter_column_1_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_55 := transform_left_filter_feature_0_choice_54;
+      if transform_left_filter_feature_0_choice_53 then
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_55 := ((transform_left_filter_column_1_1 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_54 then
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_55 then
-        transform_left_filter_feature_0_choice_56 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_7_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_56 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_7_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_56 then
-        transform_left_filter_feature_0_choice_57 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+      if (transform_left_filter_column_7_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_57 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_57 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_57 then
-        transform_left_filter_feature_0_choice_58 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      if ((transform_left_filter_column_7_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57;
       else
-        transform_left_filter_feature_0_choice_58 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_58 := ((transform_left_filter_column_7_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_58 then
-        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_59 then
-        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_1_1 / 128) = 1 then
-        transform_left_filter_feature_0_choice_61 := transform_filtering_0_column_inside_1;
-      else
-        transform_left_filter_feature_0_choice_61 := transform_left_filter_feature_0_all_2;
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_60 then
-        transform_left_filter_feature_0_choice_62 := ((transform_left_filter_column_1_1 / 128) = 1) and
-          transform_filtering_0_column_inside_1 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_62 := transform_left_filter_feature_0_choice_61;
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      if (transform_left_filter_column_1_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_63 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_61 then
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_63 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
-      if ((transform_left_filter_column_1_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_64 := transform_left_filter_feature_0_choice_63;
+      if transform_left_filter_feature_0_choice_62 then
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_1_0 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_63 then
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_7_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_7_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_7_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_65 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_7_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65;
+      else
+        transform_left_filter_feature_0_choice_66 := ((transform_left_filter_column_7_3 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_64 then
-        transform_left_filter_feature_0_choice_65 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_65 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      if transform_left_filter_feature_0_choice_65 then
-        transform_left_filter_feature_0_choice_66 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_66 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_66 then
-        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_67 then
-        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_68 then
-        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_1_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_70 := transform_filtering_0_column_inside_1;
-      else
-        transform_left_filter_feature_0_choice_70 := transform_left_filter_feature_0_all_2;
-      end if;
-      if transform_left_filter_feature_0_choice_69 then
-        transform_left_filter_feature_0_choice_71 := ((transform_left_filter_column_1_0 / 128) = 1) and
-          transform_filtering_0_column_inside_1 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_71 := transform_left_filter_feature_0_choice_70;
-      end if;
-      if (transform_left_filter_column_1_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_72 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_72 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_1_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_choice_72;
-      else
-        transform_left_filter_feature_0_choice_73 := ((transform_left_filter_column_1_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_73 then
-        transform_left_filter_feature_0_choice_74 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_74 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      if transform_left_filter_feature_0_choice_74 then
-        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_7_3 / 4) mod 2) = 1)) and
           transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_7_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_67 then
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_7_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_7_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_68 then
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_7_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_7_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_69 then
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_7_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_7_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_70 then
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_7_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_7_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_71 then
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_7_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_7_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_7_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_73 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_7_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73;
+      else
+        transform_left_filter_feature_0_choice_74 := ((transform_left_filter_column_7_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_74 then
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_7_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_7_4 / 4) mod 2) = 1)) or
           transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_75 then
-        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_7_4 / 8) mod 2) = 1)) or
           transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_7_4 / 8) mod 2) = 1)) and
           transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_76 then
-        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_7_4 / 16) mod 2) = 1)) or
           transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_7_4 / 16) mod 2) = 1)) and
           transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_77 then
-        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_7_4 / 32) mod 2) = 1)) or
           transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_7_4 / 32) mod 2) = 1)) and
           transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_1_2 / 128) = 1 then
-        transform_left_filter_feature_0_choice_79 := transform_filtering_0_column_inside_1;
-      else
-        transform_left_filter_feature_0_choice_79 := transform_left_filter_feature_0_all_2;
       end if;
       if transform_left_filter_feature_0_choice_78 then
-        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_1_2 / 128) = 1) and
-          transform_filtering_0_column_inside_1 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_7_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_80 := transform_left_filter_feature_0_choice_79;
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_7_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
-      if (transform_left_filter_column_1_4 mod 2) = 1 then
+      if transform_left_filter_feature_0_choice_79 then
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_7_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_7_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_0 mod 2) = 1 then
         transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_81 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_81 := not transform_left_filter_feature_0_value;
       end if;
-      if ((transform_left_filter_column_1_4 / 2) mod 2) = 1 then
+      if ((transform_left_filter_column_6_0 / 2) mod 2) = 1 then
         transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81;
       else
-        transform_left_filter_feature_0_choice_82 := ((transform_left_filter_column_1_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_82 := ((transform_left_filter_column_6_0 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_82 then
-        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_83 then
-        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_84 then
-        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_85 then
-        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_86 then
-        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_87 then
-        transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_1 and
-          ((transform_left_filter_column_1_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_88 := ((transform_left_filter_column_6_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_1 and
-          (((transform_left_filter_column_1_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+        transform_left_filter_feature_0_choice_88 := ((transform_left_filter_column_6_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_left_filter_column_2_3 mod 2) = 1 then
+      if (transform_left_filter_column_6_1 mod 2) = 1 then
         transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_89 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_89 := not transform_left_filter_feature_0_value;
       end if;
-      if ((transform_left_filter_column_2_3 / 2) mod 2) = 1 then
+      if ((transform_left_filter_column_6_1 / 2) mod 2) = 1 then
         transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89;
       else
-        transform_left_filter_feature_0_choice_90 := ((transform_left_filter_column_2_3 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_90 := ((transform_left_filter_column_6_1 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_90 then
-        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_91 then
-        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_92 then
-        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_93 then
-        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_94 then
-        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      transform_left_filter_feature_0_all_3 := transform_filtering_0_column_inside_2 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_2_3 / 128) = 1 then
-        transform_left_filter_feature_0_choice_96 := transform_filtering_0_column_inside_2;
-      else
-        transform_left_filter_feature_0_choice_96 := transform_left_filter_feature_0_all_3;
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_95 then
-        transform_left_filter_feature_0_choice_97 := ((transform_left_filter_column_2_3 / 128) = 1) and
-          transform_filtering_0_column_inside_2 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_choice_96;
+        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_6_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_left_filter_column_2_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_any;
+      if (transform_left_filter_column_6_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_98 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_97 := not transform_left_filter_feature_0_value;
       end if;
-      if ((transform_left_filter_column_2_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_99 := transform_left_filter_feature_0_choice_98;
+      if ((transform_left_filter_column_6_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97;
       else
-        transform_left_filter_feature_0_choice_99 := ((transform_left_filter_column_2_1 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_98 := ((transform_left_filter_column_6_2 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_98 then
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_99 then
-        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_100 then
-        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_101 then
-        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_102 then
-        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_103 then
-        transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_6_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_left_filter_column_2_1 / 128) = 1 then
-        transform_left_filter_feature_0_choice_105 := transform_filtering_0_column_inside_2;
+      if (transform_left_filter_column_6_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_all_3;
+        transform_left_filter_feature_0_choice_105 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_104 then
-        transform_left_filter_feature_0_choice_106 := ((transform_left_filter_column_2_1 / 128) = 1) and
-          transform_filtering_0_column_inside_2 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
+      if ((transform_left_filter_column_6_3 / 2) mod 2) = 1 then
         transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105;
-      end if;
-      if (transform_left_filter_column_2_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_107 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_107 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_108 := transform_left_filter_feature_0_choice_107;
-      else
-        transform_left_filter_feature_0_choice_108 := ((transform_left_filter_column_2_0 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_106 := ((transform_left_filter_column_6_3 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_106 then
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_107 then
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_108 then
-        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_109 then
-        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_110 then
-        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_111 then
-        transform_left_filter_feature_0_choice_112 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_6_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_112 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_6_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_112 then
-        transform_left_filter_feature_0_choice_113 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if (transform_left_filter_column_6_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_113 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_113 := not transform_left_filter_feature_0_value;
       end if;
-      if (transform_left_filter_column_2_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_114 := transform_filtering_0_column_inside_2;
+      if ((transform_left_filter_column_6_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113;
       else
-        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_all_3;
-      end if;
-      if transform_left_filter_feature_0_choice_113 then
-        transform_left_filter_feature_0_choice_115 := ((transform_left_filter_column_2_0 / 128) = 1) and
-          transform_filtering_0_column_inside_2 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_115 := transform_left_filter_feature_0_choice_114;
-      end if;
-      if (transform_left_filter_column_2_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_116 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_116 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_2_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_117 := transform_left_filter_feature_0_choice_116;
-      else
-        transform_left_filter_feature_0_choice_117 := ((transform_left_filter_column_2_2 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_114 := ((transform_left_filter_column_6_4 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_114 then
+        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_115 then
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_116 then
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_117 then
-        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_118 then
-        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_119 then
-        transform_left_filter_feature_0_choice_120 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_6_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_120 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_6_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_120 then
-        transform_left_filter_feature_0_choice_121 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if (transform_left_filter_column_5_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_121 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_121 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_121 then
-        transform_left_filter_feature_0_choice_122 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if ((transform_left_filter_column_5_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121;
       else
-        transform_left_filter_feature_0_choice_122 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_2_2 / 128) = 1 then
-        transform_left_filter_feature_0_choice_123 := transform_filtering_0_column_inside_2;
-      else
-        transform_left_filter_feature_0_choice_123 := transform_left_filter_feature_0_all_3;
+        transform_left_filter_feature_0_choice_122 := ((transform_left_filter_column_5_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_122 then
-        transform_left_filter_feature_0_choice_124 := ((transform_left_filter_column_2_2 / 128) = 1) and
-          transform_filtering_0_column_inside_2 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_124 := transform_left_filter_feature_0_choice_123;
+        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
-      if (transform_left_filter_column_2_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_125 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_123 then
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_125 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      if ((transform_left_filter_column_2_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_126 := transform_left_filter_feature_0_choice_125;
+      if transform_left_filter_feature_0_choice_124 then
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_126 := ((transform_left_filter_column_2_4 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_125 then
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_126 then
-        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_127 then
-        transform_left_filter_feature_0_choice_128 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_5_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_128 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_5_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_128 then
-        transform_left_filter_feature_0_choice_129 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      if (transform_left_filter_column_5_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_129 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_129 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_129 then
-        transform_left_filter_feature_0_choice_130 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if ((transform_left_filter_column_5_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129;
       else
-        transform_left_filter_feature_0_choice_130 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_130 := ((transform_left_filter_column_5_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_130 then
-        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_131 then
-        transform_left_filter_feature_0_choice_132 := transform_filtering_0_column_inside_2 and
-          ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_132 := transform_filtering_0_column_inside_2 and
-          (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      if (transform_left_filter_column_3_3 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_133 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_132 then
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_133 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      if ((transform_left_filter_column_3_3 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_134 := transform_left_filter_feature_0_choice_133;
+      if transform_left_filter_feature_0_choice_133 then
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_134 := ((transform_left_filter_column_3_3 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_134 then
-        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_135 then
-        transform_left_filter_feature_0_choice_136 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_136 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_5_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_136 then
-        transform_left_filter_feature_0_choice_137 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      if (transform_left_filter_column_5_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_137 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_137 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_137 then
-        transform_left_filter_feature_0_choice_138 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if ((transform_left_filter_column_5_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137;
       else
-        transform_left_filter_feature_0_choice_138 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_138 := ((transform_left_filter_column_5_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_138 then
-        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      transform_left_filter_feature_0_all_4 := transform_filtering_0_column_inside_3 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_3_3 / 128) = 1 then
-        transform_left_filter_feature_0_choice_140 := transform_filtering_0_column_inside_3;
-      else
-        transform_left_filter_feature_0_choice_140 := transform_left_filter_feature_0_all_4;
+        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_139 then
-        transform_left_filter_feature_0_choice_141 := ((transform_left_filter_column_3_3 / 128) = 1) and
-          transform_filtering_0_column_inside_3 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_141 := transform_left_filter_feature_0_choice_140;
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      if (transform_left_filter_column_3_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_142 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_140 then
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_142 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      if ((transform_left_filter_column_3_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_143 := transform_left_filter_feature_0_choice_142;
+      if transform_left_filter_feature_0_choice_141 then
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_143 := ((transform_left_filter_column_3_1 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_142 then
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_143 then
-        transform_left_filter_feature_0_choice_144 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_144 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_5_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_144 then
-        transform_left_filter_feature_0_choice_145 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+      if (transform_left_filter_column_5_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_145 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_145 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_145 then
-        transform_left_filter_feature_0_choice_146 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      if ((transform_left_filter_column_5_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145;
       else
-        transform_left_filter_feature_0_choice_146 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_146 := ((transform_left_filter_column_5_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_146 then
-        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_147 then
-        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_3_1 / 128) = 1 then
-        transform_left_filter_feature_0_choice_149 := transform_filtering_0_column_inside_3;
-      else
-        transform_left_filter_feature_0_choice_149 := transform_left_filter_feature_0_all_4;
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_148 then
-        transform_left_filter_feature_0_choice_150 := ((transform_left_filter_column_3_1 / 128) = 1) and
-          transform_filtering_0_column_inside_3 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_150 := transform_left_filter_feature_0_choice_149;
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      if (transform_left_filter_column_3_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_151 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_149 then
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_151 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
-      if ((transform_left_filter_column_3_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_152 := transform_left_filter_feature_0_choice_151;
+      if transform_left_filter_feature_0_choice_150 then
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_3_0 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_151 then
+        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_5_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_5_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_153 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_5_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153;
+      else
+        transform_left_filter_feature_0_choice_154 := ((transform_left_filter_column_5_4 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_152 then
-        transform_left_filter_feature_0_choice_153 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_153 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      if transform_left_filter_feature_0_choice_153 then
-        transform_left_filter_feature_0_choice_154 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_154 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_154 then
-        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_155 then
-        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_156 then
-        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_3_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_158 := transform_filtering_0_column_inside_3;
-      else
-        transform_left_filter_feature_0_choice_158 := transform_left_filter_feature_0_all_4;
-      end if;
-      if transform_left_filter_feature_0_choice_157 then
-        transform_left_filter_feature_0_choice_159 := ((transform_left_filter_column_3_0 / 128) = 1) and
-          transform_filtering_0_column_inside_3 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_159 := transform_left_filter_feature_0_choice_158;
-      end if;
-      if (transform_left_filter_column_3_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_160 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_160 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_3_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_choice_160;
-      else
-        transform_left_filter_feature_0_choice_161 := ((transform_left_filter_column_3_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_161 then
-        transform_left_filter_feature_0_choice_162 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_162 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      if transform_left_filter_feature_0_choice_162 then
-        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_5_4 / 4) mod 2) = 1)) and
           transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_5_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_155 then
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_5_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_5_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_156 then
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_5_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_5_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_157 then
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_5_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_5_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_158 then
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_5_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_5_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_159 then
+        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_5_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_5_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_161 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161;
+      else
+        transform_left_filter_feature_0_choice_162 := ((transform_left_filter_column_4_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_162 then
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or
           transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_163 then
-        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
           transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and
           transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_164 then
-        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
           transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and
           transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_165 then
-        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
           transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and
           transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_3_2 / 128) = 1 then
-        transform_left_filter_feature_0_choice_167 := transform_filtering_0_column_inside_3;
-      else
-        transform_left_filter_feature_0_choice_167 := transform_left_filter_feature_0_all_4;
       end if;
       if transform_left_filter_feature_0_choice_166 then
-        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_3_2 / 128) = 1) and
-          transform_filtering_0_column_inside_3 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_168 := transform_left_filter_feature_0_choice_167;
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
-      if (transform_left_filter_column_3_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any;
+      if (transform_left_filter_column_4_4 / 128) = 1 then
+        transform_left_filter_feature_0_choice_168 := transform_filtering_0_column_inside_4;
       else
-        transform_left_filter_feature_0_choice_169 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_168 := transform_filtering_0_column_inside_4 and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if ((transform_left_filter_column_3_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169;
+      if transform_left_filter_feature_0_choice_167 then
+        transform_left_filter_feature_0_choice_169 := ((transform_left_filter_column_4_4 / 128) = 1) and
+          transform_filtering_0_column_inside_4 and (not ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_170 := ((transform_left_filter_column_3_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_choice_168;
+      end if;
+      if (transform_left_filter_column_4_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_170 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_171 := transform_left_filter_feature_0_choice_170;
+      else
+        transform_left_filter_feature_0_choice_171 := ((transform_left_filter_column_4_1 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_170 then
-        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
       if transform_left_filter_feature_0_choice_171 then
-        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
           transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or
           transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_172 then
-        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
           transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and
           transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_173 then
-        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
           transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and
           transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_174 then
-        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
           transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and
           transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_175 then
-        transform_left_filter_feature_0_choice_176 := transform_filtering_0_column_inside_3 and
-          ((transform_left_filter_column_3_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_176 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_176 := transform_filtering_0_column_inside_3 and
-          (((transform_left_filter_column_3_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+        transform_left_filter_feature_0_choice_176 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_176 then
+        transform_left_filter_feature_0_choice_177 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_177 := ((transform_left_filter_column_4_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
       if (transform_left_filter_column_4_3 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any;
+        transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_177 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_178 := not transform_left_filter_feature_0_value;
       end if;
       if ((transform_left_filter_column_4_3 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177;
+        transform_left_filter_feature_0_choice_179 := transform_left_filter_feature_0_choice_178;
       else
-        transform_left_filter_feature_0_choice_178 := ((transform_left_filter_column_4_3 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_179 := ((transform_left_filter_column_4_3 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_178 then
-        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
       if transform_left_filter_feature_0_choice_179 then
-        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
           transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or
           transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_180 then
-        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
           transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and
           transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_181 then
-        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
           transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and
           transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_182 then
-        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
           transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and
           transform_left_filter_feature_0_value_5;
-      end if;
-      transform_left_filter_feature_0_all_5 := transform_filtering_0_column_inside_4 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_4_3 / 128) = 1 then
-        transform_left_filter_feature_0_choice_184 := transform_filtering_0_column_inside_4;
-      else
-        transform_left_filter_feature_0_choice_184 := transform_left_filter_feature_0_all_5;
       end if;
       if transform_left_filter_feature_0_choice_183 then
-        transform_left_filter_feature_0_choice_185 := ((transform_left_filter_column_4_3 / 128) = 1) and
-          transform_filtering_0_column_inside_4 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_184 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_185 := transform_left_filter_feature_0_choice_184;
+        transform_left_filter_feature_0_choice_184 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_184 then
+        transform_left_filter_feature_0_choice_185 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_185 := ((transform_left_filter_column_4_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
       if (transform_left_filter_column_4_0 mod 2) = 1 then
         transform_left_filter_feature_0_choice_186 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_186 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_186 := not transform_left_filter_feature_0_value;
       end if;
       if ((transform_left_filter_column_4_0 / 2) mod 2) = 1 then
         transform_left_filter_feature_0_choice_187 := transform_left_filter_feature_0_choice_186;
@@ -3107,3825 +3127,3618 @@ begin
       end if;
       if transform_left_filter_feature_0_choice_187 then
         transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+          transform_left_filter_feature_0_value_2;
       else
         transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_188 then
         transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+          transform_left_filter_feature_0_value_3;
       else
         transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_189 then
         transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+          transform_left_filter_feature_0_value_4;
       else
         transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_190 then
         transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+          transform_left_filter_feature_0_value_5;
       else
         transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_191 then
         transform_left_filter_feature_0_choice_192 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+          transform_left_filter_feature_0_value_6;
       else
         transform_left_filter_feature_0_choice_192 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_4_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_193 := transform_filtering_0_column_inside_4;
-      else
-        transform_left_filter_feature_0_choice_193 := transform_left_filter_feature_0_all_5;
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_192 then
-        transform_left_filter_feature_0_choice_194 := ((transform_left_filter_column_4_0 / 128) = 1) and
-          transform_filtering_0_column_inside_4 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_193 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
+        transform_left_filter_feature_0_choice_193 := ((transform_left_filter_column_4_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_left_filter_column_4_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_any;
+      if (transform_left_filter_column_3_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_195 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_194 := not transform_left_filter_feature_0_value;
       end if;
-      if ((transform_left_filter_column_4_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_196 := transform_left_filter_feature_0_choice_195;
+      if ((transform_left_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_choice_194;
       else
-        transform_left_filter_feature_0_choice_196 := ((transform_left_filter_column_4_1 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_195 := ((transform_left_filter_column_3_3 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_195 then
+        transform_left_filter_feature_0_choice_196 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_196 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_196 then
-        transform_left_filter_feature_0_choice_197 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_197 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_197 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_197 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_197 then
-        transform_left_filter_feature_0_choice_198 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_198 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_198 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_198 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_198 then
-        transform_left_filter_feature_0_choice_199 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_199 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_199 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_199 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_199 then
-        transform_left_filter_feature_0_choice_200 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_200 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_200 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_200 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_200 then
-        transform_left_filter_feature_0_choice_201 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_201 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_201 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_201 := ((transform_left_filter_column_3_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_left_filter_column_4_1 / 128) = 1 then
-        transform_left_filter_feature_0_choice_202 := transform_filtering_0_column_inside_4;
+      if (transform_left_filter_column_3_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_202 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_202 := transform_left_filter_feature_0_all_5;
+        transform_left_filter_feature_0_choice_202 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_201 then
-        transform_left_filter_feature_0_choice_203 := ((transform_left_filter_column_4_1 / 128) = 1) and
-          transform_filtering_0_column_inside_4 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
+      if ((transform_left_filter_column_3_4 / 2) mod 2) = 1 then
         transform_left_filter_feature_0_choice_203 := transform_left_filter_feature_0_choice_202;
-      end if;
-      if (transform_left_filter_column_4_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_204 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_204 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_4_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_205 := transform_left_filter_feature_0_choice_204;
-      else
-        transform_left_filter_feature_0_choice_205 := ((transform_left_filter_column_4_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_203 := ((transform_left_filter_column_3_4 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_203 then
+        transform_left_filter_feature_0_choice_204 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_204 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_204 then
+        transform_left_filter_feature_0_choice_205 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_205 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_205 then
-        transform_left_filter_feature_0_choice_206 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_206 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_206 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_206 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_206 then
-        transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_207 then
-        transform_left_filter_feature_0_choice_208 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_208 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_208 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_208 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_208 then
-        transform_left_filter_feature_0_choice_209 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_209 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_209 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_209 := ((transform_left_filter_column_3_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_209 then
-        transform_left_filter_feature_0_choice_210 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_210 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_210 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_210 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_210 then
-        transform_left_filter_feature_0_choice_211 := transform_filtering_0_column_inside_4 and
-          ((transform_left_filter_column_4_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      if ((transform_left_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_211 := transform_left_filter_feature_0_choice_210;
       else
-        transform_left_filter_feature_0_choice_211 := transform_filtering_0_column_inside_4 and
-          (((transform_left_filter_column_4_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
-      end if;
-      if (transform_left_filter_column_5_3 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_212 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_212 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_5_3 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_213 := transform_left_filter_feature_0_choice_212;
-      else
-        transform_left_filter_feature_0_choice_213 := ((transform_left_filter_column_5_3 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_211 := ((transform_left_filter_column_3_2 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_211 then
+        transform_left_filter_feature_0_choice_212 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_212 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_212 then
+        transform_left_filter_feature_0_choice_213 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_213 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_213 then
-        transform_left_filter_feature_0_choice_214 := (not (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_214 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_214 := (not (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_214 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_214 then
-        transform_left_filter_feature_0_choice_215 := (not (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_215 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_215 := (not (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_215 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_215 then
-        transform_left_filter_feature_0_choice_216 := (not (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_216 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_216 := (not (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_216 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_216 then
-        transform_left_filter_feature_0_choice_217 := (not (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_217 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_217 := (not (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_217 := ((transform_left_filter_column_3_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_217 then
-        transform_left_filter_feature_0_choice_218 := (not (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if (transform_left_filter_column_3_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_218 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_218 := (not (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_218 := not transform_left_filter_feature_0_value;
       end if;
-      transform_left_filter_feature_0_all_6 := transform_filtering_0_column_inside_5 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_5_3 / 128) = 1 then
-        transform_left_filter_feature_0_choice_219 := transform_filtering_0_column_inside_5;
+      if ((transform_left_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_219 := transform_left_filter_feature_0_choice_218;
       else
-        transform_left_filter_feature_0_choice_219 := transform_left_filter_feature_0_all_6;
-      end if;
-      if transform_left_filter_feature_0_choice_218 then
-        transform_left_filter_feature_0_choice_220 := ((transform_left_filter_column_5_3 / 128) = 1) and
-          transform_filtering_0_column_inside_5 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_220 := transform_left_filter_feature_0_choice_219;
-      end if;
-      if (transform_left_filter_column_5_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_221 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_221 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_5_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_222 := transform_left_filter_feature_0_choice_221;
-      else
-        transform_left_filter_feature_0_choice_222 := ((transform_left_filter_column_5_1 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_219 := ((transform_left_filter_column_3_1 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_219 then
+        transform_left_filter_feature_0_choice_220 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_220 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_220 then
+        transform_left_filter_feature_0_choice_221 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_221 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_221 then
+        transform_left_filter_feature_0_choice_222 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_222 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_222 then
-        transform_left_filter_feature_0_choice_223 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_223 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_223 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_223 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_223 then
-        transform_left_filter_feature_0_choice_224 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_224 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_224 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_224 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_224 then
-        transform_left_filter_feature_0_choice_225 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_225 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_225 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_225 := ((transform_left_filter_column_3_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_225 then
-        transform_left_filter_feature_0_choice_226 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if (transform_left_filter_column_3_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_226 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_226 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_226 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_226 then
-        transform_left_filter_feature_0_choice_227 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if ((transform_left_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_227 := transform_left_filter_feature_0_choice_226;
       else
-        transform_left_filter_feature_0_choice_227 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_5_1 / 128) = 1 then
-        transform_left_filter_feature_0_choice_228 := transform_filtering_0_column_inside_5;
-      else
-        transform_left_filter_feature_0_choice_228 := transform_left_filter_feature_0_all_6;
+        transform_left_filter_feature_0_choice_227 := ((transform_left_filter_column_3_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_227 then
-        transform_left_filter_feature_0_choice_229 := ((transform_left_filter_column_5_1 / 128) = 1) and
-          transform_filtering_0_column_inside_5 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_228 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_229 := transform_left_filter_feature_0_choice_228;
+        transform_left_filter_feature_0_choice_228 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
-      if (transform_left_filter_column_5_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_230 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_228 then
+        transform_left_filter_feature_0_choice_229 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_230 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_229 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      if ((transform_left_filter_column_5_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_231 := transform_left_filter_feature_0_choice_230;
+      if transform_left_filter_feature_0_choice_229 then
+        transform_left_filter_feature_0_choice_230 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_231 := ((transform_left_filter_column_5_0 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_230 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_230 then
+        transform_left_filter_feature_0_choice_231 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_231 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_231 then
-        transform_left_filter_feature_0_choice_232 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_232 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_232 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_232 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_232 then
-        transform_left_filter_feature_0_choice_233 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_233 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_233 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_233 := ((transform_left_filter_column_3_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_233 then
-        transform_left_filter_feature_0_choice_234 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      if (transform_left_filter_column_2_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_234 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_234 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_234 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_234 then
-        transform_left_filter_feature_0_choice_235 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if ((transform_left_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_235 := transform_left_filter_feature_0_choice_234;
       else
-        transform_left_filter_feature_0_choice_235 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_235 := ((transform_left_filter_column_2_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_235 then
-        transform_left_filter_feature_0_choice_236 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_236 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_236 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_5_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_237 := transform_filtering_0_column_inside_5;
-      else
-        transform_left_filter_feature_0_choice_237 := transform_left_filter_feature_0_all_6;
+        transform_left_filter_feature_0_choice_236 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_236 then
-        transform_left_filter_feature_0_choice_238 := ((transform_left_filter_column_5_0 / 128) = 1) and
-          transform_filtering_0_column_inside_5 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_237 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_238 := transform_left_filter_feature_0_choice_237;
+        transform_left_filter_feature_0_choice_237 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      if (transform_left_filter_column_5_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_239 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_237 then
+        transform_left_filter_feature_0_choice_238 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_239 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_238 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      if ((transform_left_filter_column_5_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_240 := transform_left_filter_feature_0_choice_239;
+      if transform_left_filter_feature_0_choice_238 then
+        transform_left_filter_feature_0_choice_239 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_240 := ((transform_left_filter_column_5_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_239 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_239 then
+        transform_left_filter_feature_0_choice_240 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_240 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_240 then
-        transform_left_filter_feature_0_choice_241 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_241 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_241 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_241 := ((transform_left_filter_column_2_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_241 then
-        transform_left_filter_feature_0_choice_242 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+      if (transform_left_filter_column_2_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_242 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_242 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_242 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_242 then
-        transform_left_filter_feature_0_choice_243 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      if ((transform_left_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_243 := transform_left_filter_feature_0_choice_242;
       else
-        transform_left_filter_feature_0_choice_243 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_243 := ((transform_left_filter_column_2_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_243 then
-        transform_left_filter_feature_0_choice_244 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_244 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_244 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_244 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_244 then
-        transform_left_filter_feature_0_choice_245 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_245 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_245 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_5_2 / 128) = 1 then
-        transform_left_filter_feature_0_choice_246 := transform_filtering_0_column_inside_5;
-      else
-        transform_left_filter_feature_0_choice_246 := transform_left_filter_feature_0_all_6;
+        transform_left_filter_feature_0_choice_245 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_245 then
-        transform_left_filter_feature_0_choice_247 := ((transform_left_filter_column_5_2 / 128) = 1) and
-          transform_filtering_0_column_inside_5 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_246 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_247 := transform_left_filter_feature_0_choice_246;
+        transform_left_filter_feature_0_choice_246 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      if (transform_left_filter_column_5_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_248 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_246 then
+        transform_left_filter_feature_0_choice_247 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_248 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_247 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
-      if ((transform_left_filter_column_5_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_249 := transform_left_filter_feature_0_choice_248;
+      if transform_left_filter_feature_0_choice_247 then
+        transform_left_filter_feature_0_choice_248 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_249 := ((transform_left_filter_column_5_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_248 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_248 then
+        transform_left_filter_feature_0_choice_249 := ((transform_left_filter_column_2_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_249 := ((transform_left_filter_column_2_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_250 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_250 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_251 := transform_left_filter_feature_0_choice_250;
+      else
+        transform_left_filter_feature_0_choice_251 := ((transform_left_filter_column_2_2 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_249 then
-        transform_left_filter_feature_0_choice_250 := (not (((transform_left_filter_column_5_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_250 := (not (((transform_left_filter_column_5_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      if transform_left_filter_feature_0_choice_250 then
-        transform_left_filter_feature_0_choice_251 := (not (((transform_left_filter_column_5_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_251 := (not (((transform_left_filter_column_5_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_251 then
-        transform_left_filter_feature_0_choice_252 := (not (((transform_left_filter_column_5_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_252 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_252 := (not (((transform_left_filter_column_5_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_252 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_252 then
-        transform_left_filter_feature_0_choice_253 := (not (((transform_left_filter_column_5_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_253 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_253 := (not (((transform_left_filter_column_5_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_253 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_253 then
-        transform_left_filter_feature_0_choice_254 := (not (((transform_left_filter_column_5_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_254 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_254 := (not (((transform_left_filter_column_5_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_254 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_254 then
-        transform_left_filter_feature_0_choice_255 := transform_filtering_0_column_inside_5 and
-          ((transform_left_filter_column_5_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_255 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_255 := transform_filtering_0_column_inside_5 and
-          (((transform_left_filter_column_5_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+        transform_left_filter_feature_0_choice_255 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
-      if (transform_left_filter_column_6_3 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_256 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_255 then
+        transform_left_filter_feature_0_choice_256 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_256 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_256 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
-      if ((transform_left_filter_column_6_3 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_257 := transform_left_filter_feature_0_choice_256;
+      if transform_left_filter_feature_0_choice_256 then
+        transform_left_filter_feature_0_choice_257 := ((transform_left_filter_column_2_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_257 := ((transform_left_filter_column_6_3 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_257 := ((transform_left_filter_column_2_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_258 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_258 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_259 := transform_left_filter_feature_0_choice_258;
+      else
+        transform_left_filter_feature_0_choice_259 := ((transform_left_filter_column_2_1 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_257 then
-        transform_left_filter_feature_0_choice_258 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_258 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      if transform_left_filter_feature_0_choice_258 then
-        transform_left_filter_feature_0_choice_259 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_259 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_259 then
-        transform_left_filter_feature_0_choice_260 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_260 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_260 then
-        transform_left_filter_feature_0_choice_261 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_261 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_261 then
-        transform_left_filter_feature_0_choice_262 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_262 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      transform_left_filter_feature_0_all_7 := transform_filtering_0_column_inside_6 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_6_3 / 128) = 1 then
-        transform_left_filter_feature_0_choice_263 := transform_filtering_0_column_inside_6;
-      else
-        transform_left_filter_feature_0_choice_263 := transform_left_filter_feature_0_all_7;
-      end if;
-      if transform_left_filter_feature_0_choice_262 then
-        transform_left_filter_feature_0_choice_264 := ((transform_left_filter_column_6_3 / 128) = 1) and
-          transform_filtering_0_column_inside_6 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_264 := transform_left_filter_feature_0_choice_263;
-      end if;
-      if (transform_left_filter_column_6_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_265 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_265 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_6_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_266 := transform_left_filter_feature_0_choice_265;
-      else
-        transform_left_filter_feature_0_choice_266 := ((transform_left_filter_column_6_1 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_266 then
-        transform_left_filter_feature_0_choice_267 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_267 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      if transform_left_filter_feature_0_choice_267 then
-        transform_left_filter_feature_0_choice_268 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_260 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
           transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_268 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_260 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_260 then
+        transform_left_filter_feature_0_choice_261 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_261 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_261 then
+        transform_left_filter_feature_0_choice_262 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_262 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_262 then
+        transform_left_filter_feature_0_choice_263 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_263 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_263 then
+        transform_left_filter_feature_0_choice_264 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_264 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_264 then
+        transform_left_filter_feature_0_choice_265 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_265 := ((transform_left_filter_column_2_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_266 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_266 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_267 := transform_left_filter_feature_0_choice_266;
+      else
+        transform_left_filter_feature_0_choice_267 := ((transform_left_filter_column_2_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_267 then
+        transform_left_filter_feature_0_choice_268 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_268 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
           transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_268 then
-        transform_left_filter_feature_0_choice_269 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_269 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
           transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_269 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_269 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
           transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_269 then
-        transform_left_filter_feature_0_choice_270 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_270 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
           transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_270 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_270 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
           transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_270 then
-        transform_left_filter_feature_0_choice_271 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_choice_271 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
           transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_271 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and
+        transform_left_filter_feature_0_choice_271 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
           transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_6_1 / 128) = 1 then
-        transform_left_filter_feature_0_choice_272 := transform_filtering_0_column_inside_6;
-      else
-        transform_left_filter_feature_0_choice_272 := transform_left_filter_feature_0_all_7;
       end if;
       if transform_left_filter_feature_0_choice_271 then
-        transform_left_filter_feature_0_choice_273 := ((transform_left_filter_column_6_1 / 128) = 1) and
-          transform_filtering_0_column_inside_6 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_272 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_273 := transform_left_filter_feature_0_choice_272;
+        transform_left_filter_feature_0_choice_272 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
-      if (transform_left_filter_column_6_0 mod 2) = 1 then
+      if transform_left_filter_feature_0_choice_272 then
+        transform_left_filter_feature_0_choice_273 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_273 := ((transform_left_filter_column_2_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_3 mod 2) = 1 then
         transform_left_filter_feature_0_choice_274 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_274 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_274 := not transform_left_filter_feature_0_value;
       end if;
-      if ((transform_left_filter_column_6_0 / 2) mod 2) = 1 then
+      if ((transform_left_filter_column_1_3 / 2) mod 2) = 1 then
         transform_left_filter_feature_0_choice_275 := transform_left_filter_feature_0_choice_274;
       else
-        transform_left_filter_feature_0_choice_275 := ((transform_left_filter_column_6_0 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_275 := ((transform_left_filter_column_1_3 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_275 then
-        transform_left_filter_feature_0_choice_276 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_276 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_276 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_276 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_276 then
-        transform_left_filter_feature_0_choice_277 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_277 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_277 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_277 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_277 then
-        transform_left_filter_feature_0_choice_278 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_278 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_278 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_278 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_278 then
-        transform_left_filter_feature_0_choice_279 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_279 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_279 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_279 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_279 then
-        transform_left_filter_feature_0_choice_280 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_280 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_280 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_6_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_281 := transform_filtering_0_column_inside_6;
-      else
-        transform_left_filter_feature_0_choice_281 := transform_left_filter_feature_0_all_7;
+        transform_left_filter_feature_0_choice_280 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_280 then
-        transform_left_filter_feature_0_choice_282 := ((transform_left_filter_column_6_0 / 128) = 1) and
-          transform_filtering_0_column_inside_6 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_281 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_282 := transform_left_filter_feature_0_choice_281;
+        transform_left_filter_feature_0_choice_281 := ((transform_left_filter_column_1_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_left_filter_column_6_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_283 := transform_left_filter_feature_0_any;
+      if (transform_left_filter_column_1_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_282 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_283 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_282 := not transform_left_filter_feature_0_value;
       end if;
-      if ((transform_left_filter_column_6_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_284 := transform_left_filter_feature_0_choice_283;
+      if ((transform_left_filter_column_1_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_283 := transform_left_filter_feature_0_choice_282;
       else
-        transform_left_filter_feature_0_choice_284 := ((transform_left_filter_column_6_2 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_283 := ((transform_left_filter_column_1_4 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_283 then
+        transform_left_filter_feature_0_choice_284 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_284 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_284 then
-        transform_left_filter_feature_0_choice_285 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_285 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_285 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_285 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_285 then
-        transform_left_filter_feature_0_choice_286 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_286 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_286 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_286 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_286 then
-        transform_left_filter_feature_0_choice_287 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_287 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_287 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_287 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_287 then
-        transform_left_filter_feature_0_choice_288 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_288 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_288 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_288 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_288 then
-        transform_left_filter_feature_0_choice_289 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_289 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_289 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_289 := ((transform_left_filter_column_1_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_left_filter_column_6_2 / 128) = 1 then
-        transform_left_filter_feature_0_choice_290 := transform_filtering_0_column_inside_6;
+      if (transform_left_filter_column_1_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_290 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_290 := transform_left_filter_feature_0_all_7;
+        transform_left_filter_feature_0_choice_290 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_289 then
-        transform_left_filter_feature_0_choice_291 := ((transform_left_filter_column_6_2 / 128) = 1) and
-          transform_filtering_0_column_inside_6 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
+      if ((transform_left_filter_column_1_2 / 2) mod 2) = 1 then
         transform_left_filter_feature_0_choice_291 := transform_left_filter_feature_0_choice_290;
-      end if;
-      if (transform_left_filter_column_6_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_292 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_292 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_6_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_293 := transform_left_filter_feature_0_choice_292;
-      else
-        transform_left_filter_feature_0_choice_293 := ((transform_left_filter_column_6_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_291 := ((transform_left_filter_column_1_2 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_291 then
+        transform_left_filter_feature_0_choice_292 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_292 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_292 then
+        transform_left_filter_feature_0_choice_293 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_293 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_293 then
-        transform_left_filter_feature_0_choice_294 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_294 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_294 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_294 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_294 then
-        transform_left_filter_feature_0_choice_295 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_295 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_295 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_295 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_295 then
-        transform_left_filter_feature_0_choice_296 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_296 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_296 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_296 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_296 then
-        transform_left_filter_feature_0_choice_297 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_297 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_297 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_297 := ((transform_left_filter_column_1_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_297 then
-        transform_left_filter_feature_0_choice_298 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if (transform_left_filter_column_1_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_298 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_298 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_298 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_298 then
-        transform_left_filter_feature_0_choice_299 := transform_filtering_0_column_inside_6 and
-          ((transform_left_filter_column_6_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      if ((transform_left_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_299 := transform_left_filter_feature_0_choice_298;
       else
-        transform_left_filter_feature_0_choice_299 := transform_filtering_0_column_inside_6 and
-          (((transform_left_filter_column_6_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
-      end if;
-      if (transform_left_filter_column_7_3 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_300 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_300 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_7_3 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_301 := transform_left_filter_feature_0_choice_300;
-      else
-        transform_left_filter_feature_0_choice_301 := ((transform_left_filter_column_7_3 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_299 := ((transform_left_filter_column_1_1 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_299 then
+        transform_left_filter_feature_0_choice_300 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_300 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_300 then
+        transform_left_filter_feature_0_choice_301 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_301 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_301 then
-        transform_left_filter_feature_0_choice_302 := (not (((transform_left_filter_column_7_3 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_302 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_302 := (not (((transform_left_filter_column_7_3 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_302 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_302 then
-        transform_left_filter_feature_0_choice_303 := (not (((transform_left_filter_column_7_3 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_303 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_303 := (not (((transform_left_filter_column_7_3 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_303 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_303 then
-        transform_left_filter_feature_0_choice_304 := (not (((transform_left_filter_column_7_3 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_304 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_304 := (not (((transform_left_filter_column_7_3 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_304 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_304 then
-        transform_left_filter_feature_0_choice_305 := (not (((transform_left_filter_column_7_3 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_305 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_305 := (not (((transform_left_filter_column_7_3 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_305 := ((transform_left_filter_column_1_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_305 then
-        transform_left_filter_feature_0_choice_306 := (not (((transform_left_filter_column_7_3 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if (transform_left_filter_column_1_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_306 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_306 := (not (((transform_left_filter_column_7_3 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_306 := not transform_left_filter_feature_0_value;
       end if;
-      transform_left_filter_feature_0_all_8 := transform_filtering_0_column_inside_7 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_7_3 / 128) = 1 then
-        transform_left_filter_feature_0_choice_307 := transform_filtering_0_column_inside_7;
+      if ((transform_left_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_307 := transform_left_filter_feature_0_choice_306;
       else
-        transform_left_filter_feature_0_choice_307 := transform_left_filter_feature_0_all_8;
-      end if;
-      if transform_left_filter_feature_0_choice_306 then
-        transform_left_filter_feature_0_choice_308 := ((transform_left_filter_column_7_3 / 128) = 1) and
-          transform_filtering_0_column_inside_7 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_308 := transform_left_filter_feature_0_choice_307;
-      end if;
-      if (transform_left_filter_column_7_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_309 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_309 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_7_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_310 := transform_left_filter_feature_0_choice_309;
-      else
-        transform_left_filter_feature_0_choice_310 := ((transform_left_filter_column_7_1 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_307 := ((transform_left_filter_column_1_0 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_307 then
+        transform_left_filter_feature_0_choice_308 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_308 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_308 then
+        transform_left_filter_feature_0_choice_309 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_309 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_309 then
+        transform_left_filter_feature_0_choice_310 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_310 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_310 then
-        transform_left_filter_feature_0_choice_311 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_311 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_311 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_311 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_311 then
-        transform_left_filter_feature_0_choice_312 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_312 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_312 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_312 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_312 then
-        transform_left_filter_feature_0_choice_313 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_313 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_313 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_313 := ((transform_left_filter_column_1_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_313 then
-        transform_left_filter_feature_0_choice_314 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if (transform_left_filter_column_0_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_314 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_314 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_314 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_314 then
-        transform_left_filter_feature_0_choice_315 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if ((transform_left_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_315 := transform_left_filter_feature_0_choice_314;
       else
-        transform_left_filter_feature_0_choice_315 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_7_1 / 128) = 1 then
-        transform_left_filter_feature_0_choice_316 := transform_filtering_0_column_inside_7;
-      else
-        transform_left_filter_feature_0_choice_316 := transform_left_filter_feature_0_all_8;
+        transform_left_filter_feature_0_choice_315 := ((transform_left_filter_column_0_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_315 then
-        transform_left_filter_feature_0_choice_317 := ((transform_left_filter_column_7_1 / 128) = 1) and
-          transform_filtering_0_column_inside_7 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_316 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_317 := transform_left_filter_feature_0_choice_316;
+        transform_left_filter_feature_0_choice_316 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
-      if (transform_left_filter_column_7_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_318 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_316 then
+        transform_left_filter_feature_0_choice_317 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_318 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_317 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      if ((transform_left_filter_column_7_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_319 := transform_left_filter_feature_0_choice_318;
+      if transform_left_filter_feature_0_choice_317 then
+        transform_left_filter_feature_0_choice_318 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_319 := ((transform_left_filter_column_7_0 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_318 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_318 then
+        transform_left_filter_feature_0_choice_319 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_319 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
       if transform_left_filter_feature_0_choice_319 then
-        transform_left_filter_feature_0_choice_320 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_320 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_320 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_320 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_320 then
-        transform_left_filter_feature_0_choice_321 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_321 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_321 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_321 := ((transform_left_filter_column_0_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_321 then
-        transform_left_filter_feature_0_choice_322 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      if (transform_left_filter_column_0_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_322 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_322 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_322 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_322 then
-        transform_left_filter_feature_0_choice_323 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if ((transform_left_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_323 := transform_left_filter_feature_0_choice_322;
       else
-        transform_left_filter_feature_0_choice_323 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_323 := ((transform_left_filter_column_0_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_323 then
-        transform_left_filter_feature_0_choice_324 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_324 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_324 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_7_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_325 := transform_filtering_0_column_inside_7;
-      else
-        transform_left_filter_feature_0_choice_325 := transform_left_filter_feature_0_all_8;
+        transform_left_filter_feature_0_choice_324 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_324 then
-        transform_left_filter_feature_0_choice_326 := ((transform_left_filter_column_7_0 / 128) = 1) and
-          transform_filtering_0_column_inside_7 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_325 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_326 := transform_left_filter_feature_0_choice_325;
+        transform_left_filter_feature_0_choice_325 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
-      if (transform_left_filter_column_7_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_327 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_325 then
+        transform_left_filter_feature_0_choice_326 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_327 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_326 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      if ((transform_left_filter_column_7_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_328 := transform_left_filter_feature_0_choice_327;
+      if transform_left_filter_feature_0_choice_326 then
+        transform_left_filter_feature_0_choice_327 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_328 := ((transform_left_filter_column_7_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_327 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_327 then
+        transform_left_filter_feature_0_choice_328 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_328 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
       if transform_left_filter_feature_0_choice_328 then
-        transform_left_filter_feature_0_choice_329 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_329 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_329 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_329 := ((transform_left_filter_column_0_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_329 then
-        transform_left_filter_feature_0_choice_330 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+      if (transform_left_filter_column_0_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_330 := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_330 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_330 := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_330 then
-        transform_left_filter_feature_0_choice_331 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      if ((transform_left_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_331 := transform_left_filter_feature_0_choice_330;
       else
-        transform_left_filter_feature_0_choice_331 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_331 := ((transform_left_filter_column_0_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
       end if;
       if transform_left_filter_feature_0_choice_331 then
-        transform_left_filter_feature_0_choice_332 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_332 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_332 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_332 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_332 then
-        transform_left_filter_feature_0_choice_333 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_333 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_333 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_7_2 / 128) = 1 then
-        transform_left_filter_feature_0_choice_334 := transform_filtering_0_column_inside_7;
-      else
-        transform_left_filter_feature_0_choice_334 := transform_left_filter_feature_0_all_8;
+        transform_left_filter_feature_0_choice_333 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_333 then
-        transform_left_filter_feature_0_choice_335 := ((transform_left_filter_column_7_2 / 128) = 1) and
-          transform_filtering_0_column_inside_7 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_334 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_335 := transform_left_filter_feature_0_choice_334;
+        transform_left_filter_feature_0_choice_334 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
-      if (transform_left_filter_column_7_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_336 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_334 then
+        transform_left_filter_feature_0_choice_335 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_336 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_335 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
-      if ((transform_left_filter_column_7_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_337 := transform_left_filter_feature_0_choice_336;
+      if transform_left_filter_feature_0_choice_335 then
+        transform_left_filter_feature_0_choice_336 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_337 := ((transform_left_filter_column_7_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choice_336 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_336 then
+        transform_left_filter_feature_0_choice_337 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_337 := ((transform_left_filter_column_0_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_338 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_338 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_339 := transform_left_filter_feature_0_choice_338;
+      else
+        transform_left_filter_feature_0_choice_339 := ((transform_left_filter_column_0_1 mod 2) = 1) and
           transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_337 then
-        transform_left_filter_feature_0_choice_338 := (not (((transform_left_filter_column_7_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_338 := (not (((transform_left_filter_column_7_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      if transform_left_filter_feature_0_choice_338 then
-        transform_left_filter_feature_0_choice_339 := (not (((transform_left_filter_column_7_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_339 := (not (((transform_left_filter_column_7_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_339 then
-        transform_left_filter_feature_0_choice_340 := (not (((transform_left_filter_column_7_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_340 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
       else
-        transform_left_filter_feature_0_choice_340 := (not (((transform_left_filter_column_7_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_340 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
       end if;
       if transform_left_filter_feature_0_choice_340 then
-        transform_left_filter_feature_0_choice_341 := (not (((transform_left_filter_column_7_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_341 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
       else
-        transform_left_filter_feature_0_choice_341 := (not (((transform_left_filter_column_7_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_341 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
       end if;
       if transform_left_filter_feature_0_choice_341 then
-        transform_left_filter_feature_0_choice_342 := (not (((transform_left_filter_column_7_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_342 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
       else
-        transform_left_filter_feature_0_choice_342 := (not (((transform_left_filter_column_7_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_342 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
       end if;
       if transform_left_filter_feature_0_choice_342 then
-        transform_left_filter_feature_0_choice_343 := transform_filtering_0_column_inside_7 and
-          ((transform_left_filter_column_7_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_343 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
       else
-        transform_left_filter_feature_0_choice_343 := transform_filtering_0_column_inside_7 and
-          (((transform_left_filter_column_7_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+        transform_left_filter_feature_0_choice_343 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
       end if;
-      if (transform_left_filter_column_8_3 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_344 := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choice_343 then
+        transform_left_filter_feature_0_choice_344 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
       else
-        transform_left_filter_feature_0_choice_344 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_344 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
       end if;
-      if ((transform_left_filter_column_8_3 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_345 := transform_left_filter_feature_0_choice_344;
+      if transform_left_filter_feature_0_choice_344 then
+        transform_left_filter_feature_0_choice_345 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       else
-        transform_left_filter_feature_0_choice_345 := ((transform_left_filter_column_8_3 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_345 := ((transform_left_filter_column_0_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_left_filter_feature_0_choice_345 then
-        transform_left_filter_feature_0_choice_346 := (not (((transform_left_filter_column_8_3 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+      if (transform_left_filter_column_4_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_346 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1);
       else
-        transform_left_filter_feature_0_choice_346 := (not (((transform_left_filter_column_8_3 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_346 := (transform_left_filter_column_0_0 mod 4) = 0;
       end if;
-      if transform_left_filter_feature_0_choice_346 then
-        transform_left_filter_feature_0_choice_347 := (not (((transform_left_filter_column_8_3 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_value then
+        transform_left_filter_feature_0_choice_347 := ((transform_left_filter_column_4_2 mod 2) = 1) or (not
+          (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1));
       else
-        transform_left_filter_feature_0_choice_347 := (not (((transform_left_filter_column_8_3 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_347 := transform_left_filter_feature_0_choice_346;
       end if;
+      transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
       if transform_left_filter_feature_0_choice_347 then
-        transform_left_filter_feature_0_choice_348 := (not (((transform_left_filter_column_8_3 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_348 := (not transform_left_filter_feature_0_value_2) and
+          transform_left_filter_feature_0_value_7;
       else
-        transform_left_filter_feature_0_choice_348 := (not (((transform_left_filter_column_8_3 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_348 := (not transform_left_filter_feature_0_value_2) or
+          transform_left_filter_feature_0_value_7;
       end if;
+      transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
       if transform_left_filter_feature_0_choice_348 then
-        transform_left_filter_feature_0_choice_349 := (not (((transform_left_filter_column_8_3 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_349 := (not transform_left_filter_feature_0_value_3) or
+          transform_left_filter_feature_0_value_8;
       else
-        transform_left_filter_feature_0_choice_349 := (not (((transform_left_filter_column_8_3 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_349 := (not transform_left_filter_feature_0_value_3) and
+          transform_left_filter_feature_0_value_8;
       end if;
+      transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
       if transform_left_filter_feature_0_choice_349 then
-        transform_left_filter_feature_0_choice_350 := (not (((transform_left_filter_column_8_3 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_350 := (not transform_left_filter_feature_0_value_4) or
+          transform_left_filter_feature_0_value_9;
       else
-        transform_left_filter_feature_0_choice_350 := (not (((transform_left_filter_column_8_3 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_350 := (not transform_left_filter_feature_0_value_4) and
+          transform_left_filter_feature_0_value_9;
       end if;
-      transform_left_filter_feature_0_all_9 := transform_filtering_0_column_inside_8 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_8_3 / 128) = 1 then
-        transform_left_filter_feature_0_choice_351 := transform_filtering_0_column_inside_8;
-      else
-        transform_left_filter_feature_0_choice_351 := transform_left_filter_feature_0_all_9;
-      end if;
+      transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
       if transform_left_filter_feature_0_choice_350 then
-        transform_left_filter_feature_0_choice_352 := ((transform_left_filter_column_8_3 / 128) = 1) and
-          transform_filtering_0_column_inside_8 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choice_351 := (not transform_left_filter_feature_0_value_5) or
+          transform_left_filter_feature_0_value_10;
       else
-        transform_left_filter_feature_0_choice_352 := transform_left_filter_feature_0_choice_351;
+        transform_left_filter_feature_0_choice_351 := (not transform_left_filter_feature_0_value_5) and
+          transform_left_filter_feature_0_value_10;
       end if;
-      if (transform_left_filter_column_8_1 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_353 := transform_left_filter_feature_0_any;
+      transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
+      if transform_left_filter_feature_0_choice_351 then
+        transform_left_filter_feature_0_choice_352 := (not transform_left_filter_feature_0_value_6) or
+          transform_left_filter_feature_0_value_11;
       else
-        transform_left_filter_feature_0_choice_353 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_352 := (not transform_left_filter_feature_0_value_6) and
+          transform_left_filter_feature_0_value_11;
       end if;
-      if ((transform_left_filter_column_8_1 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_354 := transform_left_filter_feature_0_choice_353;
+      if transform_left_filter_feature_0_choice_352 then
+        transform_left_filter_feature_0_choice_353 := (not ((transform_left_filter_column_4_2 / 128) = 1)) or
+          ((transform_left_filter_column_0_0 / 128) = 1);
       else
-        transform_left_filter_feature_0_choice_354 := ((transform_left_filter_column_8_1 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choice_353 := (not ((transform_left_filter_column_4_2 / 128) = 1)) and
+          ((transform_left_filter_column_0_0 / 128) = 1);
       end if;
-      if transform_left_filter_feature_0_choice_354 then
-        transform_left_filter_feature_0_choice_355 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
+      if transform_filtering_0_column_inside_0 then
+        transform_left_filter_feature_0_choice_354 := (as_number(transform_left_filter_feature_0_choice_321) * 8) +
+          (as_number(transform_left_filter_feature_0_choice_329) * 16) +
+          (as_number(transform_left_filter_feature_0_choice_337) * 4) +
+          (as_number(transform_left_filter_feature_0_choice_345) * 2) +
+          as_number(transform_left_filter_feature_0_choice_353);
       else
-        transform_left_filter_feature_0_choice_355 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choice_354 := 0;
       end if;
-      if transform_left_filter_feature_0_choice_355 then
-        transform_left_filter_feature_0_choice_356 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+      if transform_filtering_0_column_inside_1 then
+        transform_left_filter_feature_0_choice_355 := (as_number(transform_left_filter_feature_0_choice_281) * 256) +
+          (as_number(transform_left_filter_feature_0_choice_289) * 512) +
+          (as_number(transform_left_filter_feature_0_choice_297) * 128) +
+          (as_number(transform_left_filter_feature_0_choice_305) * 64) +
+          (as_number(transform_left_filter_feature_0_choice_313) * 32) + transform_left_filter_feature_0_choice_354;
       else
-        transform_left_filter_feature_0_choice_356 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choice_355 := transform_left_filter_feature_0_choice_354;
       end if;
-      if transform_left_filter_feature_0_choice_356 then
-        transform_left_filter_feature_0_choice_357 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      if transform_filtering_0_column_inside_2 then
+        transform_left_filter_feature_0_choice_356 := (as_number(transform_left_filter_feature_0_choice_241) * 8192) +
+          (as_number(transform_left_filter_feature_0_choice_249) * 16384) +
+          (as_number(transform_left_filter_feature_0_choice_257) * 4096) +
+          (as_number(transform_left_filter_feature_0_choice_265) * 2048) +
+          (as_number(transform_left_filter_feature_0_choice_273) * 1024) + transform_left_filter_feature_0_choice_355;
       else
-        transform_left_filter_feature_0_choice_357 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choice_356 := transform_left_filter_feature_0_choice_355;
       end if;
-      if transform_left_filter_feature_0_choice_357 then
-        transform_left_filter_feature_0_choice_358 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if transform_filtering_0_column_inside_3 then
+        transform_left_filter_feature_0_choice_357 := (as_number(transform_left_filter_feature_0_choice_201) * 262144)
+          + (as_number(transform_left_filter_feature_0_choice_209) * 524288) +
+          (as_number(transform_left_filter_feature_0_choice_217) * 131072) +
+          (as_number(transform_left_filter_feature_0_choice_225) * 65536) +
+          (as_number(transform_left_filter_feature_0_choice_233) * 32768) + transform_left_filter_feature_0_choice_356;
       else
-        transform_left_filter_feature_0_choice_358 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choice_357 := transform_left_filter_feature_0_choice_356;
       end if;
-      if transform_left_filter_feature_0_choice_358 then
-        transform_left_filter_feature_0_choice_359 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if transform_filtering_0_column_inside_4 then
+        transform_left_filter_feature_0_choice_358 := (as_number(transform_left_filter_feature_0_choice_177) * 2097152)
+          + (as_number(transform_left_filter_feature_0_choice_185) * 4194304) +
+          (as_number(transform_left_filter_feature_0_choice_193) * 1048576) +
+          transform_left_filter_feature_0_choice_357;
       else
-        transform_left_filter_feature_0_choice_359 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choice_358 := transform_left_filter_feature_0_choice_357;
       end if;
-      if (transform_left_filter_column_8_1 / 128) = 1 then
-        transform_left_filter_feature_0_choice_360 := transform_filtering_0_column_inside_8;
+      if transform_filtering_0_column_inside_5 then
+        transform_left_filter_feature_0_choice_359 := (as_number(transform_left_filter_feature_0_choice_128) *
+          16777216) + (as_number(transform_left_filter_feature_0_choice_136) * 33554432) +
+          (as_number(transform_left_filter_feature_0_choice_144) * 67108864) +
+          (as_number(transform_left_filter_feature_0_choice_152) * 134217728) +
+          (as_number(transform_left_filter_feature_0_choice_160) * 268435456) +
+          (as_number(transform_left_filter_feature_0_choice_169) * 8388608) +
+          transform_left_filter_feature_0_choice_358;
       else
-        transform_left_filter_feature_0_choice_360 := transform_left_filter_feature_0_all_9;
+        transform_left_filter_feature_0_choice_359 := (as_number(transform_left_filter_feature_0_choice_169) * 8388608)
+          + transform_left_filter_feature_0_choice_358;
       end if;
-      if transform_left_filter_feature_0_choice_359 then
-        transform_left_filter_feature_0_choice_361 := ((transform_left_filter_column_8_1 / 128) = 1) and
-          transform_filtering_0_column_inside_8 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      if transform_filtering_0_column_inside_6 then
+        transform_left_filter_feature_0_choice_360 :=
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_120), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_112), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_104), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_96), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_88), 1) &
+          to_unsigned(transform_left_filter_feature_0_choice_359, 29);
       else
-        transform_left_filter_feature_0_choice_361 := transform_left_filter_feature_0_choice_360;
+        transform_left_filter_feature_0_choice_360 := to_unsigned(transform_left_filter_feature_0_choice_359, 34);
       end if;
-      if (transform_left_filter_column_8_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_362 := transform_left_filter_feature_0_any;
+      if transform_filtering_0_column_inside_7 then
+        transform_left_filter_feature_0_choice_361 := to_unsigned(as_number(transform_left_filter_feature_0_choice_80),
+          1) & to_unsigned(as_number(transform_left_filter_feature_0_choice_72), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_64), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_56), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_48), 1) &
+          transform_left_filter_feature_0_choice_360(33 downto 0);
       else
-        transform_left_filter_feature_0_choice_362 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
+        transform_left_filter_feature_0_choice_361 := resize(transform_left_filter_feature_0_choice_360, 39);
       end if;
-      if ((transform_left_filter_column_8_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_363 := transform_left_filter_feature_0_choice_362;
-      else
-        transform_left_filter_feature_0_choice_363 := ((transform_left_filter_column_8_0 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_363 then
-        transform_left_filter_feature_0_choice_364 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_364 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      if transform_left_filter_feature_0_choice_364 then
-        transform_left_filter_feature_0_choice_365 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_365 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_365 then
-        transform_left_filter_feature_0_choice_366 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_366 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_366 then
-        transform_left_filter_feature_0_choice_367 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_367 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_367 then
-        transform_left_filter_feature_0_choice_368 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_368 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_8_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_369 := transform_filtering_0_column_inside_8;
-      else
-        transform_left_filter_feature_0_choice_369 := transform_left_filter_feature_0_all_9;
-      end if;
-      if transform_left_filter_feature_0_choice_368 then
-        transform_left_filter_feature_0_choice_370 := ((transform_left_filter_column_8_0 / 128) = 1) and
-          transform_filtering_0_column_inside_8 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_370 := transform_left_filter_feature_0_choice_369;
-      end if;
-      if (transform_left_filter_column_8_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_371 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_371 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_8_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_372 := transform_left_filter_feature_0_choice_371;
-      else
-        transform_left_filter_feature_0_choice_372 := ((transform_left_filter_column_8_2 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_372 then
-        transform_left_filter_feature_0_choice_373 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_373 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      if transform_left_filter_feature_0_choice_373 then
-        transform_left_filter_feature_0_choice_374 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_374 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_374 then
-        transform_left_filter_feature_0_choice_375 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_375 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_375 then
-        transform_left_filter_feature_0_choice_376 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_376 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_376 then
-        transform_left_filter_feature_0_choice_377 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_377 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if (transform_left_filter_column_8_2 / 128) = 1 then
-        transform_left_filter_feature_0_choice_378 := transform_filtering_0_column_inside_8;
-      else
-        transform_left_filter_feature_0_choice_378 := transform_left_filter_feature_0_all_9;
-      end if;
-      if transform_left_filter_feature_0_choice_377 then
-        transform_left_filter_feature_0_choice_379 := ((transform_left_filter_column_8_2 / 128) = 1) and
-          transform_filtering_0_column_inside_8 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_379 := transform_left_filter_feature_0_choice_378;
-      end if;
-      if (transform_left_filter_column_8_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_380 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_380 := not (((transform_left_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_left_filter_column_8_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_381 := transform_left_filter_feature_0_choice_380;
-      else
-        transform_left_filter_feature_0_choice_381 := ((transform_left_filter_column_8_4 mod 2) = 1) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choice_381 then
-        transform_left_filter_feature_0_choice_382 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice_382 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      if transform_left_filter_feature_0_choice_382 then
-        transform_left_filter_feature_0_choice_383 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
-      else
-        transform_left_filter_feature_0_choice_383 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
-      end if;
-      if transform_left_filter_feature_0_choice_383 then
-        transform_left_filter_feature_0_choice_384 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_384 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_384 then
-        transform_left_filter_feature_0_choice_385 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_385 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_385 then
-        transform_left_filter_feature_0_choice_386 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_386 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_386 then
-        transform_left_filter_feature_0_choice_387 := transform_filtering_0_column_inside_8 and
-          ((transform_left_filter_column_8_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_387 := transform_filtering_0_column_inside_8 and
-          (((transform_left_filter_column_8_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
-      end if;
-      transform_right_filter_feature_0_any := (not (((transform_right_filter_column_4_2 / 2) mod 2) = 1)) or (not
+      transform_right_filter_feature_0_value := ((transform_right_filter_column_4_2 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
         ((transform_right_filter_column_4_2 mod 2) = 1));
-      if (transform_right_filter_column_0_1 mod 2) = 1 then
+      if (transform_right_filter_column_8_0 mod 2) = 1 then
         transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
       end if;
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column_4_2 mod 4) = 0;
-      if ((transform_right_filter_column_0_1 / 2) mod 2) = 1 then
+      if ((transform_right_filter_column_8_0 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
       else
-        transform_right_filter_feature_0_choice_2 := ((transform_right_filter_column_0_1 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_2 := ((transform_right_filter_column_8_0 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      transform_right_filter_feature_0_value := ((transform_right_filter_column_4_2 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_4_2 / 4) mod 2) = 1;
       if transform_right_filter_feature_0_choice_2 then
-        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
-      transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_4_2 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_4_2 / 8) mod 2) = 1;
       if transform_right_filter_feature_0_choice_3 then
-        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
-      transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_4_2 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_4_2 / 16) mod 2) = 1;
       if transform_right_filter_feature_0_choice_4 then
-        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
-      transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_4_2 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_4_2 / 32) mod 2) = 1;
       if transform_right_filter_feature_0_choice_5 then
-        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
-      transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_4_2 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_4_2 / 64) mod 2) = 1;
       if transform_right_filter_feature_0_choice_6 then
-        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      transform_right_filter_feature_0_all := (not ((transform_right_filter_column_4_2 / 128) = 1)) and
-        transform_filtering_0_column_inside_0;
-      if (transform_right_filter_column_0_1 / 128) = 1 then
-        transform_right_filter_feature_0_choice_8 := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choice_8 := transform_right_filter_feature_0_all;
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_7 then
-        transform_right_filter_feature_0_choice_9 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_0;
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_8_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_choice_8;
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_8_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_right_filter_column_0_3 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_any;
+      if (transform_right_filter_column_8_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_10 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_9 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_0_3 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_11 := transform_right_filter_feature_0_choice_10;
+      if ((transform_right_filter_column_8_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9;
       else
-        transform_right_filter_feature_0_choice_11 := ((transform_right_filter_column_0_3 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_10 := ((transform_right_filter_column_8_1 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_10 then
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_11 then
-        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_12 then
-        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_13 then
-        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_14 then
-        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_15 then
-        transform_right_filter_feature_0_choice_16 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_8_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_16 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_8_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_right_filter_column_0_3 / 128) = 1 then
-        transform_right_filter_feature_0_choice_17 := transform_filtering_0_column_inside_0;
+      if (transform_right_filter_column_8_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_all;
+        transform_right_filter_feature_0_choice_17 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_16 then
-        transform_right_filter_feature_0_choice_18 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_0;
-      else
+      if ((transform_right_filter_column_8_2 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17;
-      end if;
-      if (transform_right_filter_column_0_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_19 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_19 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_0_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_20 := transform_right_filter_feature_0_choice_19;
-      else
-        transform_right_filter_feature_0_choice_20 := ((transform_right_filter_column_0_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_18 := ((transform_right_filter_column_8_2 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_18 then
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_19 then
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_20 then
-        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_0_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_0_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_21 then
-        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_0_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_0_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_22 then
-        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_0_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_0_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_23 then
-        transform_right_filter_feature_0_choice_24 := (not (((transform_right_filter_column_0_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_8_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_24 := (not (((transform_right_filter_column_0_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_8_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_24 then
-        transform_right_filter_feature_0_choice_25 := (not (((transform_right_filter_column_0_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if (transform_right_filter_column_8_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_25 := (not (((transform_right_filter_column_0_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_25 := not transform_right_filter_feature_0_value;
       end if;
-      if (transform_right_filter_column_0_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_26 := transform_filtering_0_column_inside_0;
+      if ((transform_right_filter_column_8_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25;
       else
-        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_all;
-      end if;
-      if transform_right_filter_feature_0_choice_25 then
-        transform_right_filter_feature_0_choice_27 := ((transform_right_filter_column_0_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choice_27 := transform_right_filter_feature_0_choice_26;
-      end if;
-      if (transform_right_filter_column_0_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_28 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_28 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_0_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_29 := transform_right_filter_feature_0_choice_28;
-      else
-        transform_right_filter_feature_0_choice_29 := ((transform_right_filter_column_0_2 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_26 := ((transform_right_filter_column_8_3 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_26 then
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_8_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_8_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_27 then
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_8_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_8_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_28 then
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_8_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_8_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_29 then
-        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_8_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_8_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_30 then
-        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_8_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_8_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_31 then
-        transform_right_filter_feature_0_choice_32 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_8_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_32 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_8_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_32 then
-        transform_right_filter_feature_0_choice_33 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if (transform_right_filter_column_8_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_33 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_33 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_33 then
-        transform_right_filter_feature_0_choice_34 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if ((transform_right_filter_column_8_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33;
       else
-        transform_right_filter_feature_0_choice_34 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_0_2 / 128) = 1 then
-        transform_right_filter_feature_0_choice_35 := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choice_35 := transform_right_filter_feature_0_all;
+        transform_right_filter_feature_0_choice_34 := ((transform_right_filter_column_8_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_34 then
-        transform_right_filter_feature_0_choice_36 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_0;
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_36 := transform_right_filter_feature_0_choice_35;
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
-      if (transform_right_filter_column_0_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_37 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_35 then
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_37 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
-      if ((transform_right_filter_column_0_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_38 := transform_right_filter_feature_0_choice_37;
+      if transform_right_filter_feature_0_choice_36 then
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_38 := ((transform_right_filter_column_0_4 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_37 then
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_38 then
-        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_39 then
-        transform_right_filter_feature_0_choice_40 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_8_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_40 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_8_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_40 then
-        transform_right_filter_feature_0_choice_41 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      if (transform_right_filter_column_7_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_41 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_41 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_41 then
-        transform_right_filter_feature_0_choice_42 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if ((transform_right_filter_column_7_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41;
       else
-        transform_right_filter_feature_0_choice_42 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_42 := ((transform_right_filter_column_7_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_42 then
-        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_0_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_44 := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choice_44 := transform_right_filter_feature_0_all;
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_43 then
-        transform_right_filter_feature_0_choice_45 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_0;
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_45 := transform_right_filter_feature_0_choice_44;
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
-      if (transform_right_filter_column_1_3 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_46 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_44 then
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_46 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
-      if ((transform_right_filter_column_1_3 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_47 := transform_right_filter_feature_0_choice_46;
+      if transform_right_filter_feature_0_choice_45 then
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_47 := ((transform_right_filter_column_1_3 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_46 then
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_47 then
-        transform_right_filter_feature_0_choice_48 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_7_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_48 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_7_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_48 then
-        transform_right_filter_feature_0_choice_49 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+      if (transform_right_filter_column_7_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_49 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_49 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_49 then
-        transform_right_filter_feature_0_choice_50 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      if ((transform_right_filter_column_7_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49;
       else
-        transform_right_filter_feature_0_choice_50 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_50 := ((transform_right_filter_column_7_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_50 then
-        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_51 then
-        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      transform_right_filter_feature_0_all_2 := (not ((transform_right_filter_column_4_2 / 128) = 1)) and
-        transform_filtering_0_column_inside_1;
-      if (transform_right_filter_column_1_3 / 128) = 1 then
-        transform_right_filter_feature_0_choice_53 := transform_filtering_0_column_inside_1;
-      else
-        transform_right_filter_feature_0_choice_53 := transform_right_filter_feature_0_all_2;
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_52 then
-        transform_right_filter_feature_0_choice_54 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_1;
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_54 := transform_right_filter_feature_0_choice_53;
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
-      if (transform_right_filter_column_1_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_55 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_53 then
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_55 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
-      if ((transform_right_filter_column_1_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_56 := transform_right_filter_feature_0_choice_55;
+      if transform_right_filter_feature_0_choice_54 then
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_1_1 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_55 then
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_7_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_7_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_57 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_7_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57;
+      else
+        transform_right_filter_feature_0_choice_58 := ((transform_right_filter_column_7_2 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_56 then
-        transform_right_filter_feature_0_choice_57 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_57 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_57 then
-        transform_right_filter_feature_0_choice_58 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_58 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_58 then
-        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_59 then
-        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_60 then
-        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_1_1 / 128) = 1 then
-        transform_right_filter_feature_0_choice_62 := transform_filtering_0_column_inside_1;
-      else
-        transform_right_filter_feature_0_choice_62 := transform_right_filter_feature_0_all_2;
-      end if;
-      if transform_right_filter_feature_0_choice_61 then
-        transform_right_filter_feature_0_choice_63 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_1;
-      else
-        transform_right_filter_feature_0_choice_63 := transform_right_filter_feature_0_choice_62;
-      end if;
-      if (transform_right_filter_column_1_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_64 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_64 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_1_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_choice_64;
-      else
-        transform_right_filter_feature_0_choice_65 := ((transform_right_filter_column_1_0 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_65 then
-        transform_right_filter_feature_0_choice_66 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_66 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_66 then
-        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) and
           transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_59 then
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_60 then
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_61 then
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_62 then
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_63 then
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_7_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_7_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_65 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_7_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65;
+      else
+        transform_right_filter_feature_0_choice_66 := ((transform_right_filter_column_7_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_66 then
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_7_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_7_3 / 4) mod 2) = 1)) or
           transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_67 then
-        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_7_3 / 8) mod 2) = 1)) or
           transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_7_3 / 8) mod 2) = 1)) and
           transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_68 then
-        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_7_3 / 16) mod 2) = 1)) or
           transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_7_3 / 16) mod 2) = 1)) and
           transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_69 then
-        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_7_3 / 32) mod 2) = 1)) or
           transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_7_3 / 32) mod 2) = 1)) and
           transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_1_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_71 := transform_filtering_0_column_inside_1;
-      else
-        transform_right_filter_feature_0_choice_71 := transform_right_filter_feature_0_all_2;
       end if;
       if transform_right_filter_feature_0_choice_70 then
-        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_1;
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_7_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_72 := transform_right_filter_feature_0_choice_71;
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_7_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
-      if (transform_right_filter_column_1_2 mod 2) = 1 then
+      if transform_right_filter_feature_0_choice_71 then
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_7_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_7_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_4 mod 2) = 1 then
         transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_73 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_73 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_1_2 / 2) mod 2) = 1 then
+      if ((transform_right_filter_column_7_4 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73;
       else
-        transform_right_filter_feature_0_choice_74 := ((transform_right_filter_column_1_2 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_74 := ((transform_right_filter_column_7_4 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_74 then
-        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_7_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_7_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_75 then
-        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_7_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_7_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_76 then
-        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_7_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_7_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_77 then
-        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_7_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_7_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_78 then
-        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_7_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_1_2 / 128) = 1 then
-        transform_right_filter_feature_0_choice_80 := transform_filtering_0_column_inside_1;
-      else
-        transform_right_filter_feature_0_choice_80 := transform_right_filter_feature_0_all_2;
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_7_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_79 then
-        transform_right_filter_feature_0_choice_81 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_1;
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_7_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_choice_80;
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_7_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_right_filter_column_1_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_any;
+      if (transform_right_filter_column_6_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_82 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_81 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_1_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_83 := transform_right_filter_feature_0_choice_82;
+      if ((transform_right_filter_column_6_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81;
       else
-        transform_right_filter_feature_0_choice_83 := ((transform_right_filter_column_1_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_82 := ((transform_right_filter_column_6_0 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_82 then
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_83 then
-        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_84 then
-        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_85 then
-        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_86 then
-        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_87 then
-        transform_right_filter_feature_0_choice_88 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_88 := ((transform_right_filter_column_6_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_88 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_88 := ((transform_right_filter_column_6_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_right_filter_column_1_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_89 := transform_filtering_0_column_inside_1;
+      if (transform_right_filter_column_6_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_all_2;
+        transform_right_filter_feature_0_choice_89 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_88 then
-        transform_right_filter_feature_0_choice_90 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_1;
-      else
+      if ((transform_right_filter_column_6_1 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89;
-      end if;
-      if (transform_right_filter_column_2_3 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_91 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_91 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_2_3 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_92 := transform_right_filter_feature_0_choice_91;
-      else
-        transform_right_filter_feature_0_choice_92 := ((transform_right_filter_column_2_3 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_90 := ((transform_right_filter_column_6_1 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_90 then
+        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_91 then
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_92 then
-        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_93 then
-        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_94 then
-        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_95 then
-        transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_6_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_96 then
-        transform_right_filter_feature_0_choice_97 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if (transform_right_filter_column_6_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_97 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_97 := not transform_right_filter_feature_0_value;
       end if;
-      transform_right_filter_feature_0_all_3 := (not ((transform_right_filter_column_4_2 / 128) = 1)) and
-        transform_filtering_0_column_inside_2;
-      if (transform_right_filter_column_2_3 / 128) = 1 then
-        transform_right_filter_feature_0_choice_98 := transform_filtering_0_column_inside_2;
+      if ((transform_right_filter_column_6_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97;
       else
-        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_all_3;
-      end if;
-      if transform_right_filter_feature_0_choice_97 then
-        transform_right_filter_feature_0_choice_99 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choice_99 := transform_right_filter_feature_0_choice_98;
-      end if;
-      if (transform_right_filter_column_2_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_100 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_100 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_2_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_101 := transform_right_filter_feature_0_choice_100;
-      else
-        transform_right_filter_feature_0_choice_101 := ((transform_right_filter_column_2_1 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_98 := ((transform_right_filter_column_6_2 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_98 then
+        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_99 then
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_100 then
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_101 then
-        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_102 then
-        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_103 then
-        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_6_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_104 then
-        transform_right_filter_feature_0_choice_105 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if (transform_right_filter_column_6_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_105 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_105 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_105 then
-        transform_right_filter_feature_0_choice_106 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if ((transform_right_filter_column_6_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105;
       else
-        transform_right_filter_feature_0_choice_106 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_2_1 / 128) = 1 then
-        transform_right_filter_feature_0_choice_107 := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choice_107 := transform_right_filter_feature_0_all_3;
+        transform_right_filter_feature_0_choice_106 := ((transform_right_filter_column_6_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_106 then
-        transform_right_filter_feature_0_choice_108 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_2;
+        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_108 := transform_right_filter_feature_0_choice_107;
+        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
-      if (transform_right_filter_column_2_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_109 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_107 then
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_109 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
-      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_110 := transform_right_filter_feature_0_choice_109;
+      if transform_right_filter_feature_0_choice_108 then
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_110 := ((transform_right_filter_column_2_0 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_109 then
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_110 then
-        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_111 then
-        transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_6_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_6_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_112 then
-        transform_right_filter_feature_0_choice_113 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      if (transform_right_filter_column_6_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_113 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_113 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_113 then
-        transform_right_filter_feature_0_choice_114 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if ((transform_right_filter_column_6_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113;
       else
-        transform_right_filter_feature_0_choice_114 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_114 := ((transform_right_filter_column_6_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_114 then
-        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_2_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_116 := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choice_116 := transform_right_filter_feature_0_all_3;
+        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_115 then
-        transform_right_filter_feature_0_choice_117 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_2;
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_117 := transform_right_filter_feature_0_choice_116;
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
-      if (transform_right_filter_column_2_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_118 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_116 then
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_118 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
-      if ((transform_right_filter_column_2_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_119 := transform_right_filter_feature_0_choice_118;
+      if transform_right_filter_feature_0_choice_117 then
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_119 := ((transform_right_filter_column_2_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_118 then
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_119 then
-        transform_right_filter_feature_0_choice_120 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_6_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_120 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_6_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_120 then
-        transform_right_filter_feature_0_choice_121 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+      if (transform_right_filter_column_5_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_121 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_121 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_121 then
-        transform_right_filter_feature_0_choice_122 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      if ((transform_right_filter_column_5_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121;
       else
-        transform_right_filter_feature_0_choice_122 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_122 := ((transform_right_filter_column_5_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_122 then
-        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_123 then
-        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_2_2 / 128) = 1 then
-        transform_right_filter_feature_0_choice_125 := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choice_125 := transform_right_filter_feature_0_all_3;
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_124 then
-        transform_right_filter_feature_0_choice_126 := ((transform_right_filter_column_2_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_2;
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_126 := transform_right_filter_feature_0_choice_125;
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
-      if (transform_right_filter_column_2_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_127 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_125 then
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_127 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
-      if ((transform_right_filter_column_2_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_128 := transform_right_filter_feature_0_choice_127;
+      if transform_right_filter_feature_0_choice_126 then
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_2_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_127 then
+        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_5_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_5_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_129 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129;
+      else
+        transform_right_filter_feature_0_choice_130 := ((transform_right_filter_column_5_1 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_128 then
-        transform_right_filter_feature_0_choice_129 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_129 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_129 then
-        transform_right_filter_feature_0_choice_130 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_130 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_130 then
-        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_131 then
-        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_132 then
-        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_2_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_134 := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choice_134 := transform_right_filter_feature_0_all_3;
-      end if;
-      if transform_right_filter_feature_0_choice_133 then
-        transform_right_filter_feature_0_choice_135 := ((transform_right_filter_column_2_4 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choice_135 := transform_right_filter_feature_0_choice_134;
-      end if;
-      if (transform_right_filter_column_3_3 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_136 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_136 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_3_3 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_choice_136;
-      else
-        transform_right_filter_feature_0_choice_137 := ((transform_right_filter_column_3_3 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_137 then
-        transform_right_filter_feature_0_choice_138 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_138 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_138 then
-        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
           transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_131 then
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_132 then
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_133 then
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_134 then
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_135 then
+        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_5_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_137 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137;
+      else
+        transform_right_filter_feature_0_choice_138 := ((transform_right_filter_column_5_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_138 then
+        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or
           transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_139 then
-        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
           transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and
           transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_140 then
-        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
           transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and
           transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_141 then
-        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
           transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and
           transform_right_filter_feature_0_value_5;
-      end if;
-      transform_right_filter_feature_0_all_4 := (not ((transform_right_filter_column_4_2 / 128) = 1)) and
-        transform_filtering_0_column_inside_3;
-      if (transform_right_filter_column_3_3 / 128) = 1 then
-        transform_right_filter_feature_0_choice_143 := transform_filtering_0_column_inside_3;
-      else
-        transform_right_filter_feature_0_choice_143 := transform_right_filter_feature_0_all_4;
       end if;
       if transform_right_filter_feature_0_choice_142 then
-        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_3;
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_144 := transform_right_filter_feature_0_choice_143;
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
-      if (transform_right_filter_column_3_1 mod 2) = 1 then
+      if transform_right_filter_feature_0_choice_143 then
+        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_5_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_3 mod 2) = 1 then
         transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_145 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_145 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_3_1 / 2) mod 2) = 1 then
+      if ((transform_right_filter_column_5_3 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145;
       else
-        transform_right_filter_feature_0_choice_146 := ((transform_right_filter_column_3_1 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_146 := ((transform_right_filter_column_5_3 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_146 then
-        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_147 then
-        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_148 then
-        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_149 then
-        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_150 then
-        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_3_1 / 128) = 1 then
-        transform_right_filter_feature_0_choice_152 := transform_filtering_0_column_inside_3;
-      else
-        transform_right_filter_feature_0_choice_152 := transform_right_filter_feature_0_all_4;
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_151 then
-        transform_right_filter_feature_0_choice_153 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_3;
+        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_5_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_choice_152;
+        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_5_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_right_filter_column_3_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_any;
+      if (transform_right_filter_column_5_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_154 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_153 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_3_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_155 := transform_right_filter_feature_0_choice_154;
+      if ((transform_right_filter_column_5_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153;
       else
-        transform_right_filter_feature_0_choice_155 := ((transform_right_filter_column_3_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_154 := ((transform_right_filter_column_5_4 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_154 then
+        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_5_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_5_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_155 then
-        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_5_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_5_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_156 then
-        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_5_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_5_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_157 then
-        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_5_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_5_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_158 then
-        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_5_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_5_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_159 then
-        transform_right_filter_feature_0_choice_160 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_5_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_160 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_3_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_161 := transform_filtering_0_column_inside_3;
-      else
-        transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_all_4;
-      end if;
-      if transform_right_filter_feature_0_choice_160 then
-        transform_right_filter_feature_0_choice_162 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_3;
-      else
-        transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161;
-      end if;
-      if (transform_right_filter_column_3_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_163 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_163 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_3_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_164 := transform_right_filter_feature_0_choice_163;
-      else
-        transform_right_filter_feature_0_choice_164 := ((transform_right_filter_column_3_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_164 then
-        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_165 then
-        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_166 then
-        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_167 then
-        transform_right_filter_feature_0_choice_168 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_168 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_168 then
-        transform_right_filter_feature_0_choice_169 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_169 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_3_2 / 128) = 1 then
-        transform_right_filter_feature_0_choice_170 := transform_filtering_0_column_inside_3;
-      else
-        transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_all_4;
-      end if;
-      if transform_right_filter_feature_0_choice_169 then
-        transform_right_filter_feature_0_choice_171 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_3;
-      else
-        transform_right_filter_feature_0_choice_171 := transform_right_filter_feature_0_choice_170;
-      end if;
-      if (transform_right_filter_column_3_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_172 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_172 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_3_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_173 := transform_right_filter_feature_0_choice_172;
-      else
-        transform_right_filter_feature_0_choice_173 := ((transform_right_filter_column_3_4 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_173 then
-        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_174 then
-        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_175 then
-        transform_right_filter_feature_0_choice_176 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_176 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_176 then
-        transform_right_filter_feature_0_choice_177 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_177 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_177 then
-        transform_right_filter_feature_0_choice_178 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_178 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_3_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_179 := transform_filtering_0_column_inside_3;
-      else
-        transform_right_filter_feature_0_choice_179 := transform_right_filter_feature_0_all_4;
-      end if;
-      if transform_right_filter_feature_0_choice_178 then
-        transform_right_filter_feature_0_choice_180 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_3;
-      else
-        transform_right_filter_feature_0_choice_180 := transform_right_filter_feature_0_choice_179;
-      end if;
-      if (transform_right_filter_column_4_3 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_181 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_181 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_4_3 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_182 := transform_right_filter_feature_0_choice_181;
-      else
-        transform_right_filter_feature_0_choice_182 := ((transform_right_filter_column_4_3 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_182 then
-        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_183 then
-        transform_right_filter_feature_0_choice_184 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_184 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_184 then
-        transform_right_filter_feature_0_choice_185 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_185 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_185 then
-        transform_right_filter_feature_0_choice_186 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_186 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_186 then
-        transform_right_filter_feature_0_choice_187 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_187 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      transform_right_filter_feature_0_all_5 := (not ((transform_right_filter_column_4_2 / 128) = 1)) and
-        transform_filtering_0_column_inside_4;
-      if (transform_right_filter_column_4_3 / 128) = 1 then
-        transform_right_filter_feature_0_choice_188 := transform_filtering_0_column_inside_4;
-      else
-        transform_right_filter_feature_0_choice_188 := transform_right_filter_feature_0_all_5;
-      end if;
-      if transform_right_filter_feature_0_choice_187 then
-        transform_right_filter_feature_0_choice_189 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_4;
-      else
-        transform_right_filter_feature_0_choice_189 := transform_right_filter_feature_0_choice_188;
-      end if;
-      if (transform_right_filter_column_4_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_190 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_190 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_4_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_191 := transform_right_filter_feature_0_choice_190;
-      else
-        transform_right_filter_feature_0_choice_191 := ((transform_right_filter_column_4_0 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_191 then
-        transform_right_filter_feature_0_choice_192 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_192 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_192 then
-        transform_right_filter_feature_0_choice_193 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_193 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_193 then
-        transform_right_filter_feature_0_choice_194 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_194 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_194 then
-        transform_right_filter_feature_0_choice_195 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_195 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_195 then
-        transform_right_filter_feature_0_choice_196 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_196 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_4_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_197 := transform_filtering_0_column_inside_4;
-      else
-        transform_right_filter_feature_0_choice_197 := transform_right_filter_feature_0_all_5;
-      end if;
-      if transform_right_filter_feature_0_choice_196 then
-        transform_right_filter_feature_0_choice_198 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_4;
-      else
-        transform_right_filter_feature_0_choice_198 := transform_right_filter_feature_0_choice_197;
-      end if;
-      if (transform_right_filter_column_4_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_199 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_199 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_4_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_200 := transform_right_filter_feature_0_choice_199;
-      else
-        transform_right_filter_feature_0_choice_200 := ((transform_right_filter_column_4_1 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_200 then
-        transform_right_filter_feature_0_choice_201 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_201 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_201 then
-        transform_right_filter_feature_0_choice_202 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_202 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_202 then
-        transform_right_filter_feature_0_choice_203 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_203 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_203 then
-        transform_right_filter_feature_0_choice_204 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_204 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_204 then
-        transform_right_filter_feature_0_choice_205 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_205 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_4_1 / 128) = 1 then
-        transform_right_filter_feature_0_choice_206 := transform_filtering_0_column_inside_4;
-      else
-        transform_right_filter_feature_0_choice_206 := transform_right_filter_feature_0_all_5;
-      end if;
-      if transform_right_filter_feature_0_choice_205 then
-        transform_right_filter_feature_0_choice_207 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_4;
-      else
-        transform_right_filter_feature_0_choice_207 := transform_right_filter_feature_0_choice_206;
+        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_5_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
       if (transform_right_filter_column_4_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_208 := transform_right_filter_feature_0_any;
+        transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_208 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_161 := not transform_right_filter_feature_0_value;
       end if;
       if ((transform_right_filter_column_4_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_209 := transform_right_filter_feature_0_choice_208;
+        transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161;
       else
-        transform_right_filter_feature_0_choice_209 := ((transform_right_filter_column_4_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_162 := ((transform_right_filter_column_4_4 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_209 then
-        transform_right_filter_feature_0_choice_210 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_210 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_210 then
-        transform_right_filter_feature_0_choice_211 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
+      if transform_right_filter_feature_0_choice_162 then
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
           transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_211 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or
           transform_right_filter_feature_0_value_2;
       end if;
-      if transform_right_filter_feature_0_choice_211 then
-        transform_right_filter_feature_0_choice_212 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
+      if transform_right_filter_feature_0_choice_163 then
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
           transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_212 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and
           transform_right_filter_feature_0_value_3;
       end if;
-      if transform_right_filter_feature_0_choice_212 then
-        transform_right_filter_feature_0_choice_213 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
+      if transform_right_filter_feature_0_choice_164 then
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
           transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_213 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and
           transform_right_filter_feature_0_value_4;
       end if;
-      if transform_right_filter_feature_0_choice_213 then
-        transform_right_filter_feature_0_choice_214 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
+      if transform_right_filter_feature_0_choice_165 then
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
           transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_214 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and
           transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_166 then
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if (transform_right_filter_column_4_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_215 := transform_filtering_0_column_inside_4;
+        transform_right_filter_feature_0_choice_168 := transform_filtering_0_column_inside_4;
       else
-        transform_right_filter_feature_0_choice_215 := transform_right_filter_feature_0_all_5;
+        transform_right_filter_feature_0_choice_168 := transform_filtering_0_column_inside_4 and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_214 then
-        transform_right_filter_feature_0_choice_216 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_4;
+      if transform_right_filter_feature_0_choice_167 then
+        transform_right_filter_feature_0_choice_169 := ((transform_right_filter_column_4_4 / 128) = 1) and
+          transform_filtering_0_column_inside_4 and (not ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_216 := transform_right_filter_feature_0_choice_215;
+        transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_choice_168;
       end if;
-      if (transform_right_filter_column_5_3 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_217 := transform_right_filter_feature_0_any;
+      if (transform_right_filter_column_4_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_217 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_170 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_5_3 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_218 := transform_right_filter_feature_0_choice_217;
+      if ((transform_right_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_171 := transform_right_filter_feature_0_choice_170;
       else
-        transform_right_filter_feature_0_choice_218 := ((transform_right_filter_column_5_3 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_171 := ((transform_right_filter_column_4_1 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_218 then
-        transform_right_filter_feature_0_choice_219 := (not (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_219 := (not (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_219 then
-        transform_right_filter_feature_0_choice_220 := (not (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) or
+      if transform_right_filter_feature_0_choice_171 then
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
           transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_220 := (not (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_172 then
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_173 then
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_174 then
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_175 then
+        transform_right_filter_feature_0_choice_176 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_176 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_176 then
+        transform_right_filter_feature_0_choice_177 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_177 := ((transform_right_filter_column_4_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_178 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_179 := transform_right_filter_feature_0_choice_178;
+      else
+        transform_right_filter_feature_0_choice_179 := ((transform_right_filter_column_4_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_179 then
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_180 then
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_181 then
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_182 then
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_183 then
+        transform_right_filter_feature_0_choice_184 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_184 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_184 then
+        transform_right_filter_feature_0_choice_185 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_185 := ((transform_right_filter_column_4_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_186 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_186 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_187 := transform_right_filter_feature_0_choice_186;
+      else
+        transform_right_filter_feature_0_choice_187 := ((transform_right_filter_column_4_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_187 then
+        transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_188 then
+        transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_189 then
+        transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_190 then
+        transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_191 then
+        transform_right_filter_feature_0_choice_192 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_192 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_192 then
+        transform_right_filter_feature_0_choice_193 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_193 := ((transform_right_filter_column_4_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_194 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_195 := transform_right_filter_feature_0_choice_194;
+      else
+        transform_right_filter_feature_0_choice_195 := ((transform_right_filter_column_3_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_195 then
+        transform_right_filter_feature_0_choice_196 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_196 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_196 then
+        transform_right_filter_feature_0_choice_197 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_197 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_197 then
+        transform_right_filter_feature_0_choice_198 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_198 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_198 then
+        transform_right_filter_feature_0_choice_199 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_199 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_199 then
+        transform_right_filter_feature_0_choice_200 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_200 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_200 then
+        transform_right_filter_feature_0_choice_201 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_201 := ((transform_right_filter_column_3_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_202 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_202 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_203 := transform_right_filter_feature_0_choice_202;
+      else
+        transform_right_filter_feature_0_choice_203 := ((transform_right_filter_column_3_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_203 then
+        transform_right_filter_feature_0_choice_204 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_204 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_204 then
+        transform_right_filter_feature_0_choice_205 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_205 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_205 then
+        transform_right_filter_feature_0_choice_206 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_206 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_206 then
+        transform_right_filter_feature_0_choice_207 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_207 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_207 then
+        transform_right_filter_feature_0_choice_208 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_208 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_208 then
+        transform_right_filter_feature_0_choice_209 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_209 := ((transform_right_filter_column_3_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_210 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_210 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_211 := transform_right_filter_feature_0_choice_210;
+      else
+        transform_right_filter_feature_0_choice_211 := ((transform_right_filter_column_3_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_211 then
+        transform_right_filter_feature_0_choice_212 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_212 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_212 then
+        transform_right_filter_feature_0_choice_213 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_213 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_213 then
+        transform_right_filter_feature_0_choice_214 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_214 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_214 then
+        transform_right_filter_feature_0_choice_215 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_215 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_215 then
+        transform_right_filter_feature_0_choice_216 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_216 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_216 then
+        transform_right_filter_feature_0_choice_217 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_217 := ((transform_right_filter_column_3_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_218 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_218 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_219 := transform_right_filter_feature_0_choice_218;
+      else
+        transform_right_filter_feature_0_choice_219 := ((transform_right_filter_column_3_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_219 then
+        transform_right_filter_feature_0_choice_220 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_220 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or
           transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_220 then
-        transform_right_filter_feature_0_choice_221 := (not (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_221 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
           transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_221 := (not (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_221 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and
           transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_221 then
-        transform_right_filter_feature_0_choice_222 := (not (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_222 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
           transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_222 := (not (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_222 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and
           transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_222 then
-        transform_right_filter_feature_0_choice_223 := (not (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_223 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
           transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_223 := (not (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_223 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and
           transform_right_filter_feature_0_value_5;
-      end if;
-      transform_right_filter_feature_0_all_6 := (not ((transform_right_filter_column_4_2 / 128) = 1)) and
-        transform_filtering_0_column_inside_5;
-      if (transform_right_filter_column_5_3 / 128) = 1 then
-        transform_right_filter_feature_0_choice_224 := transform_filtering_0_column_inside_5;
-      else
-        transform_right_filter_feature_0_choice_224 := transform_right_filter_feature_0_all_6;
       end if;
       if transform_right_filter_feature_0_choice_223 then
-        transform_right_filter_feature_0_choice_225 := ((transform_right_filter_column_5_3 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_5;
+        transform_right_filter_feature_0_choice_224 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_225 := transform_right_filter_feature_0_choice_224;
+        transform_right_filter_feature_0_choice_224 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
-      if (transform_right_filter_column_5_1 mod 2) = 1 then
+      if transform_right_filter_feature_0_choice_224 then
+        transform_right_filter_feature_0_choice_225 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_225 := ((transform_right_filter_column_3_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_0 mod 2) = 1 then
         transform_right_filter_feature_0_choice_226 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_226 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_226 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_5_1 / 2) mod 2) = 1 then
+      if ((transform_right_filter_column_3_0 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_227 := transform_right_filter_feature_0_choice_226;
       else
-        transform_right_filter_feature_0_choice_227 := ((transform_right_filter_column_5_1 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_227 := ((transform_right_filter_column_3_0 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_227 then
-        transform_right_filter_feature_0_choice_228 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_228 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_228 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_228 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_228 then
-        transform_right_filter_feature_0_choice_229 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_229 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_229 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_229 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_229 then
-        transform_right_filter_feature_0_choice_230 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_230 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_230 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_230 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_230 then
-        transform_right_filter_feature_0_choice_231 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_231 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_231 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_231 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_231 then
-        transform_right_filter_feature_0_choice_232 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_232 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_232 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_5_1 / 128) = 1 then
-        transform_right_filter_feature_0_choice_233 := transform_filtering_0_column_inside_5;
-      else
-        transform_right_filter_feature_0_choice_233 := transform_right_filter_feature_0_all_6;
+        transform_right_filter_feature_0_choice_232 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_232 then
-        transform_right_filter_feature_0_choice_234 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_5;
+        transform_right_filter_feature_0_choice_233 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_234 := transform_right_filter_feature_0_choice_233;
+        transform_right_filter_feature_0_choice_233 := ((transform_right_filter_column_3_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_right_filter_column_5_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_235 := transform_right_filter_feature_0_any;
+      if (transform_right_filter_column_2_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_234 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_235 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_234 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_5_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_236 := transform_right_filter_feature_0_choice_235;
+      if ((transform_right_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_235 := transform_right_filter_feature_0_choice_234;
       else
-        transform_right_filter_feature_0_choice_236 := ((transform_right_filter_column_5_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_235 := ((transform_right_filter_column_2_3 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_235 then
+        transform_right_filter_feature_0_choice_236 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_236 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_236 then
-        transform_right_filter_feature_0_choice_237 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_237 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_237 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_237 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_237 then
-        transform_right_filter_feature_0_choice_238 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_238 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_238 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_238 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_238 then
-        transform_right_filter_feature_0_choice_239 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_239 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_239 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_239 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_239 then
-        transform_right_filter_feature_0_choice_240 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_240 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_240 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_240 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_240 then
-        transform_right_filter_feature_0_choice_241 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_241 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_241 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_241 := ((transform_right_filter_column_2_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_right_filter_column_5_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_242 := transform_filtering_0_column_inside_5;
+      if (transform_right_filter_column_2_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_242 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_242 := transform_right_filter_feature_0_all_6;
+        transform_right_filter_feature_0_choice_242 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_241 then
-        transform_right_filter_feature_0_choice_243 := ((transform_right_filter_column_5_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_5;
-      else
+      if ((transform_right_filter_column_2_4 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_243 := transform_right_filter_feature_0_choice_242;
-      end if;
-      if (transform_right_filter_column_5_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_244 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_244 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_5_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_245 := transform_right_filter_feature_0_choice_244;
-      else
-        transform_right_filter_feature_0_choice_245 := ((transform_right_filter_column_5_2 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_243 := ((transform_right_filter_column_2_4 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_243 then
+        transform_right_filter_feature_0_choice_244 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_244 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_244 then
+        transform_right_filter_feature_0_choice_245 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_245 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_245 then
-        transform_right_filter_feature_0_choice_246 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_246 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_246 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_246 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_246 then
-        transform_right_filter_feature_0_choice_247 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_247 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_247 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_247 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_247 then
-        transform_right_filter_feature_0_choice_248 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_248 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_248 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_248 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_248 then
-        transform_right_filter_feature_0_choice_249 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_249 := ((transform_right_filter_column_2_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_249 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_249 := ((transform_right_filter_column_2_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_249 then
-        transform_right_filter_feature_0_choice_250 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if (transform_right_filter_column_2_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_250 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_250 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_250 := not transform_right_filter_feature_0_value;
       end if;
-      if (transform_right_filter_column_5_2 / 128) = 1 then
-        transform_right_filter_feature_0_choice_251 := transform_filtering_0_column_inside_5;
+      if ((transform_right_filter_column_2_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_251 := transform_right_filter_feature_0_choice_250;
       else
-        transform_right_filter_feature_0_choice_251 := transform_right_filter_feature_0_all_6;
-      end if;
-      if transform_right_filter_feature_0_choice_250 then
-        transform_right_filter_feature_0_choice_252 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_5;
-      else
-        transform_right_filter_feature_0_choice_252 := transform_right_filter_feature_0_choice_251;
-      end if;
-      if (transform_right_filter_column_5_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_253 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_253 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_5_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_254 := transform_right_filter_feature_0_choice_253;
-      else
-        transform_right_filter_feature_0_choice_254 := ((transform_right_filter_column_5_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_251 := ((transform_right_filter_column_2_2 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_251 then
+        transform_right_filter_feature_0_choice_252 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_252 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_252 then
+        transform_right_filter_feature_0_choice_253 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_253 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_253 then
+        transform_right_filter_feature_0_choice_254 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_254 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_254 then
-        transform_right_filter_feature_0_choice_255 := (not (((transform_right_filter_column_5_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_255 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_255 := (not (((transform_right_filter_column_5_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_255 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_255 then
-        transform_right_filter_feature_0_choice_256 := (not (((transform_right_filter_column_5_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_256 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_256 := (not (((transform_right_filter_column_5_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_256 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_256 then
-        transform_right_filter_feature_0_choice_257 := (not (((transform_right_filter_column_5_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_257 := ((transform_right_filter_column_2_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_257 := (not (((transform_right_filter_column_5_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_257 := ((transform_right_filter_column_2_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_257 then
-        transform_right_filter_feature_0_choice_258 := (not (((transform_right_filter_column_5_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if (transform_right_filter_column_2_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_258 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_258 := (not (((transform_right_filter_column_5_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_258 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_258 then
-        transform_right_filter_feature_0_choice_259 := (not (((transform_right_filter_column_5_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if ((transform_right_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_259 := transform_right_filter_feature_0_choice_258;
       else
-        transform_right_filter_feature_0_choice_259 := (not (((transform_right_filter_column_5_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_5_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_260 := transform_filtering_0_column_inside_5;
-      else
-        transform_right_filter_feature_0_choice_260 := transform_right_filter_feature_0_all_6;
+        transform_right_filter_feature_0_choice_259 := ((transform_right_filter_column_2_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_259 then
-        transform_right_filter_feature_0_choice_261 := ((transform_right_filter_column_5_4 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_5;
+        transform_right_filter_feature_0_choice_260 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_261 := transform_right_filter_feature_0_choice_260;
+        transform_right_filter_feature_0_choice_260 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
-      if (transform_right_filter_column_6_3 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_262 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_260 then
+        transform_right_filter_feature_0_choice_261 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_262 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_261 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
-      if ((transform_right_filter_column_6_3 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_263 := transform_right_filter_feature_0_choice_262;
+      if transform_right_filter_feature_0_choice_261 then
+        transform_right_filter_feature_0_choice_262 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_263 := ((transform_right_filter_column_6_3 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choice_262 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_262 then
+        transform_right_filter_feature_0_choice_263 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_263 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_263 then
-        transform_right_filter_feature_0_choice_264 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_264 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_264 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_264 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_264 then
-        transform_right_filter_feature_0_choice_265 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_265 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_265 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_265 := ((transform_right_filter_column_2_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_265 then
-        transform_right_filter_feature_0_choice_266 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      if (transform_right_filter_column_2_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_266 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_266 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_266 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_266 then
-        transform_right_filter_feature_0_choice_267 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_267 := transform_right_filter_feature_0_choice_266;
       else
-        transform_right_filter_feature_0_choice_267 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_267 := ((transform_right_filter_column_2_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_267 then
-        transform_right_filter_feature_0_choice_268 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_268 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_268 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      transform_right_filter_feature_0_all_7 := (not ((transform_right_filter_column_4_2 / 128) = 1)) and
-        transform_filtering_0_column_inside_6;
-      if (transform_right_filter_column_6_3 / 128) = 1 then
-        transform_right_filter_feature_0_choice_269 := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choice_269 := transform_right_filter_feature_0_all_7;
+        transform_right_filter_feature_0_choice_268 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_268 then
-        transform_right_filter_feature_0_choice_270 := ((transform_right_filter_column_6_3 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_6;
+        transform_right_filter_feature_0_choice_269 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_270 := transform_right_filter_feature_0_choice_269;
+        transform_right_filter_feature_0_choice_269 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
-      if (transform_right_filter_column_6_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_271 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_269 then
+        transform_right_filter_feature_0_choice_270 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_271 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_270 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
-      if ((transform_right_filter_column_6_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_272 := transform_right_filter_feature_0_choice_271;
+      if transform_right_filter_feature_0_choice_270 then
+        transform_right_filter_feature_0_choice_271 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_272 := ((transform_right_filter_column_6_1 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choice_271 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_271 then
+        transform_right_filter_feature_0_choice_272 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_272 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_272 then
-        transform_right_filter_feature_0_choice_273 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_273 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_273 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_273 := ((transform_right_filter_column_2_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_273 then
-        transform_right_filter_feature_0_choice_274 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+      if (transform_right_filter_column_1_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_274 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_274 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_274 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_274 then
-        transform_right_filter_feature_0_choice_275 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      if ((transform_right_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_275 := transform_right_filter_feature_0_choice_274;
       else
-        transform_right_filter_feature_0_choice_275 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_275 := ((transform_right_filter_column_1_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_275 then
-        transform_right_filter_feature_0_choice_276 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_276 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_276 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_276 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_276 then
-        transform_right_filter_feature_0_choice_277 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_277 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_277 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_6_1 / 128) = 1 then
-        transform_right_filter_feature_0_choice_278 := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choice_278 := transform_right_filter_feature_0_all_7;
+        transform_right_filter_feature_0_choice_277 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_277 then
-        transform_right_filter_feature_0_choice_279 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_6;
+        transform_right_filter_feature_0_choice_278 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_279 := transform_right_filter_feature_0_choice_278;
+        transform_right_filter_feature_0_choice_278 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
-      if (transform_right_filter_column_6_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_280 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_278 then
+        transform_right_filter_feature_0_choice_279 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_280 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_279 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
-      if ((transform_right_filter_column_6_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_281 := transform_right_filter_feature_0_choice_280;
+      if transform_right_filter_feature_0_choice_279 then
+        transform_right_filter_feature_0_choice_280 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_281 := ((transform_right_filter_column_6_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_280 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_280 then
+        transform_right_filter_feature_0_choice_281 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_281 := ((transform_right_filter_column_1_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_282 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_282 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_283 := transform_right_filter_feature_0_choice_282;
+      else
+        transform_right_filter_feature_0_choice_283 := ((transform_right_filter_column_1_4 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_281 then
-        transform_right_filter_feature_0_choice_282 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_282 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_282 then
-        transform_right_filter_feature_0_choice_283 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_283 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_283 then
-        transform_right_filter_feature_0_choice_284 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_284 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_284 then
-        transform_right_filter_feature_0_choice_285 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_285 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_285 then
-        transform_right_filter_feature_0_choice_286 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_286 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_6_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_287 := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choice_287 := transform_right_filter_feature_0_all_7;
-      end if;
-      if transform_right_filter_feature_0_choice_286 then
-        transform_right_filter_feature_0_choice_288 := ((transform_right_filter_column_6_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choice_288 := transform_right_filter_feature_0_choice_287;
-      end if;
-      if (transform_right_filter_column_6_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_289 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_289 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_6_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_290 := transform_right_filter_feature_0_choice_289;
-      else
-        transform_right_filter_feature_0_choice_290 := ((transform_right_filter_column_6_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_290 then
-        transform_right_filter_feature_0_choice_291 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_291 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_291 then
-        transform_right_filter_feature_0_choice_292 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_284 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
           transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_292 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_284 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_284 then
+        transform_right_filter_feature_0_choice_285 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_285 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_285 then
+        transform_right_filter_feature_0_choice_286 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_286 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_286 then
+        transform_right_filter_feature_0_choice_287 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_287 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_287 then
+        transform_right_filter_feature_0_choice_288 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_288 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_288 then
+        transform_right_filter_feature_0_choice_289 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_289 := ((transform_right_filter_column_1_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_290 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_290 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_291 := transform_right_filter_feature_0_choice_290;
+      else
+        transform_right_filter_feature_0_choice_291 := ((transform_right_filter_column_1_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_291 then
+        transform_right_filter_feature_0_choice_292 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_292 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or
           transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_292 then
-        transform_right_filter_feature_0_choice_293 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_293 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
           transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_293 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_293 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and
           transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_293 then
-        transform_right_filter_feature_0_choice_294 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_294 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
           transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_294 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_294 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and
           transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_294 then
-        transform_right_filter_feature_0_choice_295 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_choice_295 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
           transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_295 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and
+        transform_right_filter_feature_0_choice_295 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and
           transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_6_2 / 128) = 1 then
-        transform_right_filter_feature_0_choice_296 := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choice_296 := transform_right_filter_feature_0_all_7;
       end if;
       if transform_right_filter_feature_0_choice_295 then
-        transform_right_filter_feature_0_choice_297 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_6;
+        transform_right_filter_feature_0_choice_296 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_297 := transform_right_filter_feature_0_choice_296;
+        transform_right_filter_feature_0_choice_296 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
-      if (transform_right_filter_column_6_4 mod 2) = 1 then
+      if transform_right_filter_feature_0_choice_296 then
+        transform_right_filter_feature_0_choice_297 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_297 := ((transform_right_filter_column_1_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_1 mod 2) = 1 then
         transform_right_filter_feature_0_choice_298 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_298 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_298 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_6_4 / 2) mod 2) = 1 then
+      if ((transform_right_filter_column_1_1 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_299 := transform_right_filter_feature_0_choice_298;
       else
-        transform_right_filter_feature_0_choice_299 := ((transform_right_filter_column_6_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_299 := ((transform_right_filter_column_1_1 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_299 then
-        transform_right_filter_feature_0_choice_300 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_300 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_300 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_300 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_300 then
-        transform_right_filter_feature_0_choice_301 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_301 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_301 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_301 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_301 then
-        transform_right_filter_feature_0_choice_302 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_302 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_302 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_302 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_302 then
-        transform_right_filter_feature_0_choice_303 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_303 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_303 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_303 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_303 then
-        transform_right_filter_feature_0_choice_304 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_304 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_304 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_6_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_305 := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choice_305 := transform_right_filter_feature_0_all_7;
+        transform_right_filter_feature_0_choice_304 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_304 then
-        transform_right_filter_feature_0_choice_306 := ((transform_right_filter_column_6_4 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_6;
+        transform_right_filter_feature_0_choice_305 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_306 := transform_right_filter_feature_0_choice_305;
+        transform_right_filter_feature_0_choice_305 := ((transform_right_filter_column_1_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if (transform_right_filter_column_7_3 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_307 := transform_right_filter_feature_0_any;
+      if (transform_right_filter_column_1_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_306 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_307 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_306 := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_7_3 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_308 := transform_right_filter_feature_0_choice_307;
+      if ((transform_right_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_307 := transform_right_filter_feature_0_choice_306;
       else
-        transform_right_filter_feature_0_choice_308 := ((transform_right_filter_column_7_3 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_307 := ((transform_right_filter_column_1_0 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_307 then
+        transform_right_filter_feature_0_choice_308 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_308 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_308 then
-        transform_right_filter_feature_0_choice_309 := (not (((transform_right_filter_column_7_3 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_309 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_309 := (not (((transform_right_filter_column_7_3 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_309 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_309 then
-        transform_right_filter_feature_0_choice_310 := (not (((transform_right_filter_column_7_3 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_310 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_310 := (not (((transform_right_filter_column_7_3 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_310 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_310 then
-        transform_right_filter_feature_0_choice_311 := (not (((transform_right_filter_column_7_3 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_311 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_311 := (not (((transform_right_filter_column_7_3 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_311 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_311 then
-        transform_right_filter_feature_0_choice_312 := (not (((transform_right_filter_column_7_3 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_312 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_312 := (not (((transform_right_filter_column_7_3 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_312 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_312 then
-        transform_right_filter_feature_0_choice_313 := (not (((transform_right_filter_column_7_3 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_313 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_313 := (not (((transform_right_filter_column_7_3 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_313 := ((transform_right_filter_column_1_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      transform_right_filter_feature_0_all_8 := (not ((transform_right_filter_column_4_2 / 128) = 1)) and
-        transform_filtering_0_column_inside_7;
-      if (transform_right_filter_column_7_3 / 128) = 1 then
-        transform_right_filter_feature_0_choice_314 := transform_filtering_0_column_inside_7;
+      if (transform_right_filter_column_0_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_314 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_314 := transform_right_filter_feature_0_all_8;
+        transform_right_filter_feature_0_choice_314 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_313 then
-        transform_right_filter_feature_0_choice_315 := ((transform_right_filter_column_7_3 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_7;
-      else
+      if ((transform_right_filter_column_0_3 / 2) mod 2) = 1 then
         transform_right_filter_feature_0_choice_315 := transform_right_filter_feature_0_choice_314;
-      end if;
-      if (transform_right_filter_column_7_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_316 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_316 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_7_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_317 := transform_right_filter_feature_0_choice_316;
-      else
-        transform_right_filter_feature_0_choice_317 := ((transform_right_filter_column_7_1 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_315 := ((transform_right_filter_column_0_3 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_315 then
+        transform_right_filter_feature_0_choice_316 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_316 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_316 then
+        transform_right_filter_feature_0_choice_317 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_317 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
       if transform_right_filter_feature_0_choice_317 then
-        transform_right_filter_feature_0_choice_318 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_318 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_318 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_318 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_318 then
-        transform_right_filter_feature_0_choice_319 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_319 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_319 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_319 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_319 then
-        transform_right_filter_feature_0_choice_320 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_320 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_320 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_320 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_320 then
-        transform_right_filter_feature_0_choice_321 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_321 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_321 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_321 := ((transform_right_filter_column_0_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_321 then
-        transform_right_filter_feature_0_choice_322 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if (transform_right_filter_column_0_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_322 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_322 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_322 := not transform_right_filter_feature_0_value;
       end if;
-      if (transform_right_filter_column_7_1 / 128) = 1 then
-        transform_right_filter_feature_0_choice_323 := transform_filtering_0_column_inside_7;
+      if ((transform_right_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_323 := transform_right_filter_feature_0_choice_322;
       else
-        transform_right_filter_feature_0_choice_323 := transform_right_filter_feature_0_all_8;
-      end if;
-      if transform_right_filter_feature_0_choice_322 then
-        transform_right_filter_feature_0_choice_324 := ((transform_right_filter_column_7_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_7;
-      else
-        transform_right_filter_feature_0_choice_324 := transform_right_filter_feature_0_choice_323;
-      end if;
-      if (transform_right_filter_column_7_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_325 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_325 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_7_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_326 := transform_right_filter_feature_0_choice_325;
-      else
-        transform_right_filter_feature_0_choice_326 := ((transform_right_filter_column_7_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choice_323 := ((transform_right_filter_column_0_4 mod 2) = 1) and
           transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_323 then
+        transform_right_filter_feature_0_choice_324 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_324 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_324 then
+        transform_right_filter_feature_0_choice_325 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_325 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_325 then
+        transform_right_filter_feature_0_choice_326 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_326 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
       if transform_right_filter_feature_0_choice_326 then
-        transform_right_filter_feature_0_choice_327 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_327 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_327 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_327 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_327 then
-        transform_right_filter_feature_0_choice_328 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_328 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_328 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_328 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_328 then
-        transform_right_filter_feature_0_choice_329 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_329 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_329 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_329 := ((transform_right_filter_column_0_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_329 then
-        transform_right_filter_feature_0_choice_330 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if (transform_right_filter_column_0_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_330 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_330 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_330 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_330 then
-        transform_right_filter_feature_0_choice_331 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if ((transform_right_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_331 := transform_right_filter_feature_0_choice_330;
       else
-        transform_right_filter_feature_0_choice_331 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_7_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_332 := transform_filtering_0_column_inside_7;
-      else
-        transform_right_filter_feature_0_choice_332 := transform_right_filter_feature_0_all_8;
+        transform_right_filter_feature_0_choice_331 := ((transform_right_filter_column_0_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_331 then
-        transform_right_filter_feature_0_choice_333 := ((transform_right_filter_column_7_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_7;
+        transform_right_filter_feature_0_choice_332 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_333 := transform_right_filter_feature_0_choice_332;
+        transform_right_filter_feature_0_choice_332 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
-      if (transform_right_filter_column_7_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_334 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_332 then
+        transform_right_filter_feature_0_choice_333 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_334 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_333 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
-      if ((transform_right_filter_column_7_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_335 := transform_right_filter_feature_0_choice_334;
+      if transform_right_filter_feature_0_choice_333 then
+        transform_right_filter_feature_0_choice_334 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_335 := ((transform_right_filter_column_7_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choice_334 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_334 then
+        transform_right_filter_feature_0_choice_335 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_335 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
       end if;
       if transform_right_filter_feature_0_choice_335 then
-        transform_right_filter_feature_0_choice_336 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_336 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
       else
-        transform_right_filter_feature_0_choice_336 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_336 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_336 then
-        transform_right_filter_feature_0_choice_337 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_337 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_337 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_337 := ((transform_right_filter_column_0_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_337 then
-        transform_right_filter_feature_0_choice_338 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      if (transform_right_filter_column_0_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_338 := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_338 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_338 := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_338 then
-        transform_right_filter_feature_0_choice_339 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if ((transform_right_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_339 := transform_right_filter_feature_0_choice_338;
       else
-        transform_right_filter_feature_0_choice_339 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_339 := ((transform_right_filter_column_0_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
       end if;
       if transform_right_filter_feature_0_choice_339 then
-        transform_right_filter_feature_0_choice_340 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_340 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
       else
-        transform_right_filter_feature_0_choice_340 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_7_2 / 128) = 1 then
-        transform_right_filter_feature_0_choice_341 := transform_filtering_0_column_inside_7;
-      else
-        transform_right_filter_feature_0_choice_341 := transform_right_filter_feature_0_all_8;
+        transform_right_filter_feature_0_choice_340 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
       end if;
       if transform_right_filter_feature_0_choice_340 then
-        transform_right_filter_feature_0_choice_342 := ((transform_right_filter_column_7_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_7;
+        transform_right_filter_feature_0_choice_341 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
       else
-        transform_right_filter_feature_0_choice_342 := transform_right_filter_feature_0_choice_341;
+        transform_right_filter_feature_0_choice_341 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
       end if;
-      if (transform_right_filter_column_7_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_343 := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choice_341 then
+        transform_right_filter_feature_0_choice_342 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
       else
-        transform_right_filter_feature_0_choice_343 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_342 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
       end if;
-      if ((transform_right_filter_column_7_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_344 := transform_right_filter_feature_0_choice_343;
+      if transform_right_filter_feature_0_choice_342 then
+        transform_right_filter_feature_0_choice_343 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
       else
-        transform_right_filter_feature_0_choice_344 := ((transform_right_filter_column_7_4 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choice_343 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_343 then
+        transform_right_filter_feature_0_choice_344 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_344 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
       end if;
       if transform_right_filter_feature_0_choice_344 then
-        transform_right_filter_feature_0_choice_345 := (not (((transform_right_filter_column_7_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_345 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       else
-        transform_right_filter_feature_0_choice_345 := (not (((transform_right_filter_column_7_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_345 := ((transform_right_filter_column_0_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_2 / 128) = 1));
       end if;
-      if transform_right_filter_feature_0_choice_345 then
-        transform_right_filter_feature_0_choice_346 := (not (((transform_right_filter_column_7_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+      if (transform_right_filter_column_4_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_346 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1);
       else
-        transform_right_filter_feature_0_choice_346 := (not (((transform_right_filter_column_7_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_346 := (transform_right_filter_column_0_0 mod 4) = 0;
       end if;
-      if transform_right_filter_feature_0_choice_346 then
-        transform_right_filter_feature_0_choice_347 := (not (((transform_right_filter_column_7_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_value then
+        transform_right_filter_feature_0_choice_347 := ((transform_right_filter_column_4_2 mod 2) = 1) or (not
+          (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) =
+          1));
       else
-        transform_right_filter_feature_0_choice_347 := (not (((transform_right_filter_column_7_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_347 := transform_right_filter_feature_0_choice_346;
       end if;
+      transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
       if transform_right_filter_feature_0_choice_347 then
-        transform_right_filter_feature_0_choice_348 := (not (((transform_right_filter_column_7_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_348 := (not transform_right_filter_feature_0_value_2) and
+          transform_right_filter_feature_0_value_7;
       else
-        transform_right_filter_feature_0_choice_348 := (not (((transform_right_filter_column_7_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_348 := (not transform_right_filter_feature_0_value_2) or
+          transform_right_filter_feature_0_value_7;
       end if;
+      transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
       if transform_right_filter_feature_0_choice_348 then
-        transform_right_filter_feature_0_choice_349 := (not (((transform_right_filter_column_7_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_349 := (not transform_right_filter_feature_0_value_3) or
+          transform_right_filter_feature_0_value_8;
       else
-        transform_right_filter_feature_0_choice_349 := (not (((transform_right_filter_column_7_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_349 := (not transform_right_filter_feature_0_value_3) and
+          transform_right_filter_feature_0_value_8;
       end if;
-      if (transform_right_filter_column_7_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_350 := transform_filtering_0_column_inside_7;
-      else
-        transform_right_filter_feature_0_choice_350 := transform_right_filter_feature_0_all_8;
-      end if;
+      transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
       if transform_right_filter_feature_0_choice_349 then
-        transform_right_filter_feature_0_choice_351 := ((transform_right_filter_column_7_4 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_7;
+        transform_right_filter_feature_0_choice_350 := (not transform_right_filter_feature_0_value_4) or
+          transform_right_filter_feature_0_value_9;
       else
-        transform_right_filter_feature_0_choice_351 := transform_right_filter_feature_0_choice_350;
+        transform_right_filter_feature_0_choice_350 := (not transform_right_filter_feature_0_value_4) and
+          transform_right_filter_feature_0_value_9;
       end if;
-      if (transform_right_filter_column_8_3 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_352 := transform_right_filter_feature_0_any;
+      transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
+      if transform_right_filter_feature_0_choice_350 then
+        transform_right_filter_feature_0_choice_351 := (not transform_right_filter_feature_0_value_5) or
+          transform_right_filter_feature_0_value_10;
       else
-        transform_right_filter_feature_0_choice_352 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_351 := (not transform_right_filter_feature_0_value_5) and
+          transform_right_filter_feature_0_value_10;
       end if;
-      if ((transform_right_filter_column_8_3 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_353 := transform_right_filter_feature_0_choice_352;
+      transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
+      if transform_right_filter_feature_0_choice_351 then
+        transform_right_filter_feature_0_choice_352 := (not transform_right_filter_feature_0_value_6) or
+          transform_right_filter_feature_0_value_11;
       else
-        transform_right_filter_feature_0_choice_353 := ((transform_right_filter_column_8_3 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choice_352 := (not transform_right_filter_feature_0_value_6) and
+          transform_right_filter_feature_0_value_11;
       end if;
-      if transform_right_filter_feature_0_choice_353 then
-        transform_right_filter_feature_0_choice_354 := (not (((transform_right_filter_column_8_3 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
+      if transform_right_filter_feature_0_choice_352 then
+        transform_right_filter_feature_0_choice_353 := (not ((transform_right_filter_column_4_2 / 128) = 1)) or
+          ((transform_right_filter_column_0_0 / 128) = 1);
       else
-        transform_right_filter_feature_0_choice_354 := (not (((transform_right_filter_column_8_3 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choice_353 := (not ((transform_right_filter_column_4_2 / 128) = 1)) and
+          ((transform_right_filter_column_0_0 / 128) = 1);
       end if;
-      if transform_right_filter_feature_0_choice_354 then
-        transform_right_filter_feature_0_choice_355 := (not (((transform_right_filter_column_8_3 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+      if transform_filtering_0_column_inside_0 then
+        transform_right_filter_feature_0_choice_354 := (as_number(transform_right_filter_feature_0_choice_321) * 8) +
+          (as_number(transform_right_filter_feature_0_choice_329) * 16) +
+          (as_number(transform_right_filter_feature_0_choice_337) * 4) +
+          (as_number(transform_right_filter_feature_0_choice_345) * 2) +
+          as_number(transform_right_filter_feature_0_choice_353);
       else
-        transform_right_filter_feature_0_choice_355 := (not (((transform_right_filter_column_8_3 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choice_354 := 0;
       end if;
-      if transform_right_filter_feature_0_choice_355 then
-        transform_right_filter_feature_0_choice_356 := (not (((transform_right_filter_column_8_3 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      if transform_filtering_0_column_inside_1 then
+        transform_right_filter_feature_0_choice_355 := (as_number(transform_right_filter_feature_0_choice_281) * 256) +
+          (as_number(transform_right_filter_feature_0_choice_289) * 512) +
+          (as_number(transform_right_filter_feature_0_choice_297) * 128) +
+          (as_number(transform_right_filter_feature_0_choice_305) * 64) +
+          (as_number(transform_right_filter_feature_0_choice_313) * 32) + transform_right_filter_feature_0_choice_354;
       else
-        transform_right_filter_feature_0_choice_356 := (not (((transform_right_filter_column_8_3 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choice_355 := transform_right_filter_feature_0_choice_354;
       end if;
-      if transform_right_filter_feature_0_choice_356 then
-        transform_right_filter_feature_0_choice_357 := (not (((transform_right_filter_column_8_3 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if transform_filtering_0_column_inside_2 then
+        transform_right_filter_feature_0_choice_356 := (as_number(transform_right_filter_feature_0_choice_241) * 8192)
+          + (as_number(transform_right_filter_feature_0_choice_249) * 16384) +
+          (as_number(transform_right_filter_feature_0_choice_257) * 4096) +
+          (as_number(transform_right_filter_feature_0_choice_265) * 2048) +
+          (as_number(transform_right_filter_feature_0_choice_273) * 1024) + transform_right_filter_feature_0_choice_355;
       else
-        transform_right_filter_feature_0_choice_357 := (not (((transform_right_filter_column_8_3 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choice_356 := transform_right_filter_feature_0_choice_355;
       end if;
-      if transform_right_filter_feature_0_choice_357 then
-        transform_right_filter_feature_0_choice_358 := (not (((transform_right_filter_column_8_3 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if transform_filtering_0_column_inside_3 then
+        transform_right_filter_feature_0_choice_357 := (as_number(transform_right_filter_feature_0_choice_201) *
+          262144) + (as_number(transform_right_filter_feature_0_choice_209) * 524288) +
+          (as_number(transform_right_filter_feature_0_choice_217) * 131072) +
+          (as_number(transform_right_filter_feature_0_choice_225) * 65536) +
+          (as_number(transform_right_filter_feature_0_choice_233) * 32768) +
+          transform_right_filter_feature_0_choice_356;
       else
-        transform_right_filter_feature_0_choice_358 := (not (((transform_right_filter_column_8_3 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choice_357 := transform_right_filter_feature_0_choice_356;
       end if;
-      transform_right_filter_feature_0_all_9 := (not ((transform_right_filter_column_4_2 / 128) = 1)) and
-        transform_filtering_0_column_inside_8;
-      if (transform_right_filter_column_8_3 / 128) = 1 then
-        transform_right_filter_feature_0_choice_359 := transform_filtering_0_column_inside_8;
+      if transform_filtering_0_column_inside_4 then
+        transform_right_filter_feature_0_choice_358 := (as_number(transform_right_filter_feature_0_choice_177) *
+          2097152) + (as_number(transform_right_filter_feature_0_choice_185) * 4194304) +
+          (as_number(transform_right_filter_feature_0_choice_193) * 1048576) +
+          transform_right_filter_feature_0_choice_357;
       else
-        transform_right_filter_feature_0_choice_359 := transform_right_filter_feature_0_all_9;
+        transform_right_filter_feature_0_choice_358 := transform_right_filter_feature_0_choice_357;
       end if;
-      if transform_right_filter_feature_0_choice_358 then
-        transform_right_filter_feature_0_choice_360 := ((transform_right_filter_column_8_3 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_8;
+      if transform_filtering_0_column_inside_5 then
+        transform_right_filter_feature_0_choice_359 := (as_number(transform_right_filter_feature_0_choice_128) *
+          16777216) + (as_number(transform_right_filter_feature_0_choice_136) * 33554432) +
+          (as_number(transform_right_filter_feature_0_choice_144) * 67108864) +
+          (as_number(transform_right_filter_feature_0_choice_152) * 134217728) +
+          (as_number(transform_right_filter_feature_0_choice_160) * 268435456) +
+          (as_number(transform_right_filter_feature_0_choice_169) * 8388608) +
+          transform_right_filter_feature_0_choice_358;
       else
-        transform_right_filter_feature_0_choice_360 := transform_right_filter_feature_0_choice_359;
+        transform_right_filter_feature_0_choice_359 := (as_number(transform_right_filter_feature_0_choice_169) *
+          8388608) + transform_right_filter_feature_0_choice_358;
       end if;
-      if (transform_right_filter_column_8_1 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_361 := transform_right_filter_feature_0_any;
+      if transform_filtering_0_column_inside_6 then
+        transform_right_filter_feature_0_choice_360 :=
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_120), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_112), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_104), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_96), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_88), 1) &
+          to_unsigned(transform_right_filter_feature_0_choice_359, 29);
       else
-        transform_right_filter_feature_0_choice_361 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
+        transform_right_filter_feature_0_choice_360 := to_unsigned(transform_right_filter_feature_0_choice_359, 34);
       end if;
-      if ((transform_right_filter_column_8_1 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_362 := transform_right_filter_feature_0_choice_361;
+      if transform_filtering_0_column_inside_7 then
+        transform_right_filter_feature_0_choice_361 :=
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_80), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_72), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_64), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_56), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_48), 1) &
+          transform_right_filter_feature_0_choice_360(33 downto 0);
       else
-        transform_right_filter_feature_0_choice_362 := ((transform_right_filter_column_8_1 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_362 then
-        transform_right_filter_feature_0_choice_363 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_363 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_363 then
-        transform_right_filter_feature_0_choice_364 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_364 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_364 then
-        transform_right_filter_feature_0_choice_365 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_365 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_365 then
-        transform_right_filter_feature_0_choice_366 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_366 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_366 then
-        transform_right_filter_feature_0_choice_367 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_367 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_8_1 / 128) = 1 then
-        transform_right_filter_feature_0_choice_368 := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choice_368 := transform_right_filter_feature_0_all_9;
-      end if;
-      if transform_right_filter_feature_0_choice_367 then
-        transform_right_filter_feature_0_choice_369 := ((transform_right_filter_column_8_1 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choice_369 := transform_right_filter_feature_0_choice_368;
-      end if;
-      if (transform_right_filter_column_8_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_370 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_370 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_8_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_371 := transform_right_filter_feature_0_choice_370;
-      else
-        transform_right_filter_feature_0_choice_371 := ((transform_right_filter_column_8_0 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_371 then
-        transform_right_filter_feature_0_choice_372 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_372 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_372 then
-        transform_right_filter_feature_0_choice_373 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_373 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_373 then
-        transform_right_filter_feature_0_choice_374 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_374 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_374 then
-        transform_right_filter_feature_0_choice_375 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_375 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_375 then
-        transform_right_filter_feature_0_choice_376 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_376 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_8_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_377 := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choice_377 := transform_right_filter_feature_0_all_9;
-      end if;
-      if transform_right_filter_feature_0_choice_376 then
-        transform_right_filter_feature_0_choice_378 := ((transform_right_filter_column_8_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choice_378 := transform_right_filter_feature_0_choice_377;
-      end if;
-      if (transform_right_filter_column_8_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_379 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_379 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_8_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_380 := transform_right_filter_feature_0_choice_379;
-      else
-        transform_right_filter_feature_0_choice_380 := ((transform_right_filter_column_8_2 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_380 then
-        transform_right_filter_feature_0_choice_381 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_381 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_381 then
-        transform_right_filter_feature_0_choice_382 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_382 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_382 then
-        transform_right_filter_feature_0_choice_383 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_383 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_383 then
-        transform_right_filter_feature_0_choice_384 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_384 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_384 then
-        transform_right_filter_feature_0_choice_385 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_385 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_8_2 / 128) = 1 then
-        transform_right_filter_feature_0_choice_386 := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choice_386 := transform_right_filter_feature_0_all_9;
-      end if;
-      if transform_right_filter_feature_0_choice_385 then
-        transform_right_filter_feature_0_choice_387 := ((transform_right_filter_column_8_2 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choice_387 := transform_right_filter_feature_0_choice_386;
-      end if;
-      if (transform_right_filter_column_8_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_388 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_388 := not (((transform_right_filter_column_4_2 / 2) mod 2) = 1);
-      end if;
-      if ((transform_right_filter_column_8_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_389 := transform_right_filter_feature_0_choice_388;
-      else
-        transform_right_filter_feature_0_choice_389 := ((transform_right_filter_column_8_4 mod 2) = 1) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choice_389 then
-        transform_right_filter_feature_0_choice_390 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice_390 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      if transform_right_filter_feature_0_choice_390 then
-        transform_right_filter_feature_0_choice_391 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
-      else
-        transform_right_filter_feature_0_choice_391 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
-      end if;
-      if transform_right_filter_feature_0_choice_391 then
-        transform_right_filter_feature_0_choice_392 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_392 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_392 then
-        transform_right_filter_feature_0_choice_393 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_393 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_393 then
-        transform_right_filter_feature_0_choice_394 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_394 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if (transform_right_filter_column_8_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_395 := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choice_395 := transform_right_filter_feature_0_all_9;
-      end if;
-      if transform_right_filter_feature_0_choice_394 then
-        transform_right_filter_feature_0_choice_396 := ((transform_right_filter_column_8_4 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1)) and transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choice_396 := transform_right_filter_feature_0_choice_395;
+        transform_right_filter_feature_0_choice_361 := resize(transform_right_filter_feature_0_choice_360, 39);
       end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
@@ -7000,94 +6813,6 @@ begin
       transform_columns_column_inside_8 <= transform_ready_column_inside_8;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choice_387), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_352), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_379), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_361), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_370), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_343), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_308), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_335), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_317), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_326), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_299), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_264), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_291), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_273), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_282), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_255), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_220), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_247), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_229), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_238), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_211), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_185), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_203), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_194), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_176), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_141), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_168), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_150), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_159), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_132), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_97), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_124), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_106), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_115), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_88), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_53), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_80), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_62), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_71), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_44), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_18), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_36), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_9), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_27), 1);
-      transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choice_396), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_360), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_387), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_369), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_378), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_351), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_315), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_342), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_324), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_333), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_306), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_270), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_297), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_279), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_288), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_261), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_225), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_252), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_234), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_243), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_216), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_189), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_207), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_198), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_180), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_144), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_171), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_153), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_162), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_135), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_99), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_126), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_108), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_117), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_90), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_54), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_81), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_63), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_72), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_45), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_18), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_36), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_9), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_27), 1);
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
@@ -7105,6 +6830,23 @@ begin
         transform_counter_group <= transform_counter_group_choice * 32;
       else
         transform_counter_group <= transform_counter_group_choice_3;
+      end if;
+      if transform_filtering_0_column_inside_8 then
+        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choice_40), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_32), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_24), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_16), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_8), 1) &
+          transform_left_filter_feature_0_choice_361(38 downto 0);
+        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choice_40), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_32), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_24), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_16), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_8), 1) &
+          transform_right_filter_feature_0_choice_361(38 downto 0);
+      else
+        transform_left_filter_feature_0 <= resize(transform_left_filter_feature_0_choice_361, 44);
+        transform_right_filter_feature_0 <= resize(transform_right_filter_feature_0_choice_361, 44);
       end if;
       if in_valid then
         if in_start_of_frame or transform_counter_group_is_equal_2 then
@@ -8503,10 +8245,29 @@ begin
         pathsleft_low_write_address <= (pathsleft_low_write_address + 1) mod 16;
       end if;
       -- pathsabove
+      pathsabove_memory_read_address_0_sum := pathsabove_read_address_address + 1;
       if line_places_0_first_column then
-        pathsabove_read_address_address_choice := 0;
+        pathsabove_memory_read_address_0_choice := 0;
       else
-        pathsabove_read_address_address_choice := (pathsabove_read_address_address + 1) mod 8192;
+        pathsabove_memory_read_address_0_choice := pathsabove_memory_read_address_0_sum mod 4096;
+      end if;
+      pathsabove_memory_read_address_0_sum_2 := pathsabove_read_address_address + as_number(((not
+        ((pathsabove_read_address_count_phase / 4) = 1)) or (not (((pathsabove_read_address_count_phase / 2) mod 2) =
+        1)) or (not ((pathsabove_read_address_count_phase mod 2) = 1))));
+      if line_places_0_first_column then
+        pathsabove_memory_read_address_1_choice := 0;
+      else
+        pathsabove_memory_read_address_1_choice := pathsabove_memory_read_address_0_sum mod 1024;
+      end if;
+      if line_places_0_first_column then
+        pathsabove_memory_bank_choice := 0;
+      else
+        pathsabove_memory_bank_choice := pathsabove_memory_read_address_0_sum mod 8192;
+      end if;
+      if line_starts_phases_4 then
+        pathsabove_memory_bank_choice_2 := pathsabove_memory_bank_choice;
+      else
+        pathsabove_memory_bank_choice_2 := pathsabove_memory_read_address_0_sum_2 mod 8192;
       end if;
       if pathsabove_read_address_count_phase = 7 then
         pathsabove_read_address_count_phase_choice := 7;
@@ -8594,10 +8355,16 @@ begin
       else
         pathsabove_write_address_count_phase_choice := (pathsabove_write_address_count_phase + 1) mod 8;
       end if;
-      pathsabove_memory_read_address_0 <= pathsabove_read_address_address mod 4096;
-      pathsabove_memory_read_address_1 <= pathsabove_read_address_address mod 1024;
-      pathsabove_memory_bank <= (pathsabove_read_address_address / 4096) = 1;
+      pathsabove_memory_bank <= (pathsabove_memory_bank_choice_2 / 4096) = 1;
       pathsabove_memory_read_bank <= pathsabove_memory_bank;
+      pathsabove_memory_held_words_0_0 <= to_integer(pathsabove_memory_read_words_0_0);
+      pathsabove_memory_held_words_0_1 <= to_integer(pathsabove_memory_read_words_0_1);
+      pathsabove_memory_held_words_0_2 <= to_integer(pathsabove_memory_read_words_0_2);
+      pathsabove_memory_held_words_1_0 <= to_integer(pathsabove_memory_read_words_1_0);
+      pathsabove_memory_held_words_1_1 <= to_integer(pathsabove_memory_read_words_1_1);
+      pathsabove_memory_held_words_1_2 <= to_integer(pathsabove_memory_read_words_1_2);
+      pathsabove_memory_held_bank <= pathsabove_memory_read_bank;
+      pathsabove_read_address_address <= pathsabove_memory_bank_choice_2;
       pathsabove_total_0 <= costs_cost_0 + pathsabove_total_0_choice;
       pathsabove_total_1 <= costs_cost_1 + pathsabove_total_1_choice;
       pathsabove_total_2 <= costs_cost_2 + pathsabove_total_2_choice;
@@ -8641,23 +8408,23 @@ begin
       pathsabove_write_address_is_here <= line_starts_phases_24 or (not ((pathsabove_write_address_count_phase / 4) =
         1)) or (not (((pathsabove_write_address_count_phase / 2) mod 2) = 1)) or (not
         ((pathsabove_write_address_count_phase mod 2) = 1));
-      if pathsabove_memory_read_bank then
-        pathsabove_memory_ready_words_0 <= to_integer(pathsabove_memory_read_words_1_0);
-        pathsabove_memory_ready_words_1 <= to_integer(pathsabove_memory_read_words_1_1);
-        pathsabove_memory_ready_words_2 <= to_integer(pathsabove_memory_read_words_1_2);
-      else
-        pathsabove_memory_ready_words_0 <= to_integer(pathsabove_memory_read_words_0_0);
-        pathsabove_memory_ready_words_1 <= to_integer(pathsabove_memory_read_words_0_1);
-        pathsabove_memory_ready_words_2 <= to_integer(pathsabove_memory_read_words_0_2);
-      end if;
       if line_starts_phases_4 then
-        pathsabove_read_address_address <= pathsabove_read_address_address_choice;
+        pathsabove_memory_read_address_0 <= pathsabove_memory_read_address_0_choice;
+        pathsabove_memory_read_address_1 <= pathsabove_memory_read_address_1_choice;
         pathsabove_read_address_count_phase <= 0;
       else
-        pathsabove_read_address_address <= (pathsabove_read_address_address + as_number(((not
-          ((pathsabove_read_address_count_phase / 4) = 1)) or (not (((pathsabove_read_address_count_phase / 2) mod 2) =
-          1)) or (not ((pathsabove_read_address_count_phase mod 2) = 1))))) mod 8192;
+        pathsabove_memory_read_address_0 <= pathsabove_memory_read_address_0_sum_2 mod 4096;
+        pathsabove_memory_read_address_1 <= pathsabove_memory_read_address_0_sum_2 mod 1024;
         pathsabove_read_address_count_phase <= pathsabove_read_address_count_phase_choice;
+      end if;
+      if pathsabove_memory_held_bank then
+        pathsabove_memory_ready_words_0 <= pathsabove_memory_held_words_1_0;
+        pathsabove_memory_ready_words_1 <= pathsabove_memory_held_words_1_1;
+        pathsabove_memory_ready_words_2 <= pathsabove_memory_held_words_1_2;
+      else
+        pathsabove_memory_ready_words_0 <= pathsabove_memory_held_words_0_0;
+        pathsabove_memory_ready_words_1 <= pathsabove_memory_held_words_0_1;
+        pathsabove_memory_ready_words_2 <= pathsabove_memory_held_words_0_2;
       end if;
       if line_places_0_top then
         pathsabove_ready_top <= pathsabove_ready_top_choice;
@@ -8864,6 +8631,14 @@ begin
         pathsabove_smallest <= pathsabove_smallest_total;
       end if;
       -- pathsturn
+      pathsturn_cost_memory_read_address_0_sum := pathsturn_read_address_address + as_number(((not
+        ((pathsturn_read_address_count_phase / 4) = 1)) or (not (((pathsturn_read_address_count_phase / 2) mod 2) = 1))
+        or (not ((pathsturn_read_address_count_phase mod 2) = 1))));
+      if line_starts_phases_16 then
+        pathsturn_cost_memory_bank_choice := line_places_1_address * 8;
+      else
+        pathsturn_cost_memory_bank_choice := pathsturn_cost_memory_read_address_0_sum mod 8192;
+      end if;
       if pathsturn_read_address_count_phase = 7 then
         pathsturn_read_address_count_phase_choice := 7;
       else
@@ -8874,17 +8649,29 @@ begin
       else
         pathsturn_write_address_count_phase_choice := (pathsturn_write_address_count_phase + 1) mod 8;
       end if;
-      pathsturn_sum_memory_read_address_0 <= pathsturn_sum_read_address_1 mod 4096;
-      pathsturn_sum_memory_read_address_1 <= pathsturn_sum_read_address_1 mod 1024;
-      pathsturn_sum_memory_bank <= (pathsturn_sum_read_address_1 / 4096) = 1;
-      pathsturn_sum_memory_read_bank <= pathsturn_sum_memory_bank;
-      pathsturn_cost_memory_read_address_0 <= pathsturn_read_address_address mod 4096;
-      pathsturn_cost_memory_read_address_1 <= pathsturn_read_address_address mod 1024;
-      pathsturn_cost_memory_bank <= (pathsturn_read_address_address / 4096) = 1;
+      pathsturn_sum_memory_read_address_0 <= pathsturn_sum_read_address mod 4096;
+      pathsturn_sum_memory_read_address_1 <= pathsturn_sum_read_address mod 1024;
+      pathsturn_sum_memory_bank <= pathsturn_cost_memory_read_bank;
+      pathsturn_sum_memory_read_bank <= pathsturn_cost_memory_held_bank;
+      pathsturn_sum_memory_held_words_0_0 <= to_integer(pathsturn_sum_memory_read_words_0_0);
+      pathsturn_sum_memory_held_words_0_1 <= to_integer(pathsturn_sum_memory_read_words_0_1);
+      pathsturn_sum_memory_held_words_0_2 <= to_integer(pathsturn_sum_memory_read_words_0_2);
+      pathsturn_sum_memory_held_words_0_3 <= to_integer(pathsturn_sum_memory_read_words_0_3);
+      pathsturn_sum_memory_held_words_1_0 <= to_integer(pathsturn_sum_memory_read_words_1_0);
+      pathsturn_sum_memory_held_words_1_1 <= to_integer(pathsturn_sum_memory_read_words_1_1);
+      pathsturn_sum_memory_held_words_1_2 <= to_integer(pathsturn_sum_memory_read_words_1_2);
+      pathsturn_sum_memory_held_words_1_3 <= to_integer(pathsturn_sum_memory_read_words_1_3);
+      pathsturn_sum_memory_held_bank <= pathsturn_sum_memory_read_bank;
+      pathsturn_cost_memory_bank <= (pathsturn_cost_memory_bank_choice / 4096) = 1;
       pathsturn_cost_memory_read_bank <= pathsturn_cost_memory_bank;
+      pathsturn_cost_memory_held_words_0_0 <= to_integer(pathsturn_cost_memory_read_words_0_0);
+      pathsturn_cost_memory_held_words_0_1 <= to_integer(pathsturn_cost_memory_read_words_0_1);
+      pathsturn_cost_memory_held_words_1_0 <= to_integer(pathsturn_cost_memory_read_words_1_0);
+      pathsturn_cost_memory_held_words_1_1 <= to_integer(pathsturn_cost_memory_read_words_1_1);
+      pathsturn_cost_memory_held_bank <= (pathsturn_sum_read_address / 4096) = 1;
       pathsturn_ready_smallest_0 <= to_integer(pathsturn_read_smallest_0);
-      pathsturn_sum_read_address_0 <= pathsturn_read_address_address;
-      pathsturn_sum_read_address_1 <= pathsturn_sum_read_address_0;
+      pathsturn_read_address_address <= pathsturn_cost_memory_bank_choice;
+      pathsturn_sum_read_address <= pathsturn_read_address_address;
       pathsturn_write_address_is_here <= line_starts_phases_19 or (not ((pathsturn_write_address_count_phase / 4) = 1))
         or (not (((pathsturn_write_address_count_phase / 2) mod 2) = 1)) or (not ((pathsturn_write_address_count_phase
         mod 2) = 1));
@@ -8892,32 +8679,32 @@ begin
       pathsturn_sum_write_address_1 <= pathsturn_sum_write_address_0;
       pathsturn_writes_sums_0 <= pathsturn_write_address_is_here;
       pathsturn_writes_sums_1 <= pathsturn_writes_sums_0;
-      if pathsturn_sum_memory_read_bank then
-        pathsturn_sum_memory_ready_words_0 <= to_integer(pathsturn_sum_memory_read_words_1_0);
-        pathsturn_sum_memory_ready_words_1 <= to_integer(pathsturn_sum_memory_read_words_1_1);
-        pathsturn_sum_memory_ready_words_2 <= to_integer(pathsturn_sum_memory_read_words_1_2);
-        pathsturn_sum_memory_ready_words_3 <= to_integer(pathsturn_sum_memory_read_words_1_3);
+      if pathsturn_sum_memory_held_bank then
+        pathsturn_sum_memory_ready_words_0 <= pathsturn_sum_memory_held_words_1_0;
+        pathsturn_sum_memory_ready_words_1 <= pathsturn_sum_memory_held_words_1_1;
+        pathsturn_sum_memory_ready_words_2 <= pathsturn_sum_memory_held_words_1_2;
+        pathsturn_sum_memory_ready_words_3 <= pathsturn_sum_memory_held_words_1_3;
       else
-        pathsturn_sum_memory_ready_words_0 <= to_integer(pathsturn_sum_memory_read_words_0_0);
-        pathsturn_sum_memory_ready_words_1 <= to_integer(pathsturn_sum_memory_read_words_0_1);
-        pathsturn_sum_memory_ready_words_2 <= to_integer(pathsturn_sum_memory_read_words_0_2);
-        pathsturn_sum_memory_ready_words_3 <= to_integer(pathsturn_sum_memory_read_words_0_3);
-      end if;
-      if pathsturn_cost_memory_read_bank then
-        pathsturn_cost_memory_ready_words_0 <= to_integer(pathsturn_cost_memory_read_words_1_0);
-        pathsturn_cost_memory_ready_words_1 <= to_integer(pathsturn_cost_memory_read_words_1_1);
-      else
-        pathsturn_cost_memory_ready_words_0 <= to_integer(pathsturn_cost_memory_read_words_0_0);
-        pathsturn_cost_memory_ready_words_1 <= to_integer(pathsturn_cost_memory_read_words_0_1);
+        pathsturn_sum_memory_ready_words_0 <= pathsturn_sum_memory_held_words_0_0;
+        pathsturn_sum_memory_ready_words_1 <= pathsturn_sum_memory_held_words_0_1;
+        pathsturn_sum_memory_ready_words_2 <= pathsturn_sum_memory_held_words_0_2;
+        pathsturn_sum_memory_ready_words_3 <= pathsturn_sum_memory_held_words_0_3;
       end if;
       if line_starts_phases_16 then
-        pathsturn_read_address_address <= line_places_1_address * 8;
+        pathsturn_cost_memory_read_address_0 <= (line_places_1_address mod 512) * 8;
+        pathsturn_cost_memory_read_address_1 <= (line_places_1_address mod 128) * 8;
         pathsturn_read_address_count_phase <= 0;
       else
-        pathsturn_read_address_address <= (pathsturn_read_address_address + as_number(((not
-          ((pathsturn_read_address_count_phase / 4) = 1)) or (not (((pathsturn_read_address_count_phase / 2) mod 2) =
-          1)) or (not ((pathsturn_read_address_count_phase mod 2) = 1))))) mod 8192;
+        pathsturn_cost_memory_read_address_0 <= pathsturn_cost_memory_read_address_0_sum mod 4096;
+        pathsturn_cost_memory_read_address_1 <= pathsturn_cost_memory_read_address_0_sum mod 1024;
         pathsturn_read_address_count_phase <= pathsturn_read_address_count_phase_choice;
+      end if;
+      if pathsturn_sum_memory_bank then
+        pathsturn_cost_memory_ready_words_0 <= pathsturn_cost_memory_held_words_1_0;
+        pathsturn_cost_memory_ready_words_1 <= pathsturn_cost_memory_held_words_1_1;
+      else
+        pathsturn_cost_memory_ready_words_0 <= pathsturn_cost_memory_held_words_0_0;
+        pathsturn_cost_memory_ready_words_1 <= pathsturn_cost_memory_held_words_0_1;
       end if;
       if line_starts_phases_19 then
         pathsturn_write_address_address <= line_places_2_address * 8;
@@ -11656,6 +11443,13 @@ begin
         pathsabove_memory_read_address_1 <= 0;
         pathsabove_memory_bank <= false;
         pathsabove_memory_read_bank <= false;
+        pathsabove_memory_held_words_0_0 <= 0;
+        pathsabove_memory_held_words_0_1 <= 0;
+        pathsabove_memory_held_words_0_2 <= 0;
+        pathsabove_memory_held_words_1_0 <= 0;
+        pathsabove_memory_held_words_1_1 <= 0;
+        pathsabove_memory_held_words_1_2 <= 0;
+        pathsabove_memory_held_bank <= false;
         pathsabove_memory_ready_words_0 <= 0;
         pathsabove_memory_ready_words_1 <= 0;
         pathsabove_memory_ready_words_2 <= 0;
@@ -11743,6 +11537,15 @@ begin
         pathsturn_sum_memory_read_address_1 <= 0;
         pathsturn_sum_memory_bank <= false;
         pathsturn_sum_memory_read_bank <= false;
+        pathsturn_sum_memory_held_words_0_0 <= 0;
+        pathsturn_sum_memory_held_words_0_1 <= 0;
+        pathsturn_sum_memory_held_words_0_2 <= 0;
+        pathsturn_sum_memory_held_words_0_3 <= 0;
+        pathsturn_sum_memory_held_words_1_0 <= 0;
+        pathsturn_sum_memory_held_words_1_1 <= 0;
+        pathsturn_sum_memory_held_words_1_2 <= 0;
+        pathsturn_sum_memory_held_words_1_3 <= 0;
+        pathsturn_sum_memory_held_bank <= false;
         pathsturn_sum_memory_ready_words_0 <= 0;
         pathsturn_sum_memory_ready_words_1 <= 0;
         pathsturn_sum_memory_ready_words_2 <= 0;
@@ -11761,6 +11564,11 @@ begin
         pathsturn_cost_memory_read_address_1 <= 0;
         pathsturn_cost_memory_bank <= false;
         pathsturn_cost_memory_read_bank <= false;
+        pathsturn_cost_memory_held_words_0_0 <= 0;
+        pathsturn_cost_memory_held_words_0_1 <= 0;
+        pathsturn_cost_memory_held_words_1_0 <= 0;
+        pathsturn_cost_memory_held_words_1_1 <= 0;
+        pathsturn_cost_memory_held_bank <= false;
         pathsturn_cost_memory_ready_words_0 <= 0;
         pathsturn_cost_memory_ready_words_1 <= 0;
         pathsturn_cost_memory_write_words_0_0 <= 0;
@@ -11773,8 +11581,7 @@ begin
         pathsturn_ready_smallest_0 <= 0;
         pathsturn_read_address_address <= 0;
         pathsturn_read_address_count_phase <= 7;
-        pathsturn_sum_read_address_0 <= 0;
-        pathsturn_sum_read_address_1 <= 0;
+        pathsturn_sum_read_address <= 0;
         pathsturn_write_smallest_0 <= 0;
         pathsturn_write_smallest_address <= 0;
         pathsturn_write_address_address <= 0;
