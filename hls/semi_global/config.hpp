@@ -156,6 +156,7 @@ struct Config : Image, Matching, Structure {
       if (aggregation != Aggregation::direct)
          return "with several clocks a pixel pair semi-global costs have no recursive sums";
       if (has_relief()) return "with several clocks a pixel pair P2 does not fall";
+      if (run_time_size) return "with several clocks a pixel pair there is no run-time size";
       if (output_width_px() * clocks_per_pixel > 1 << 16)
          return "with so many clocks a pixel pair a row of the map must be shorter";
       return {};

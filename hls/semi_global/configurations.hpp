@@ -115,7 +115,6 @@ STEREO_ROW(tiny_sgm_f4_lr_forward, option, tiny_sgm_f4_lr_left, disparities = 16
 STEREO_ROW(tiny_sgm_f4_full_all, option, tiny_sgm_full_all, clocks_per_pixel = 4);
 STEREO_ROW(tiny_sgm_f6_border, option, tiny_sgm_border_part, clocks_per_pixel = 6);
 STEREO_ROW(tiny_sgm_f4_settings, option, tiny_sgm_settings_full, height_px = 16, clocks_per_pixel = 4);
-STEREO_ROW(tiny_sgm_f6_size, option, tiny_sgm_size_full, clocks_per_pixel = 6);
 STEREO_ROW(tiny_sgm_f4_dense, option, tiny_sgm_dense, clocks_per_pixel = 4);
 
 // sgm_450 as a depth map without holes: of full width, checked, in sixteenths, filtered, with a confidence, filled. A smaller

@@ -42,7 +42,7 @@ struct PhaseMask {
    uint16_t column;  ///< of the map
    // a clock before the answers
    uint16_t partner;  ///< the other column that lane 0 meets, and kOrigin
-   uint8_t base;     ///< its disparity
+   uint8_t base;      ///< its disparity
    // the answers
    bool inside[kLanes], searched[kLanes];
 

@@ -93,11 +93,11 @@ void fold(Config& config, Random& random) {
       config.clocks_per_pixel = 2 + random.below(kMostClocks - 1);
       config.disparities = config.clocks_per_pixel * (2 + random.below(kMostDisparities - 1));
       config.pixels_per_clock = 1;
-      config.sign_memory = false;
+      config.sign_memory = config.run_time_size = false;
    }
    if constexpr (requires { &Config::pass_disparities; }) {
       config.support_threshold = 0;
-      config.fill_holes = config.confidence = config.full_width = config.run_time_size = false;
+      config.fill_holes = config.confidence = config.full_width = false;
    }
    if constexpr (requires { &Config::phase_disparities; }) {
       config.aggregation = Aggregation::direct;
