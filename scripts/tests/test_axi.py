@@ -24,7 +24,17 @@ def cocotb():
     return where_reachable(cocotb_runs.environment_folder)
 
 
-SHORT = ["tiny", "tiny_p2", "tiny_p4", "tiny_all_recursive", "tiny_all_p4", "tiny_settings_all", "tiny_size_all"]
+SHORT = [
+    "tiny",
+    "tiny_p2",
+    "tiny_p4",
+    "tiny_all_recursive",
+    "tiny_all_p4",
+    "tiny_dense",
+    "tiny_f4_all",
+    "tiny_settings_all",
+    "tiny_size_all",
+]
 
 
 def test_short_run_in_verilator(ghdl, verilator, tmp_path):
