@@ -2,8 +2,7 @@
 """Words that a memory reads in the clock in which it writes them.
 
 yosys leaves them open where a memory has the attribute no_rw_check. There are such words: in block matching those of
-bubbles, which nobody looks at, so it gets the attribute; in semi-global matching some that decide the result, in a few
-memories that keep their bypass where there are several clocks a pixel pair."""
+bubbles, which nobody looks at, so it gets the attribute; in semi-global matching some that decide the result."""
 
 import re
 
@@ -26,11 +25,6 @@ BLOCK_MATCHING = sorted(
     name
     for name, row in configurations().items()
     if row["family"] == "block_matching" and row["use"] in ("tiny", "option")
-)
-FOLDED_SEMI_GLOBAL = sorted(
-    name
-    for name, row in configurations().items()
-    if row["family"] == "semi_global" and row["use"] == "option" and row["clocks_per_pixel"] > 1
 )
 
 
@@ -74,18 +68,9 @@ def test_wrong_words_are_seen(ghdl, tmp_path):
 
 def test_semi_global_matching_looks_at_some(ghdl, tmp_path):
     assert not agrees("tiny_sgm", tmp_path, SAME_CLOCK)
-    assert not yosys.memories_without_bypass("semi_global")
-
-
-@pytest.mark.parametrize("config", with_slow(FOLDED_SEMI_GLOBAL, fast() & {*FOLDED_SEMI_GLOBAL}))
-def test_folded_semi_global_matching_looks_at_those_of_a_few_memories(ghdl, tmp_path, config):
-    bypassed = yosys.WITHOUT_BYPASS["semi_global", True]
-    assert agrees(config, tmp_path, SAME_CLOCK, but=bypassed)
-
-
-@pytest.mark.parametrize("but", [("turn_read_words",), ("read_smallest",)])
-def test_each_of_these_memories_needs_its_bypass(ghdl, tmp_path, but):
-    assert not agrees("tiny_sgm_f4", tmp_path, SAME_CLOCK, but=but)
+    assert not yosys.memories_without_bypass("semi_global") + yosys.memories_without_bypass(
+        "semi_global", is_folded=True
+    )
 
 
 @pytest.mark.parametrize("family", FAMILIES.values(), ids=FAMILIES)

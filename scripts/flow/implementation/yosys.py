@@ -40,7 +40,6 @@ LINE_MEMORIES = "*column_n*_memory"
 WITHOUT_BYPASS = {
     ("block_matching", False): (),
     ("block_matching", True): (),
-    ("semi_global", True): ("turn_read_words", "read_smallest"),
 }
 
 
