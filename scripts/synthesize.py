@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import committed, farm
+from flow.base import committed, farm, rtl
 from flow.base.configurations import PLANNED, Configuration, configuration, designs
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
@@ -49,7 +49,7 @@ def refresh(names: Iterable[str], table: dict[str, Configuration]) -> int:
         if by_code and not reasons:
             contents[committed.MANIFEST] = manifest.text(manifest.refreshed(name, table[name]))
             said.append("refreshed, clang makes the same code of the changed sources")
-        if not template.is_fresh(name, entry):
+        if not rtl.is_stage(table[name]) and not template.is_fresh(name, entry):
             contents |= template.file(name, entry)
             said.append("its shell is written again")
         if contents:
@@ -68,7 +68,7 @@ def make(name: str, row: Configuration, out: Path | None) -> manifest.ToolReport
         folder = Path(work) / name
         entry = generate(name, folder)
         contents = {path.name: path.read_text() for path in folder.iterdir()}
-        contents |= template.file(name, entry)
+        contents |= {} if rtl.is_stage(row) else template.file(name, entry)
         committed.keep([manifest.change(entry, contents)])
     return entry["tool_report"]
 

@@ -195,7 +195,7 @@ STEREO_ROW(tiny_size_recursive, option, tiny_all_recursive, width_px = 40, heigh
 STEREO_ROW(tiny_size_full, option, tiny_full, run_time_size = true);
 STEREO_ROW(tiny_size_full_all, option, tiny_full_all, width_px = 40, height_px = 16, reference = Reference::left,
            run_time_settings = true, run_time_size = true);
-// The stages of the post-processing, alone and together. The VHDL of those that are planned is not made yet.
+// The stages of the post-processing, alone and together.
 STEREO_ROW(tiny_support, option, tiny, left_right_threshold = 1, support_threshold = 6);
 STEREO_ROW(tiny_confidence, option, tiny, reference = Reference::left, support_threshold = 4, confidence = true,
            margin_shift = 2, subpixel = true);

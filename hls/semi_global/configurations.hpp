@@ -85,7 +85,7 @@ STEREO_ROW(tiny_sgm_size_all, option, tiny_sgm_all, height_px = 20, run_time_set
 STEREO_ROW(tiny_sgm_size_full, option, tiny_sgm_full_all, height_px = 20, run_time_settings = true,
            run_time_size = true);
 
-// A cost beside the border of the other image, and the post-processing. The VHDL of those that are planned is not made yet.
+// A cost beside the border of the other image, and the post-processing.
 STEREO_ROW(tiny_sgm_border, option, tiny_sgm_full, border_cost = 3);
 STEREO_ROW(tiny_sgm_border_part, option, tiny_sgm_full_all, height_px = 20, p1 = 10, p2 = 40, border_cost = 2,
            run_time_settings = true);

@@ -31,9 +31,9 @@ begin
       s_axis_tuser => s_axis_tuser, s_axis_tlast => s_axis_tlast,
       m_axis_tvalid => m_axis_tvalid, m_axis_tready => m_axis_tready, m_axis_tdata => open, m_axis_tuser => open,
       m_axis_tlast => open,
-      s_axil_awaddr => (others => 'X'), s_axil_awprot => "XXX", s_axil_awvalid => '0', s_axil_awready => open,
+      s_axil_awaddr => (others => 'X'), s_axil_awprot => (others => 'X'), s_axil_awvalid => '0', s_axil_awready => open,
       s_axil_wdata => (others => 'X'), s_axil_wstrb => "XXXX", s_axil_wvalid => '0', s_axil_wready => open,
       s_axil_bresp => open, s_axil_bvalid => open, s_axil_bready => '0',
-      s_axil_araddr => (others => 'X'), s_axil_arprot => "XXX", s_axil_arvalid => '0', s_axil_arready => open,
+      s_axil_araddr => (others => 'X'), s_axil_arprot => (others => 'X'), s_axil_arvalid => '0', s_axil_arready => open,
       s_axil_rdata => open, s_axil_rresp => open, s_axil_rvalid => open, s_axil_rready => '0', irq => open);
 end architecture;

@@ -6,7 +6,7 @@ import pytest
 
 from cover import fast, with_slow
 from flow.base import rtl
-from flow.base.configurations import configurations
+from flow.base.configurations import clocks_per_pixel, configurations
 from flow.base.ghdl import to_verilog
 from flow.synthesis import manifest
 from flow_commands import call, report
@@ -51,7 +51,7 @@ def test_stress_stream_and_two_frames(ghdl, tmp_path, config):
     groups = (
         parameters["width_px"] * parameters["height_px"] // parameters["pixels_per_clock"] + parameters["gap_groups"]
     )
-    assert result["frames"] == 2 and result["clocks_per_frame"] == groups * parameters.get("clocks_per_pixel", 1)
+    assert result["frames"] == 2 and result["clocks_per_frame"] == groups * clocks_per_pixel(parameters)
     assert result["latency_clocks"] == parameters["latency_clocks"]
 
 

@@ -83,7 +83,7 @@ def check_component(files, config):
         assert int(texts(element, "x:addressOffset")[0].replace("'h", ""), 16) == entry["offset"]
 
 
-EVERY = design.with_shell()
+EVERY = committed.known_configurations()
 
 
 @pytest.mark.parametrize("config", with_slow(EVERY, fast() & {*EVERY}))

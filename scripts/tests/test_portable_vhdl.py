@@ -32,7 +32,7 @@ def those(in_short):
 
 
 def has_shell(name):
-    return design.has_shell(TABLE[name])
+    return not rtl.is_stage(TABLE[name])
 
 
 def user_files(names):

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..base import committed, files, ghdl, progress, rtl
-from ..base.configurations import Parameters, clocks_per_pixel
+from ..base.configurations import Parameters
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from ..base.tools import ROOT
 from ..shell import design
@@ -50,9 +50,7 @@ class Job:
 
     def design(self) -> Design:
         files = design.vhdl_files(self.config) if self.shell else manifest.vhdl_files(self.vhdl)
-        folder = committed.folder(self.config)
-        is_folded = clocks_per_pixel(manifest.read(folder)["parameters"]) > 1
-        without_bypass = yosys.memories_without_bypass(folder.parent.name, is_folded=is_folded)
+        without_bypass = yosys.memories_without_bypass(committed.folder(self.config).parent.name)
         return Design(self.entity, files, self.seeds, self.router, without_bypass)
 
 

@@ -32,23 +32,16 @@ def version() -> str:
     return match.group() if os.environ.get("YOSYS") else f"{match.group()} ({venv.pinned(REQUIREMENTS, PACKAGE)})"
 
 
-# The memories of the cell line_memory.vhd, as ghdl names them. In some families a core looks at no word that is read
+# The memories of the cell line_memory.vhd, as ghdl names them. In these families a core looks at no word that is read
 # in the clock in which it is written (test_memory_collisions.py): without a bypass around the RAM, its output register
 # is the RAM's own.
 LINE_MEMORIES = "*column_n*_memory"
-# {family, whether it has several clocks a pixel pair: parts of the names of memories at whose words it looks even so}
-WITHOUT_BYPASS = {
-    ("block_matching", False): (),
-    ("block_matching", True): (),
-}
+_WITHOUT_BYPASS = ("block_matching",)
 
 
-def memories_without_bypass(family: str, core: str = "", is_folded: bool = False) -> str:
+def memories_without_bypass(family: str, core: str = "") -> str:
     """For `script`, of a core of that family; `core`: what the names begin with that stand in it."""
-    if (family, is_folded) not in WITHOUT_BYPASS:
-        return ""
-    others = [f"m:{core}*{name}{LINE_MEMORIES} %d" for name in WITHOUT_BYPASS[family, is_folded]]
-    return " ".join([f"m:{core}{LINE_MEMORIES}", *others])
+    return f"m:{core}{LINE_MEMORIES}" if family in _WITHOUT_BYPASS else ""
 
 
 def script(target: Target, without_bypass: str = "") -> str:

@@ -48,8 +48,8 @@ OPTIONS = [
     ("after the winner", [("study_subpixel", "subpixel"), ("study_median", "median 3x3")]),
     ("together", [("study_all", "x-Sobel, all checks, subpixel, median")]),
 ]
-# Cores of one map, that of a clock a pixel pair first.
 SMALL_TARGET = "ecp5_25f_grade6"
+# Cores of one map, that of a clock a pixel pair first.
 FOLDED = (
     "ambrosch2007",
     "ambrosch2007_f5",

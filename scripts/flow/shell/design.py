@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Any, cast
+from typing import cast
 
 from ..base import committed, rtl
 from ..base.errors import FlowError
@@ -27,19 +27,6 @@ SHELL = (
     "stereo_shell",
 )
 JOINER = ("camera_queue", "stereo_joiner")  # of two cameras' streams, in front of any shell
-
-
-def has_shell(parameters: Mapping[str, Any]) -> bool:
-    """A stage of the camera system has none."""
-    return not rtl.is_stage(parameters)
-
-
-def with_shell() -> list[str]:
-    """The configurations whose VHDL was made that have one."""
-    parameters = {
-        name: manifest.read(committed.folder(name))["parameters"] for name in committed.known_configurations()
-    }
-    return [name for name, values in parameters.items() if has_shell(values)]
 
 
 def vhdl_files(config: str) -> list[Path]:

@@ -151,9 +151,7 @@ def user_instance(config: str, entry: manifest.Manifest) -> str:
 
 
 def file(config: str, entry: manifest.Manifest) -> dict[str, str]:
-    """{its name: its text}; nothing where there is no shell"""
-    if not design.has_shell(entry["parameters"]):
-        return {}
+    """{its name: its text}"""
     return {f"{rtl.ip_entity(config)}.vhd": entity(config, entry)}
 
 
@@ -162,7 +160,5 @@ def path(config: str) -> Path:
 
 
 def is_fresh(config: str, entry: manifest.Manifest) -> bool:
-    """Whether the file that is committed, if there is to be one, follows from the manifest."""
-    if not design.has_shell(entry["parameters"]):
-        return True
+    """Whether the file that is committed follows from the manifest."""
     return path(config).is_file() and path(config).read_text() == entity(config, entry)
