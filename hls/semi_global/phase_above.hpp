@@ -30,8 +30,8 @@ struct PhaseAbove {
    using Tree = MinimumTree<Value, kLanes>;
    using Delay = MoveDelay<kTotalBits, kLanes, At::kPaths>;
    static constexpr int kMemories = Memory::kMemories + Delay::kMemories;
-   static constexpr int kReads = -3;                   ///< the address of what the row above passes on is there
-   static constexpr int kWrites = At::kPathCosts + 3;  ///< and that of what the row below gets
+   static constexpr int kReads = -Memory::kReadClocks;  ///< the address of what the row above passes on is there
+   static constexpr int kWrites = At::kPathCosts + 3;   ///< and that of what the row below gets
 
    Memory memory;
    Address read_address;

@@ -58,17 +58,17 @@ struct WordBanks<Word, Words, Count, BankWords, IsFirst> {
 };
 
 /// `Count` deep memories that are read together at one address and written together at another: a row of the map with
-/// F words a column. Banks of 4096 words, as a block RAM holds them in its narrowest useful shape, each with a register
-/// of its own behind it, so that the choice of the bank has a clock for itself. Reads: 3 clocks; writes: 1. Memory: the
-/// words, the last bank's rounded up to a power of two.
-template <class Word, int Words, int Count>
+/// F words a column. Several banks have a register each behind them, so that the choice of the bank has a clock for
+/// itself. Reads: 3 clocks, of one bank 2; writes: 1. Memory: the words, the last of several banks rounded up to a
+/// power of two. BankBits: 12, as a block RAM holds 4096 words in its narrowest useful shape, or more.
+template <class Word, int Words, int Count, int BankBits = 12>
 struct PhaseMemory {
-   static constexpr int kBankWords = 4096;
+   static constexpr int kBankBits = BankBits;
+   static constexpr int kBankWords = 1 << kBankBits;
    using Banks = WordBanks<Word, Words, Count, kBankWords>;
    static constexpr int kBanks = Banks::kBanks;
    static constexpr int kMemories = Banks::kMemories;
-   static constexpr int kBankBits = 12;
-   static_assert(kBankWords == 1 << kBankBits);
+   static constexpr int kReadClocks = kBanks == 1 ? 2 : 3;
 
    Banks banks;
    uint16_t read_address[kBanks];
@@ -76,10 +76,10 @@ struct PhaseMemory {
    // clock 1
    Word read_words[kBanks][Count];
    uint8_t read_bank;
-   // clock 2: block RAM is slow to show its data
+   // clock 2 of several banks: block RAM is slow to show its data
    Word held_words[kBanks][Count];
    uint8_t held_bank;
-   // clock 3
+   // the last clock
    Word ready_words[Count];
    // what is written
    Word write_words[kBanks][Count];
@@ -96,7 +96,7 @@ struct PhaseMemory {
       if constexpr (kBanks > 1) visit("bank", bank);
       visit("read_words", read_words);
       if constexpr (kBanks > 1) visit("read_bank", read_bank);
-      visit("held_words", held_words);
+      if constexpr (kBanks > 1) visit("held_words", held_words);
       if constexpr (kBanks > 1) visit("held_bank", held_bank);
       visit("ready_words", ready_words);
       visit("write_words", write_words);
@@ -110,7 +110,7 @@ struct PhaseMemory {
       banks.write(write_address, write_words);
       HLS_UNROLL
       for (int w = 0; w < Count; ++w) {
-         Word chosen = held_words[0][w];
+         Word chosen = kBanks == 1 ? read_words[0][w] : held_words[0][w];
          HLS_UNROLL
          for (int b = 1; b < kBanks; ++b) chosen = select<Word>(held_bank == b, held_words[b][w], chosen);
          ready_words[w] = chosen;

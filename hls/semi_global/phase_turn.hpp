@@ -11,7 +11,12 @@ namespace stereo::semi_global {
 
 /// Turns rows round for the path from the right, a phase a clock: what RowTurn is for all disparities at once. Costs of
 /// the row before come out at the stage kPaths, its sums at kPathCosts, and a column's smallest cost a clock before its
-/// costs. Memory: map width x (D x (bits of a sum + bits of a cost) + bits of a cost).
+/// costs. Memory: map width x (D x (bits of a sum + bits of a cost) + bits of a cost), and one place more of the
+/// latter.
+///
+/// No word is read in the clock in which it is written, so the memories need no bypass. The last column of a row is the
+/// first one of it that is read, at any time after it was written: the last costs and sums go on being written until
+/// the next ones come, less than F clocks after the next column's are read. A smallest cost is written once.
 template <const Config& C>
 struct PhaseTurn {
    using At = Stages<C>;
@@ -22,14 +27,18 @@ struct PhaseTurn {
    static constexpr bool kHasSums = C.path_left || C.path_above;
    using Sums = Packed<bits_for(C.largest_forward_sum()), kLanes, deep_word_bits(kWords)>;
    using Costs = Packed<C.cost_bits(), kLanes, deep_word_bits(kWords)>;
-   using SumMemory = Optional<kHasSums, PhaseMemory<typename Sums::Word, kWords, Sums::kWords>>;
-   using CostMemory = PhaseMemory<typename Costs::Word, kWords, Costs::kWords>;
-   using SmallestMemory = MemoryBank<PathCost<C>, kWidth, 1>;
+   static constexpr int kBankBits = kPhases == 4 ? 16 : 12;  ///< with four phases reads have no clock for a choice
+   using SumMemory = Optional<kHasSums, PhaseMemory<typename Sums::Word, kWords, Sums::kWords, kBankBits>>;
+   using CostMemory = PhaseMemory<typename Costs::Word, kWords, Costs::kWords, kBankBits>;
+   static constexpr uint16_t kNoPlace = kWidth;
+   using SmallestMemory = MemoryBank<PathCost<C>, kWidth + 1, 1>;
    static constexpr int kMemories = SumMemory::kMemories + CostMemory::kMemories + SmallestMemory::kMemories;
    using Address = PhaseAddress<kPhases, kWords>;
-   static constexpr int kReads = At::kPaths - 3;  ///< of costs; sums follow them two clocks later
-   static constexpr int kWrites = At::kPaths;     ///< the same
-   static constexpr int kReadsSmallest = At::kPaths - 4;
+   /// Of costs; sums follow them two clocks later.
+   static constexpr int kReads = At::kPaths - CostMemory::kReadClocks;
+   static constexpr int kWrites = At::kPaths + 1;
+   static_assert(kWrites - kReads < kPhases, "the last word of a row would be read while it is written");
+   static constexpr int kReadsSmallest = At::kPaths - 3;
 
    SumMemory sum_memory;
    CostMemory cost_memory;
@@ -86,7 +95,7 @@ struct PhaseTurn {
       Costs::pack(costs_in, packed);
       read_address.clock(line.template starts<kReads - 1>(), base(line.template at<kReads - 1>().address));
       cost_memory.clock(read_address.address, write_address.is_here, write_address.address, packed);
-      write_address.clock(line.template starts<kWrites - 1>(), base(line.template at<kWrites - 1>().address));
+      write_address.clock(line.template starts<At::kPaths - 1>(), base(line.template at<At::kPaths - 1>().address));
    }
 
   private:
@@ -97,10 +106,9 @@ struct PhaseTurn {
       PathCost<C> stored[1];
       smallest_memory.read(smallest_address, stored);
       smallest_memory.write(write_smallest_address, write_smallest);
-      const bool written = line.template starts<At::kPaths - 1>();
-      write_smallest[0] = select<PathCost<C>>(written, smallest_cost, write_smallest[0]);
-      write_smallest_address =
-          select<uint16_t>(written, line.template at<At::kPaths - 1>().address, write_smallest_address);
+      write_smallest[0] = smallest_cost;
+      write_smallest_address = select<uint16_t>(line.template starts<At::kPaths - 1>(),
+                                                line.template at<At::kPaths - 1>().address, kNoPlace);
       ready_smallest[0] = read_smallest[0];
       read_smallest[0] = stored[0];
       smallest_address = select<uint16_t>(line.template starts<kReadsSmallest - 1>(),

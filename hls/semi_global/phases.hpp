@@ -33,7 +33,10 @@ struct Stages {
 };
 
 /// Bits of the words of a deep memory: of one of more than 100,000 bits the tool makes another cell.
-constexpr int deep_word_bits(int words) { return words * 32 <= 100'000 ? 32 : 16; }
+constexpr int deep_word_bits(int words) {
+   constexpr int kMost = 100'000;
+   return words * 32 <= kMost ? 32 : words * 16 <= kMost ? 16 : 8;
+}
 
 /// What has no bubbles.
 struct AlwaysMoves {

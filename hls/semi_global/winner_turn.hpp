@@ -9,8 +9,8 @@
 namespace stereo::semi_global {
 
 /// Turns the rows of winners back: they come from a row's last column to its first, and leave a row later in raster
-/// order. 3 clocks. Memory: map width x (9 bits, with subpixel 14, with a margin 6
-/// more).
+/// order. 3 clocks. Memory: map width x (9 bits, with subpixel 14, with a margin 6 more). A folded core has one place
+/// more and writes each word once: it would else read a row's last one in the clock in which it is written.
 template <const Config& C>
 struct WinnerTurn {
    static constexpr int kWidth = C.output_width_px();
@@ -18,7 +18,8 @@ struct WinnerTurn {
    static constexpr int kLagGroups = C.width_px;
    static constexpr int kFractionBits = C.subpixel ? 5 : 0;
    using Word = uint_of_bits<9 + kFractionBits + (kHasMargin<C> ? kMarginBits : 0)>;
-   using Memory = MemoryBank<Word, kWidth, 1>;
+   static constexpr bool kWritesOnce = C.is_folded();
+   using Memory = MemoryBank<Word, kWidth + kWritesOnce, 1>;
    static constexpr int kMemories = Memory::kMemories;
 
    Memory memory;
@@ -74,7 +75,7 @@ struct WinnerTurn {
       read_words[0] = stored[0];
       read_tag = order.turned;
       write_words[0] = select<Word>(comes, newest, write_words[0]);
-      write_place = select<uint16_t>(comes, order.address, write_place);
+      write_place = select<uint16_t>(comes, order.address, kWritesOnce ? uint16_t(kWidth) : write_place);
       newest = Word(Word(in.disparity[0]) | Word(in.passed[0]) << 8);
       if constexpr (C.subpixel) newest |= Word(Word(in.fraction[0]) << 9);
       if constexpr (kHasMargin<C>) newest |= Word(Word(in.margin.value[0]) << (9 + kFractionBits));

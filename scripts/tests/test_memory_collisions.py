@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Words that a memory reads in the clock in which it writes them.
 
-yosys leaves them open where a memory has the attribute no_rw_check. There are such words: in block matching those of
-bubbles, which nobody looks at, so it gets the attribute; in semi-global matching some that decide the result."""
+yosys leaves them open where a memory has the attribute no_rw_check. There are such words: in block matching and folded
+semi-global matching those of bubbles, which nobody looks at, so they get the attribute; in semi-global matching of one
+clock a pixel pair some that decide the result."""
 
 import pytest
 
@@ -19,10 +20,10 @@ from flow_commands import scene, stream
 READ = "          word <= memory(to_integer(read_address));\n"
 OTHER = f"{READ}          if {{}} then\n  {READ.replace('<= ', '<= not ')}          end if;\n"
 SAME_CLOCK = "read_address = write_address"
-BLOCK_MATCHING = sorted(
+LOOKING_AT_NONE = sorted(
     name
     for name, row in configurations().items()
-    if row["family"] == "block_matching" and row["use"] in ("tiny", "option")
+    if yosys.looks_at_no_word_being_written(row) and row["use"] in ("tiny", "option")
 )
 
 
@@ -46,8 +47,8 @@ def agrees(config, folder, wrong):
     return checker.compare(expected, seen, vectors.row_bits(row), "disparity").passed
 
 
-@pytest.mark.parametrize("config", with_slow(BLOCK_MATCHING, fast() & {*BLOCK_MATCHING}))
-def test_block_matching_looks_at_none(ghdl, tmp_path, config):
+@pytest.mark.parametrize("config", with_slow(LOOKING_AT_NONE, fast() & {*LOOKING_AT_NONE}))
+def test_some_cores_look_at_none(ghdl, tmp_path, config):
     assert agrees(config, tmp_path, SAME_CLOCK)
 
 
@@ -61,7 +62,8 @@ def test_semi_global_matching_looks_at_some(ghdl, tmp_path):
 
 
 @pytest.mark.parametrize("family", FAMILIES.values(), ids=FAMILIES)
-def test_only_block_matching_gets_the_attribute(family):
-    assert not any(yosys.memories_without_bypass(name) for name in ("semi_global", "rectification", "trellis"))
+def test_only_they_get_the_attribute(family):
+    assert not any(yosys.memories_without_bypass(name) for name in ("tiny_sgm", "tiny_trellis", "tiny_phase"))
     assert "no_rw_check" not in yosys.script(family) and "no-rw-check" not in family.synthesis
-    assert "setattr -set no_rw_check 1" in yosys.script(family, yosys.memories_without_bypass("block_matching"))
+    assert "setattr -set no_rw_check 1" in yosys.script(family, yosys.memories_without_bypass("tiny"))
+    assert yosys.memories_without_bypass("tiny_sgm_f4", "core.") == f"m:core.{yosys.LINE_MEMORIES}"

@@ -500,11 +500,11 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0 : natural range 0 to 255;
   signal map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 255;
   -- other
-  signal other_0 : boolean;
-  signal other_1, other_2 : unsigned(48 downto 0);
-  signal other_3 : natural range 0 to 510;
-  signal other_4, other_5, other_6, other_7, other_8, other_9, other_10, other_11, other_12 : natural range 0 to 44;
-  signal other_13, other_14, other_15, other_16, other_17, other_18, other_19 : natural range 0 to 44;
+  signal other_0, other_1 : unsigned(48 downto 0);
+  signal other_2 : natural range 0 to 510;
+  signal other_3, other_4, other_5, other_6, other_7, other_8, other_9, other_10, other_11 : natural range 0 to 44;
+  signal other_12, other_13, other_14, other_15, other_16, other_17, other_18 : natural range 0 to 44;
+  signal other_19 : boolean;
   signal transform_left_rows_read_words_0_memory_read_enable : boolean;
   signal transform_left_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
   signal transform_left_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
@@ -739,7 +739,7 @@ begin
   turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 10);
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
   turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 577, width => 9, address_bits => 10)
+    generic map (depth => 578, width => 9, address_bits => 10)
     port map (
       clock => clock, read_enable => turn_read_words_0_memory_read_enable,
       read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
@@ -812,11 +812,11 @@ begin
       write_address => pathsright_lowest_0_memory_write_address, write_data => pathsright_lowest_0_memory_write_data);
 
   pathsturn_read_smallest_0_memory_read_enable <= true;
-  pathsturn_read_smallest_0_memory_read_address <= to_unsigned(pathsturn_smallest_address, 10);
+  pathsturn_read_smallest_0_memory_read_address <= to_unsigned(line_places_2_address, 10);
   pathsturn_read_smallest_0_memory_write_address <= to_unsigned(pathsturn_write_smallest_address, 10);
   pathsturn_read_smallest_0_memory_write_data <= to_unsigned(pathsturn_write_smallest_0, 4);
   pathsturn_read_smallest_0_memory : entity work.line_memory
-    generic map (depth => 577, width => 4, address_bits => 10)
+    generic map (depth => 578, width => 4, address_bits => 10)
     port map (
       clock => clock, read_enable => pathsturn_read_smallest_0_memory_read_enable,
       read_address => pathsturn_read_smallest_0_memory_read_address, read_data => pathsturn_read_smallest_0,
@@ -1835,8 +1835,8 @@ begin
     variable map_out_disparity_0_choice, map_out_disparity_0_choice_2 : natural range 0 to 255;
     variable map_out_disparity_0_choice_3, map_out_disparity_0_choice_4, map_low_0_0_choice : natural range 0 to 255;
     variable map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 255;
-    variable other_5_choice, other_7_choice, other_9_choice, other_11_choice, other_13_choice : natural range 0 to 11;
-    variable other_15_choice, other_17_choice, other_19_choice : natural range 0 to 11;
+    variable other_4_choice, other_6_choice, other_8_choice, other_10_choice, other_12_choice : natural range 0 to 11;
+    variable other_14_choice, other_16_choice, other_18_choice : natural range 0 to 11;
   begin
     if rising_edge(clock) then
       -- transform
@@ -7160,10 +7160,12 @@ begin
       if line_comes_16 then
         line_places_2_map_column <= line_places_1_map_column;
         line_places_2_first_column <= line_places_1_first_column;
-        line_places_2_address <= line_places_1_address;
         line_places_2_shown_output_column <= line_places_1_shown_output_column;
         line_places_2_shown_start_of_frame <= line_places_1_shown_start_of_frame;
         line_places_2_shown_end_of_line <= line_places_1_shown_end_of_line;
+      end if;
+      if line_starts_phases_16 then
+        line_places_2_address <= line_places_1_address;
       end if;
       if line_comes_24 then
         line_places_3_map_column <= line_places_2_map_column;
@@ -7829,14 +7831,14 @@ begin
       costscolumn_single_0_7 <= costscolumn_pixels_cost_0_7;
       costscolumn_pair_tag_border_column <= costscolumn_pixels_tag_border_column;
       -- costs
-      costs_cost_0 <= other_18 / 4;
-      costs_cost_1 <= other_16 / 4;
-      costs_cost_2 <= other_14 / 4;
-      costs_cost_3 <= other_12 / 4;
-      costs_cost_4 <= other_10 / 4;
-      costs_cost_5 <= other_8 / 4;
-      costs_cost_6 <= other_6 / 4;
-      costs_cost_7 <= other_4 / 4;
+      costs_cost_0 <= other_17 / 4;
+      costs_cost_1 <= other_15 / 4;
+      costs_cost_2 <= other_13 / 4;
+      costs_cost_3 <= other_11 / 4;
+      costs_cost_4 <= other_9 / 4;
+      costs_cost_5 <= other_7 / 4;
+      costs_cost_6 <= other_5 / 4;
+      costs_cost_7 <= other_3 / 4;
       -- paths
       if line_comes_11 then
         paths_smallest_cost_choice := 15;
@@ -8002,7 +8004,7 @@ begin
       else
         pathsleft_step_6_choice := to_integer(pathsleft_read_words_1(5 downto 0));
       end if;
-      if other_0 then
+      if other_19 then
         pathsleft_step_7_choice := pathsleft_stay_6_value;
       else
         pathsleft_step_7_choice := to_integer(pathsleft_read_neighbour_0);
@@ -8672,6 +8674,7 @@ begin
       pathsturn_ready_smallest_0 <= to_integer(pathsturn_read_smallest_0);
       pathsturn_read_address_address <= pathsturn_cost_memory_bank_choice;
       pathsturn_sum_read_address <= pathsturn_read_address_address;
+      pathsturn_write_smallest_0 <= paths_smallest_cost;
       pathsturn_write_address_is_here <= line_starts_phases_19 or (not ((pathsturn_write_address_count_phase / 4) = 1))
         or (not (((pathsturn_write_address_count_phase / 2) mod 2) = 1)) or (not ((pathsturn_write_address_count_phase
         mod 2) = 1));
@@ -8707,9 +8710,11 @@ begin
         pathsturn_cost_memory_ready_words_1 <= pathsturn_cost_memory_held_words_0_1;
       end if;
       if line_starts_phases_19 then
-        pathsturn_write_address_address <= line_places_2_address * 8;
+        pathsturn_write_smallest_address <= pathsturn_smallest_address;
+        pathsturn_write_address_address <= pathsturn_smallest_address * 8;
         pathsturn_write_address_count_phase <= 0;
       else
+        pathsturn_write_smallest_address <= 577;
         pathsturn_write_address_address <= (pathsturn_write_address_address + as_number(((not
           ((pathsturn_write_address_count_phase / 4) = 1)) or (not (((pathsturn_write_address_count_phase / 2) mod 2) =
           1)) or (not ((pathsturn_write_address_count_phase mod 2) = 1))))) mod 8192;
@@ -8754,12 +8759,8 @@ begin
         pathsturn_cost_memory_write_words_1_1 <= to_integer(paths_cost_delay_held_0(31 downto 16));
         pathsturn_cost_memory_write_address_1 <= pathsturn_write_address_address mod 1024;
       end if;
-      if line_starts_phases_15 then
+      if line_comes_16 then
         pathsturn_smallest_address <= line_places_1_address;
-      end if;
-      if line_starts_phases_19 then
-        pathsturn_write_smallest_0 <= paths_smallest_cost;
-        pathsturn_write_smallest_address <= line_places_2_address;
       end if;
       -- pathsright
       pathsright_lower_neighbour_value := to_integer(pathsright_read_words_1(17 downto 12));
@@ -8851,7 +8852,7 @@ begin
       else
         pathsright_step_6_choice := to_integer(pathsright_read_words_1(5 downto 0));
       end if;
-      if other_0 then
+      if other_19 then
         pathsright_step_7_choice := pathsright_stay_6_value;
       else
         pathsright_step_7_choice := to_integer(pathsright_read_neighbour_0);
@@ -9664,6 +9665,11 @@ begin
       else
         turn_order_complete <= turn_order_complete and turn_order_address_any_2;
       end if;
+      if turn_comes then
+        turn_write_place <= turn_order_address;
+      else
+        turn_write_place <= 577;
+      end if;
       if turn_ready_tag_row_start_choice_3 then
         turn_ready_tag_row_start <= turn_ready_tag_row_start or turn_ready_tag_row_start_all_2;
       else
@@ -9679,7 +9685,6 @@ begin
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
-        turn_write_place <= turn_order_address;
       end if;
       -- map
       if turn_ready_tag_row_start_all_2 then
@@ -9711,18 +9716,18 @@ begin
       else
         map_line_ended_choice := map_line_ended;
       end if;
-      map_at_arrives_value := to_integer(other_2(16 downto 16)) = 1;
+      map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       map_of_column_0_b_below_a_value := ((map_column_1 / 4) mod 2) = 1;
       if map_at_top then
         map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value;
       else
-        map_of_column_0_b_below_a_choice := ((other_3 / 4) mod 2) = 1;
+        map_of_column_0_b_below_a_choice := ((other_2 / 4) mod 2) = 1;
       end if;
       map_of_column_0_b_below_a_value_2 := ((map_column_1 / 2) mod 2) = 1;
       if map_at_top then
         map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2;
       else
-        map_of_column_0_b_below_a_choice_2 := ((other_3 / 2) mod 2) = 1;
+        map_of_column_0_b_below_a_choice_2 := ((other_2 / 2) mod 2) = 1;
       end if;
       if map_of_column_0_b_below_a_choice_2 then
         map_of_column_0_b_below_a_choice_3 := (not map_of_column_0_b_below_a_value) or (not
@@ -9736,7 +9741,7 @@ begin
         map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_2 and (((map_column_1 / 2) mod 4) = 0);
       end if;
       map_of_column_0_b_below_a_value_3 := ((map_column_1 / 8) mod 2) = 1;
-      map_of_column_0_b_below_a_value_4 := ((other_3 / 8) mod 2) = 1;
+      map_of_column_0_b_below_a_value_4 := ((other_2 / 8) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_4 then
         map_of_column_0_b_below_a_choice_5 := map_of_column_0_b_below_a_value_3 and (not
           map_of_column_0_b_below_a_value_4) and (not map_at_top);
@@ -9745,7 +9750,7 @@ begin
           map_of_column_0_b_below_a_value_4) or map_at_top;
       end if;
       map_of_column_0_b_below_a_value_5 := ((map_column_1 / 16) mod 2) = 1;
-      map_of_column_0_b_below_a_value_6 := ((other_3 / 16) mod 2) = 1;
+      map_of_column_0_b_below_a_value_6 := ((other_2 / 16) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_5 then
         map_of_column_0_b_below_a_choice_6 := map_of_column_0_b_below_a_value_5 or (not
           map_of_column_0_b_below_a_value_6) or map_at_top;
@@ -9754,7 +9759,7 @@ begin
           map_of_column_0_b_below_a_value_6) and (not map_at_top);
       end if;
       map_of_column_0_b_below_a_value_7 := ((map_column_1 / 32) mod 2) = 1;
-      map_of_column_0_b_below_a_value_8 := ((other_3 / 32) mod 2) = 1;
+      map_of_column_0_b_below_a_value_8 := ((other_2 / 32) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_6 then
         map_of_column_0_b_below_a_choice_7 := map_of_column_0_b_below_a_value_7 or (not
           map_of_column_0_b_below_a_value_8) or map_at_top;
@@ -9763,7 +9768,7 @@ begin
           map_of_column_0_b_below_a_value_8) and (not map_at_top);
       end if;
       map_of_column_0_b_below_a_value_9 := ((map_column_1 / 64) mod 2) = 1;
-      map_of_column_0_b_below_a_value_10 := ((other_3 / 64) mod 2) = 1;
+      map_of_column_0_b_below_a_value_10 := ((other_2 / 64) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_7 then
         map_of_column_0_b_below_a_choice_8 := map_of_column_0_b_below_a_value_9 or (not
           map_of_column_0_b_below_a_value_10) or map_at_top;
@@ -9772,7 +9777,7 @@ begin
           map_of_column_0_b_below_a_value_10) and (not map_at_top);
       end if;
       map_of_column_0_b_below_a_value_11 := ((map_column_1 / 128) mod 2) = 1;
-      map_of_column_0_b_below_a_value_12 := ((other_3 / 128) mod 2) = 1;
+      map_of_column_0_b_below_a_value_12 := ((other_2 / 128) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_8 then
         map_of_column_0_b_below_a_choice_9 := map_of_column_0_b_below_a_value_11 or (not
           map_of_column_0_b_below_a_value_12) or map_at_top;
@@ -9897,7 +9902,7 @@ begin
       if map_at_top then
         map_of_column_0_c_below_a_choice_20 := (map_column_1 / 256) = 1;
       else
-        map_of_column_0_c_below_a_choice_20 := (other_3 / 256) = 1;
+        map_of_column_0_c_below_a_choice_20 := (other_2 / 256) = 1;
       end if;
       if (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2 and (not map_counter_next_frame)
         then
@@ -10572,7 +10577,7 @@ begin
       else
         map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
       end if;
-      map_counter_next_frame <= to_integer(other_2(40 downto 40)) = 1;
+      map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
       map_newest_0 <= ((turn_ready mod 256) * 2) + (turn_ready / 256);
       map_arrives <= turn_ready_tag_row_start_all_2;
       map_behind <= map_line_ended and turn_ready_tag_valid;
@@ -10581,11 +10586,11 @@ begin
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
       map_column_1 <= map_rows_ready_words_0 / 512;
       map_column_2 <= map_rows_ready_newest_0;
-      map_at_column <= to_integer(other_2(9 downto 0));
+      map_at_column <= to_integer(other_1(9 downto 0));
       map_at_arrives <= map_at_arrives_value;
-      map_at_behind <= to_integer(other_2(24 downto 24)) = 1;
-      map_at_top <= to_integer(other_2(32 downto 32)) = 1;
-      map_at_output <= to_integer(other_2(48 downto 48)) = 1;
+      map_at_behind <= to_integer(other_1(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_1(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_1(48 downto 48)) = 1;
       map_of_column_0_b <= map_column_1 / 2;
       map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
       map_column_passed_1_0 <= map_column_passed_0_0;
@@ -10643,7 +10648,7 @@ begin
       if map_at_top then
         map_of_column_0_a <= map_column_1 / 2;
       else
-        map_of_column_0_a <= other_3 / 2;
+        map_of_column_0_a <= other_2 / 2;
       end if;
       if map_counter_next_frame then
         map_of_column_0_c <= map_column_1 / 2;
@@ -10651,9 +10656,9 @@ begin
         map_of_column_0_c <= map_column_2 / 2;
       end if;
       if map_of_column_0_b_below_a_choice_9 then
-        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) and ((other_3 / 256) = 1) and (not map_at_top);
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) and ((other_2 / 256) = 1) and (not map_at_top);
       else
-        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) or ((other_3 / 256) = 1) or map_at_top;
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) or ((other_2 / 256) = 1) or map_at_top;
       end if;
       if map_of_column_0_c_below_a_choice_18 then
         map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_19) or map_of_column_0_c_below_a_choice_20;
@@ -10763,7 +10768,7 @@ begin
       end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_newest_0 * 512) + (map_rows_ready_words_0 / 512);
-        map_write_column <= to_integer(other_2(9 downto 0));
+        map_write_column <= to_integer(other_1(9 downto 0));
       end if;
       if map_sorted_behind then
         map_low_0_0_choice := map_low_0_0;
@@ -10804,68 +10809,68 @@ begin
       end if;
       -- other
       if costscolumn_pair_tag_border_column then
-        other_5_choice := 0;
+        other_4_choice := 0;
       else
-        other_5_choice := costscolumn_single_0_7 / 4;
+        other_4_choice := costscolumn_single_0_7 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_7_choice := 0;
+        other_6_choice := 0;
       else
-        other_7_choice := costscolumn_single_0_6 / 4;
+        other_6_choice := costscolumn_single_0_6 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_9_choice := 0;
+        other_8_choice := 0;
       else
-        other_9_choice := costscolumn_single_0_5 / 4;
+        other_8_choice := costscolumn_single_0_5 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_11_choice := 0;
+        other_10_choice := 0;
       else
-        other_11_choice := costscolumn_single_0_4 / 4;
+        other_10_choice := costscolumn_single_0_4 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_13_choice := 0;
+        other_12_choice := 0;
       else
-        other_13_choice := costscolumn_single_0_3 / 4;
+        other_12_choice := costscolumn_single_0_3 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_15_choice := 0;
+        other_14_choice := 0;
       else
-        other_15_choice := costscolumn_single_0_2 / 4;
+        other_14_choice := costscolumn_single_0_2 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_17_choice := 0;
+        other_16_choice := 0;
       else
-        other_17_choice := costscolumn_single_0_1 / 4;
+        other_16_choice := costscolumn_single_0_1 / 4;
       end if;
       if costscolumn_pair_tag_border_column then
-        other_19_choice := 0;
+        other_18_choice := 0;
       else
-        other_19_choice := costscolumn_single_0_0 / 4;
+        other_18_choice := costscolumn_single_0_0 / 4;
       end if;
-      other_0 <= pathsleft_read_count_phase_is_equal;
-      other_1 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 481))), 1) &
+      other_0 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 481))), 1) &
         to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      other_2 <= other_1;
-      other_3 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
-      other_4 <= other_5;
-      other_5 <= other_5_choice * 4;
-      other_6 <= other_7;
-      other_7 <= other_7_choice * 4;
-      other_8 <= other_9;
-      other_9 <= other_9_choice * 4;
-      other_10 <= other_11;
-      other_11 <= other_11_choice * 4;
-      other_12 <= other_13;
-      other_13 <= other_13_choice * 4;
-      other_14 <= other_15;
-      other_15 <= other_15_choice * 4;
-      other_16 <= other_17;
-      other_17 <= other_17_choice * 4;
-      other_18 <= other_19;
-      other_19 <= other_19_choice * 4;
+      other_1 <= other_0;
+      other_2 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
+      other_3 <= other_4;
+      other_4 <= other_4_choice * 4;
+      other_5 <= other_6;
+      other_6 <= other_6_choice * 4;
+      other_7 <= other_8;
+      other_8 <= other_8_choice * 4;
+      other_9 <= other_10;
+      other_10 <= other_10_choice * 4;
+      other_11 <= other_12;
+      other_12 <= other_12_choice * 4;
+      other_13 <= other_14;
+      other_14 <= other_14_choice * 4;
+      other_15 <= other_16;
+      other_16 <= other_16_choice * 4;
+      other_17 <= other_18;
+      other_18 <= other_18_choice * 4;
+      other_19 <= pathsleft_read_count_phase_is_equal;
       if reset = '1' then
         transform_left_0 <= 0;
         transform_right_0 <= 0;
@@ -11757,9 +11762,9 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other_0 <= true;
+        other_0 <= to_unsigned(0, 49);
         other_1 <= to_unsigned(0, 49);
-        other_2 <= to_unsigned(0, 49);
+        other_3 <= 0;
         other_4 <= 0;
         other_5 <= 0;
         other_6 <= 0;
@@ -11775,7 +11780,7 @@ begin
         other_16 <= 0;
         other_17 <= 0;
         other_18 <= 0;
-        other_19 <= 0;
+        other_19 <= true;
       end if;
     end if;
   end process;

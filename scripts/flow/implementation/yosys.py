@@ -5,8 +5,10 @@ import json
 import os
 import re
 from pathlib import Path
+from typing import Any
 
 from ..base import venv
+from ..base.configurations import configuration
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import Say, Word, find_tool, run
 from . import ecp5_netlist
@@ -32,16 +34,16 @@ def version() -> str:
     return match.group() if os.environ.get("YOSYS") else f"{match.group()} ({venv.pinned(REQUIREMENTS, PACKAGE)})"
 
 
-# The memories of the cell line_memory.vhd, as ghdl names them. In these families a core looks at no word that is read
-# in the clock in which it is written (test_memory_collisions.py): without a bypass around the RAM, its output register
-# is the RAM's own.
+# The memories of the cell line_memory.vhd, as ghdl names them. Some cores look at no word that is read in the clock in
+# which it is written (test_memory_collisions.py): without a bypass around the RAM, its output register is the RAM's own.
 LINE_MEMORIES = "*column_n*_memory"
-_WITHOUT_BYPASS = ("block_matching",)
+def memories_without_bypass(config: str, core: str = "") -> str:
+    """For `script`, of the core of that configuration; `core`: what the names begin with that stand in it."""
+    return f"m:{core}{LINE_MEMORIES}" if looks_at_no_word_being_written(configuration(config)) else ""
 
 
-def memories_without_bypass(family: str, core: str = "") -> str:
-    """For `script`, of a core of that family; `core`: what the names begin with that stand in it."""
-    return f"m:{core}{LINE_MEMORIES}" if family in _WITHOUT_BYPASS else ""
+def looks_at_no_word_being_written(row: dict[str, Any]) -> bool:
+    return row["family"] == "block_matching" or (row["family"] == "semi_global" and row["clocks_per_pixel"] > 1)
 
 
 def script(target: Target, without_bypass: str = "") -> str:

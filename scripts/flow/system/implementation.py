@@ -3,7 +3,6 @@
 
 from pathlib import Path
 
-from ..base import committed
 from ..base.errors import EXIT_MISMATCH, FlowError
 from ..base.tools import find_ghdl
 from ..implementation import job, yosys
@@ -16,9 +15,9 @@ TARGET = "ecp5"
 
 def design(system: System, seeds: list[int], router: str) -> job.Design:
     """`bypasses` stay around the memories outside the matching core."""
-    family = committed.folder(system.matching).parent.name
     files: list[Path] = vhdl_files(system)
-    return job.Design(system.entity, files, seeds, router, yosys.memories_without_bypass(family, f"{CORE}."))
+    without_bypass = yosys.memories_without_bypass(system.matching, f"{CORE}.")
+    return job.Design(system.entity, files, seeds, router, without_bypass)
 
 
 def implement(system: System, seeds: list[int], router: str) -> dict[str, Result]:
