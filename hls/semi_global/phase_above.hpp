@@ -4,8 +4,8 @@
 #include "semi_global/phase_memory.hpp"
 #include "semi_global/phases.hpp"
 #include "semi_global/settings.hpp"
+#include "support/dense_packed.hpp"
 #include "support/move_delay.hpp"
-#include "support/packed.hpp"
 
 namespace stereo::semi_global {
 
@@ -19,7 +19,7 @@ struct PhaseAbove {
    static constexpr int kStateBits = bits_for(C.p2_above());
    static constexpr int kTotalBits = bits_for(C.largest_path_above());
    static constexpr int kWords = C.output_width_px() * kPhases;
-   using Pack = Packed<kStateBits, kLanes, deep_word_bits(kWords)>;
+   using Pack = DensePacked<kStateBits, kLanes, deep_word_bits(kWords)>;
    using State = typename Pack::Lane;
    using Word = typename Pack::Word;
    using Value = AbovePathValue<C>;

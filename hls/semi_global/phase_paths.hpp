@@ -130,7 +130,10 @@ struct PhasePaths {
    }
 
    static constexpr ForwardSum<C> kForwardMask = ForwardSum<C>((uint64_t(1) << bits_for(C.largest_forward_sum())) - 1);
-   static constexpr Sum kMask = Sum((uint64_t(1) << bits_for(C.largest_sum())) - 1);
+   /// No less than 8 bits: of narrower comparisons the tool makes chains of look-up tables, which are slower than carry
+   /// chains.
+   static constexpr int kSumBits = bits_for(C.largest_sum()) > 8 ? bits_for(C.largest_sum()) : 8;
+   static constexpr Sum kMask = Sum((uint64_t(1) << kSumBits) - 1);
 };
 
 }  // namespace stereo::semi_global

@@ -36,13 +36,14 @@ struct PhaseWinners {
    static constexpr bool kHasMask = PathWinners<C>::kHasMask;
    using Mask = std::conditional_t<kHasMask, PhaseMask<C, C.path_right, At::kSums>, NoMask>;
    using Partner = std::conditional_t<C.has_border_cost(), WinnerPartner<C>, NoPartner>;
-   static constexpr int kFirstBase = kFalls ? C.disparities - kLanes : 0;
+   /// What no phase has lost to.
+   using Wide = uint_of_bits<Candidate::kBits + 1>;
+   static constexpr Wide kNone = Wide((uint64_t(1) << (Candidate::kBits + 1)) - 1);
 
    [[no_unique_address]] Mask mask;
    Tree winner;
-   uint8_t base;  ///< the lowest disparity of the phase
    bool was_first;
-   Candidates<Candidate, 1, 1> best;
+   Candidates<Candidate, 1, 1> best;  ///< its index counts from the phase on, so that it is right in the last one
    PixelTag best_tag;
    [[no_unique_address]] Partner partner;
 
@@ -52,7 +53,6 @@ struct PhaseWinners {
    HLS_INLINE void registers(Visitor& visit) {
       if constexpr (kHasMask) visit.block("mask", mask);
       winner.levels(visit);
-      visit("base", base, kFirstBase);
       visit("was_first", was_first);
       visit("best", best);
       visit("best_tag", best_tag);
@@ -66,8 +66,6 @@ struct PhaseWinners {
       if constexpr (Candidate::kHasSecond) join_losers();
       join(first);
       was_first = first;
-      const uint8_t next = uint8_t(kFalls ? base - kLanes : base + kLanes);
-      base = select<uint8_t>(line.template is_there<At::kWinners - 1>(), kFirstBase, next);
       tell(line);
       Value sums[1][kLanes];
       HLS_UNROLL
@@ -99,34 +97,40 @@ struct PhaseWinners {
       if constexpr (C.has_border_cost()) partner.clock(best.index[0][0], best_tag);
    }
 
-   /// Of two ranges, the phases before and this one, which lies above them or, if they fall, below.
+   /// Of two ranges, the phases before and this one, which lies above them or, if they fall, below. Where a column
+   /// starts, nothing of the one before may stay: a register that costs let keep its value would be taken for one that
+   /// a reset must set, and with it all that the costs follow from.
    HLS_INLINE void join(bool first) {
-      const Candidate before = best.get(0, 0), now = winner.root().best.get(0, 0);
-      Candidate here = now;
-      here.index = uint8_t(base + now.index);
-      const Candidate lower = chosen(here, before), upper = chosen(before, here);
-      const bool wins = Candidate::wins(upper.cost, lower.cost);
-      const bool upper_wins = kFalls ? (!first) & wins : first | wins;
-      bool lower_at_end, upper_at_start;
-      if constexpr (kFalls) {
-         lower_at_end = (!first) & (now.index == kLanes - 1);
-         upper_at_start = before.index == uint8_t(base + kLanes);
-      } else {
-         lower_at_end = before.index == uint8_t(base - 1);
-         upper_at_start = (!first) & (now.index == 0);
-      }
+      constexpr int kPassed = kFalls ? 0 : C.disparities - kLanes;  // disparities of the phases before the last one
+      const Candidate here = winner.root().best.get(0, 0);
+      Candidate before = best.get(0, 0);
+      const Wide before_cost = select<Wide>(first, kNone, before.cost);
+      const bool here_wins = kFalls ? !Candidate::template wins<Wide>(before_cost, here.cost)
+                                    : Candidate::template wins<Wide>(here.cost, before_cost);
+      bool before_at_end, here_at_end;  // they touch each other
+      before_at_end = before.index == (kFalls ? 0 : C.disparities - 1);
+      here_at_end = (!first) & (here.index == (kFalls ? kLanes - 1 : 0));
       Candidate joined;
-      joined.cost = select<Value>(upper_wins, upper.cost, lower.cost);
-      joined.index = select<uint8_t>(upper_wins, upper.index, lower.index);
+      joined.cost = Value(select<Wide>(here_wins, here.cost, before_cost));
+      joined.index = select<uint8_t>(here_wins, uint8_t(here.index + kPassed),
+                                     uint8_t(kFalls ? before.index + kLanes : before.index - kLanes));
       if constexpr (Candidate::kHasNeighbours) {
+         clear(before.below, first);
+         clear(before.above, first);
+         const Candidate lower = chosen(here, before), upper = chosen(before, here);
+         const bool lower_at_end = kFalls ? here_at_end : before_at_end;
+         const bool upper_at_start = kFalls ? before_at_end : here_at_end;
+         const bool upper_wins = here_wins != kFalls;
          joined.below = select<Value>(upper_wins, select<Value>(upper_at_start, lower.last, upper.below), lower.below);
          joined.above = select<Value>(upper_wins, upper.above, select<Value>(lower_at_end, upper.first, lower.above));
          joined.first = select<Value>(first, here.first, lower.first);
          joined.last = select<Value>(first, here.last, upper.last);
       }
       best.set(0, 0, joined,
-               Choice::chosen(upper_wins, Choice::of(0, false, lower_at_end), Choice::of(1, upper_at_start, false)));
+               Choice::chosen(here_wins != kFalls, Choice::of(0, false, kFalls ? here_at_end : before_at_end),
+                              Choice::of(1, kFalls ? before_at_end : here_at_end, false)));
    }
+   static HLS_INLINE void clear(Value& value, bool first) { value = select<Value>(first, 0, value); }
    static HLS_INLINE Candidate chosen(const Candidate& if_falls, const Candidate& if_rises) {
       if constexpr (kFalls) return if_falls;
       else return if_rises;

@@ -32,7 +32,8 @@ struct Losers;
 /// and cost nothing.
 template <CandidateKind Kind>
 struct Candidate {
-   using Value = uint_of_bits<bits_for(Kind.largest_cost + (Kind.has_masked ? 1 : 0))>;
+   static constexpr int kBits = bits_for(Kind.largest_cost + (Kind.has_masked ? 1 : 0));
+   using Value = uint_of_bits<kBits>;
    using Others = Losers<Kind>;
    static constexpr bool kHasNeighbours = Kind.has_neighbours;
    static constexpr bool kHasSecond = Kind.has_second;
@@ -50,7 +51,8 @@ struct Candidate {
    }
 
    /// Whether the cost of a higher range wins against that of a lower one.
-   static HLS_INLINE bool wins(Value higher, Value lower) {
+   template <class Cost>
+   static HLS_INLINE bool wins(Cost higher, Cost lower) {
       return Kind.ties == Ties::smallest ? higher < lower : higher <= lower;
    }
 

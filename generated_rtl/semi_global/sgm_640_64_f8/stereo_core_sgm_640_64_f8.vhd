@@ -307,8 +307,8 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal paths_smallest_cost, paths_cost_delay_ring_read_address : natural range 0 to 15;
   signal paths_cost_delay_ring_write_address : natural range 0 to 15;
   signal paths_cost_delay_held_0 : unsigned(31 downto 0);
-  signal paths_sum_0, paths_sum_1, paths_sum_2, paths_sum_3, paths_sum_4, paths_sum_5 : natural range 0 to 127;
-  signal paths_sum_6, paths_sum_7 : natural range 0 to 127;
+  signal paths_sum_0, paths_sum_1, paths_sum_2, paths_sum_3, paths_sum_4, paths_sum_5 : natural range 0 to 190;
+  signal paths_sum_6, paths_sum_7 : natural range 0 to 190;
   -- pathsleft
   signal pathsleft_low_address, pathsleft_low_write_address : natural range 0 to 15;
   signal pathsleft_lowest_0, pathsleft_read_words_3, pathsleft_read_neighbour_0 : unsigned(5 downto 0);
@@ -340,20 +340,20 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsleft_read_words_0, pathsleft_read_words_1, pathsleft_read_words_2 : unsigned(29 downto 0);
   -- pathsabove
   signal pathsabove_memory_read_address_0, pathsabove_memory_write_address_0 : natural range 0 to 4095;
-  signal pathsabove_memory_read_address_1, pathsabove_memory_held_words_0_2 : natural range 0 to 1023;
-  signal pathsabove_memory_held_words_1_2, pathsabove_memory_ready_words_2 : natural range 0 to 1023;
-  signal pathsabove_memory_write_words_0_2, pathsabove_memory_write_words_1_2 : natural range 0 to 1023;
-  signal pathsabove_memory_write_address_1 : natural range 0 to 1023;
+  signal pathsabove_memory_read_address_1, pathsabove_memory_write_address_1 : natural range 0 to 1023;
   signal pathsabove_memory_bank, pathsabove_memory_read_bank, pathsabove_memory_held_bank : boolean;
   signal pathsabove_ready_top, pathsabove_write_address_is_here : boolean;
-  signal pathsabove_memory_read_words_0_0, pathsabove_memory_read_words_0_1 : unsigned(14 downto 0);
-  signal pathsabove_memory_read_words_1_0, pathsabove_memory_read_words_1_1 : unsigned(14 downto 0);
-  signal pathsabove_memory_read_words_0_2, pathsabove_memory_read_words_1_2 : unsigned(9 downto 0);
-  signal pathsabove_memory_held_words_0_0, pathsabove_memory_held_words_0_1 : natural range 0 to 32767;
-  signal pathsabove_memory_held_words_1_0, pathsabove_memory_held_words_1_1 : natural range 0 to 32767;
-  signal pathsabove_memory_ready_words_0, pathsabove_memory_ready_words_1 : natural range 0 to 32767;
-  signal pathsabove_memory_write_words_0_0, pathsabove_memory_write_words_0_1 : natural range 0 to 32767;
-  signal pathsabove_memory_write_words_1_0, pathsabove_memory_write_words_1_1 : natural range 0 to 32767;
+  signal pathsabove_memory_read_words_0_0, pathsabove_memory_read_words_0_1 : unsigned(15 downto 0);
+  signal pathsabove_memory_read_words_1_0, pathsabove_memory_read_words_1_1 : unsigned(15 downto 0);
+  signal pathsabove_memory_read_words_0_2, pathsabove_memory_read_words_1_2 : unsigned(7 downto 0);
+  signal pathsabove_memory_held_words_0_0, pathsabove_memory_held_words_0_1 : natural range 0 to 65535;
+  signal pathsabove_memory_held_words_1_0, pathsabove_memory_held_words_1_1 : natural range 0 to 65535;
+  signal pathsabove_memory_ready_words_0, pathsabove_memory_ready_words_1 : natural range 0 to 65535;
+  signal pathsabove_memory_write_words_0_0, pathsabove_memory_write_words_0_1 : natural range 0 to 65535;
+  signal pathsabove_memory_write_words_1_0, pathsabove_memory_write_words_1_1 : natural range 0 to 65535;
+  signal pathsabove_memory_held_words_0_2, pathsabove_memory_held_words_1_2 : natural range 0 to 255;
+  signal pathsabove_memory_ready_words_2, pathsabove_memory_write_words_0_2 : natural range 0 to 255;
+  signal pathsabove_memory_write_words_1_2 : natural range 0 to 255;
   signal pathsabove_read_address_address, pathsabove_write_address_address : natural range 0 to 8191;
   signal pathsabove_read_address_count_phase, pathsabove_count_phase : natural range 0 to 7;
   signal pathsabove_write_address_count_phase : natural range 0 to 7;
@@ -386,27 +386,28 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsturn_sum_memory_bank, pathsturn_sum_memory_read_bank, pathsturn_sum_memory_held_bank : boolean;
   signal pathsturn_cost_memory_bank, pathsturn_cost_memory_read_bank, pathsturn_cost_memory_held_bank : boolean;
   signal pathsturn_write_address_is_here, pathsturn_writes_sums_0, pathsturn_writes_sums_1 : boolean;
-  signal pathsturn_sum_memory_read_words_0_0, pathsturn_sum_memory_read_words_0_1 : unsigned(13 downto 0);
-  signal pathsturn_sum_memory_read_words_0_2, pathsturn_sum_memory_read_words_0_3 : unsigned(13 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0, pathsturn_sum_memory_read_words_1_1 : unsigned(13 downto 0);
-  signal pathsturn_sum_memory_read_words_1_2, pathsturn_sum_memory_read_words_1_3 : unsigned(13 downto 0);
-  signal pathsturn_sum_memory_held_words_0_0, pathsturn_sum_memory_held_words_0_1 : natural range 0 to 16383;
-  signal pathsturn_sum_memory_held_words_0_2, pathsturn_sum_memory_held_words_0_3 : natural range 0 to 16383;
-  signal pathsturn_sum_memory_held_words_1_0, pathsturn_sum_memory_held_words_1_1 : natural range 0 to 16383;
-  signal pathsturn_sum_memory_held_words_1_2, pathsturn_sum_memory_held_words_1_3 : natural range 0 to 16383;
-  signal pathsturn_sum_memory_ready_words_0, pathsturn_sum_memory_ready_words_1 : natural range 0 to 16383;
-  signal pathsturn_sum_memory_ready_words_2, pathsturn_sum_memory_ready_words_3 : natural range 0 to 16383;
-  signal pathsturn_sum_memory_write_words_0_0, pathsturn_sum_memory_write_words_0_1 : natural range 0 to 16254;
-  signal pathsturn_sum_memory_write_words_0_2, pathsturn_sum_memory_write_words_0_3 : natural range 0 to 16254;
-  signal pathsturn_sum_memory_write_words_1_0, pathsturn_sum_memory_write_words_1_1 : natural range 0 to 16254;
-  signal pathsturn_sum_memory_write_words_1_2, pathsturn_sum_memory_write_words_1_3 : natural range 0 to 16254;
+  signal pathsturn_sum_memory_read_words_0_0, pathsturn_sum_memory_read_words_0_1 : unsigned(15 downto 0);
+  signal pathsturn_sum_memory_read_words_0_2, pathsturn_sum_memory_read_words_1_0 : unsigned(15 downto 0);
+  signal pathsturn_sum_memory_read_words_1_1, pathsturn_sum_memory_read_words_1_2 : unsigned(15 downto 0);
   signal pathsturn_cost_memory_read_words_0_0, pathsturn_cost_memory_read_words_0_1 : unsigned(15 downto 0);
   signal pathsturn_cost_memory_read_words_1_0, pathsturn_cost_memory_read_words_1_1 : unsigned(15 downto 0);
-  signal pathsturn_cost_memory_held_words_0_0, pathsturn_cost_memory_held_words_0_1 : natural range 0 to 65535;
-  signal pathsturn_cost_memory_held_words_1_0, pathsturn_cost_memory_held_words_1_1 : natural range 0 to 65535;
-  signal pathsturn_cost_memory_ready_words_0, pathsturn_cost_memory_ready_words_1 : natural range 0 to 65535;
-  signal pathsturn_cost_memory_write_words_0_0, pathsturn_cost_memory_write_words_0_1 : natural range 0 to 65535;
-  signal pathsturn_cost_memory_write_words_1_0, pathsturn_cost_memory_write_words_1_1 : natural range 0 to 65535;
+  signal pathsturn_sum_memory_read_words_0_3, pathsturn_sum_memory_read_words_1_3 : unsigned(7 downto 0);
+  signal pathsturn_sum_memory_held_words_0_0, pathsturn_sum_memory_held_words_0_1 : natural range 0 to 65535;
+  signal pathsturn_sum_memory_held_words_0_2, pathsturn_sum_memory_held_words_1_0 : natural range 0 to 65535;
+  signal pathsturn_sum_memory_held_words_1_1, pathsturn_sum_memory_held_words_1_2 : natural range 0 to 65535;
+  signal pathsturn_sum_memory_ready_words_0, pathsturn_sum_memory_ready_words_1 : natural range 0 to 65535;
+  signal pathsturn_sum_memory_ready_words_2, pathsturn_cost_memory_held_words_0_0 : natural range 0 to 65535;
+  signal pathsturn_cost_memory_held_words_0_1, pathsturn_cost_memory_held_words_1_0 : natural range 0 to 65535;
+  signal pathsturn_cost_memory_held_words_1_1, pathsturn_cost_memory_ready_words_0 : natural range 0 to 65535;
+  signal pathsturn_cost_memory_ready_words_1, pathsturn_cost_memory_write_words_0_0 : natural range 0 to 65535;
+  signal pathsturn_cost_memory_write_words_0_1, pathsturn_cost_memory_write_words_1_0 : natural range 0 to 65535;
+  signal pathsturn_cost_memory_write_words_1_1 : natural range 0 to 65535;
+  signal pathsturn_sum_memory_held_words_0_3, pathsturn_sum_memory_held_words_1_3 : natural range 0 to 255;
+  signal pathsturn_sum_memory_ready_words_3 : natural range 0 to 255;
+  signal pathsturn_sum_memory_write_words_0_0, pathsturn_sum_memory_write_words_1_0 : natural range 0 to 65406;
+  signal pathsturn_sum_memory_write_words_0_1, pathsturn_sum_memory_write_words_1_1 : natural range 0 to 65503;
+  signal pathsturn_sum_memory_write_words_0_2, pathsturn_sum_memory_write_words_1_2 : natural range 0 to 65527;
+  signal pathsturn_sum_memory_write_words_0_3, pathsturn_sum_memory_write_words_1_3 : natural range 0 to 253;
   signal pathsturn_read_smallest_0 : unsigned(3 downto 0);
   signal pathsturn_ready_smallest_0, pathsturn_write_smallest_0 : natural range 0 to 15;
   signal pathsturn_read_address_address, pathsturn_sum_read_address : natural range 0 to 8191;
@@ -441,25 +442,24 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsright_g : natural range 0 to 46;
   signal pathsright_read_words_0, pathsright_read_words_1, pathsright_read_words_2 : unsigned(29 downto 0);
   -- winnerswinner1
-  signal winnerswinner1_of_pair_0_0, winnerswinner1_of_pair_0_1, winnerswinner1_of_pair_0_2 : natural range 0 to 127;
-  signal winnerswinner1_of_pair_0_3, winnerswinner1_of_pair_0_4, winnerswinner1_of_pair_0_5 : natural range 0 to 127;
-  signal winnerswinner1_of_pair_0_6, winnerswinner1_of_pair_0_7, winnerswinner1_of_four_0_0 : natural range 0 to 127;
-  signal winnerswinner1_of_four_0_1, winnerswinner1_of_four_0_2, winnerswinner1_of_four_0_3 : natural range 0 to 127;
-  signal winnerswinner1_of_four_0_4, winnerswinner1_of_four_0_5, winnerswinner1_of_four_0_6 : natural range 0 to 127;
-  signal winnerswinner1_of_four_0_7, winnerswinner1_best_cost_0_0 : natural range 0 to 127;
-  signal winnerswinner1_best_cost_0_1 : natural range 0 to 127;
+  signal winnerswinner1_of_pair_0_0, winnerswinner1_of_pair_0_1, winnerswinner1_of_pair_0_2 : natural range 0 to 190;
+  signal winnerswinner1_of_pair_0_3, winnerswinner1_of_pair_0_4, winnerswinner1_of_pair_0_5 : natural range 0 to 190;
+  signal winnerswinner1_of_pair_0_6, winnerswinner1_of_pair_0_7, winnerswinner1_of_four_0_0 : natural range 0 to 190;
+  signal winnerswinner1_of_four_0_1, winnerswinner1_of_four_0_2, winnerswinner1_of_four_0_3 : natural range 0 to 190;
+  signal winnerswinner1_of_four_0_4, winnerswinner1_of_four_0_5, winnerswinner1_of_four_0_6 : natural range 0 to 190;
+  signal winnerswinner1_of_four_0_7 : natural range 0 to 190;
   signal winnerswinner1_pair_index_0_0 : boolean;
   signal winnerswinner1_pair_index_0_1, winnerswinner1_four_index_0_0 : natural range 0 to 3;
   signal winnerswinner1_best_index_0_0 : natural range 0 to 3;
   signal winnerswinner1_pair_index_0_2 : natural range 0 to 5;
   signal winnerswinner1_pair_index_0_3, winnerswinner1_four_index_0_1 : natural range 0 to 7;
   signal winnerswinner1_best_index_0_1 : natural range 0 to 7;
+  signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 255;
   -- winnerswinner2
-  signal winnerswinner2_best_cost_0_0 : natural range 0 to 127;
+  signal winnerswinner2_best_cost_0_0 : natural range 0 to 255;
   signal winnerswinner2_best_index_0_0 : natural range 0 to 7;
   -- winners
-  signal winners_base, winners_best_index_0_0 : natural range 0 to 255;
-  signal winners_best_cost_0_0 : natural range 0 to 127;
+  signal winners_best_cost_0_0, winners_best_index_0_0 : natural range 0 to 255;
   signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
   signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
   -- turn
@@ -552,35 +552,35 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsturn_sum_memory_read_words_0_3_memory_read_enable : boolean;
   signal pathsturn_sum_memory_read_words_0_3_memory_read_address : unsigned(11 downto 0);
   signal pathsturn_sum_memory_read_words_0_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_3_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_0_3_memory_write_data : unsigned(7 downto 0);
   signal pathsturn_sum_memory_read_words_0_2_memory_read_enable : boolean;
   signal pathsturn_sum_memory_read_words_0_2_memory_read_address : unsigned(11 downto 0);
   signal pathsturn_sum_memory_read_words_0_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_2_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_0_2_memory_write_data : unsigned(15 downto 0);
   signal pathsturn_sum_memory_read_words_0_1_memory_read_enable : boolean;
   signal pathsturn_sum_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
   signal pathsturn_sum_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_1_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_0_1_memory_write_data : unsigned(15 downto 0);
   signal pathsturn_sum_memory_read_words_0_0_memory_read_enable : boolean;
   signal pathsturn_sum_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
   signal pathsturn_sum_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_0_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_0_0_memory_write_data : unsigned(15 downto 0);
   signal pathsturn_sum_memory_read_words_1_3_memory_read_enable : boolean;
   signal pathsturn_sum_memory_read_words_1_3_memory_read_address : unsigned(9 downto 0);
   signal pathsturn_sum_memory_read_words_1_3_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_sum_memory_read_words_1_3_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_1_3_memory_write_data : unsigned(7 downto 0);
   signal pathsturn_sum_memory_read_words_1_2_memory_read_enable : boolean;
   signal pathsturn_sum_memory_read_words_1_2_memory_read_address : unsigned(9 downto 0);
   signal pathsturn_sum_memory_read_words_1_2_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_sum_memory_read_words_1_2_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_1_2_memory_write_data : unsigned(15 downto 0);
   signal pathsturn_sum_memory_read_words_1_1_memory_read_enable : boolean;
   signal pathsturn_sum_memory_read_words_1_1_memory_read_address : unsigned(9 downto 0);
   signal pathsturn_sum_memory_read_words_1_1_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_sum_memory_read_words_1_1_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_1_1_memory_write_data : unsigned(15 downto 0);
   signal pathsturn_sum_memory_read_words_1_0_memory_read_enable : boolean;
   signal pathsturn_sum_memory_read_words_1_0_memory_read_address : unsigned(9 downto 0);
   signal pathsturn_sum_memory_read_words_1_0_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0_memory_write_data : unsigned(13 downto 0);
+  signal pathsturn_sum_memory_read_words_1_0_memory_write_data : unsigned(15 downto 0);
   signal pathsturn_cost_memory_read_words_0_1_memory_read_enable : boolean;
   signal pathsturn_cost_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
   signal pathsturn_cost_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
@@ -608,27 +608,27 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsabove_memory_read_words_0_2_memory_read_enable : boolean;
   signal pathsabove_memory_read_words_0_2_memory_read_address : unsigned(11 downto 0);
   signal pathsabove_memory_read_words_0_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_2_memory_write_data : unsigned(9 downto 0);
+  signal pathsabove_memory_read_words_0_2_memory_write_data : unsigned(7 downto 0);
   signal pathsabove_memory_read_words_0_1_memory_read_enable : boolean;
   signal pathsabove_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
   signal pathsabove_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_1_memory_write_data : unsigned(14 downto 0);
+  signal pathsabove_memory_read_words_0_1_memory_write_data : unsigned(15 downto 0);
   signal pathsabove_memory_read_words_0_0_memory_read_enable : boolean;
   signal pathsabove_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
   signal pathsabove_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_0_memory_write_data : unsigned(14 downto 0);
+  signal pathsabove_memory_read_words_0_0_memory_write_data : unsigned(15 downto 0);
   signal pathsabove_memory_read_words_1_2_memory_read_enable : boolean;
   signal pathsabove_memory_read_words_1_2_memory_read_address : unsigned(9 downto 0);
   signal pathsabove_memory_read_words_1_2_memory_write_address : unsigned(9 downto 0);
-  signal pathsabove_memory_read_words_1_2_memory_write_data : unsigned(9 downto 0);
+  signal pathsabove_memory_read_words_1_2_memory_write_data : unsigned(7 downto 0);
   signal pathsabove_memory_read_words_1_1_memory_read_enable : boolean;
   signal pathsabove_memory_read_words_1_1_memory_read_address : unsigned(9 downto 0);
   signal pathsabove_memory_read_words_1_1_memory_write_address : unsigned(9 downto 0);
-  signal pathsabove_memory_read_words_1_1_memory_write_data : unsigned(14 downto 0);
+  signal pathsabove_memory_read_words_1_1_memory_write_data : unsigned(15 downto 0);
   signal pathsabove_memory_read_words_1_0_memory_read_enable : boolean;
   signal pathsabove_memory_read_words_1_0_memory_read_address : unsigned(9 downto 0);
   signal pathsabove_memory_read_words_1_0_memory_write_address : unsigned(9 downto 0);
-  signal pathsabove_memory_read_words_1_0_memory_write_data : unsigned(14 downto 0);
+  signal pathsabove_memory_read_words_1_0_memory_write_data : unsigned(15 downto 0);
   signal pathsleft_read_words_3_memory_read_enable : boolean;
   signal pathsleft_read_words_3_memory_read_address : unsigned(2 downto 0);
   signal pathsleft_read_words_3_memory_write_address : unsigned(2 downto 0);
@@ -825,9 +825,9 @@ begin
   pathsturn_sum_memory_read_words_0_3_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_0_3_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
   pathsturn_sum_memory_read_words_0_3_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
-  pathsturn_sum_memory_read_words_0_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0_3, 14);
+  pathsturn_sum_memory_read_words_0_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0_3, 8);
   pathsturn_sum_memory_read_words_0_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 14, address_bits => 12)
+    generic map (depth => 4096, width => 8, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsturn_sum_memory_read_words_0_3_memory_read_enable,
       read_address => pathsturn_sum_memory_read_words_0_3_memory_read_address, read_data => pathsturn_sum_memory_read_words_0_3,
@@ -836,9 +836,9 @@ begin
   pathsturn_sum_memory_read_words_0_2_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
   pathsturn_sum_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
-  pathsturn_sum_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0_2, 14);
+  pathsturn_sum_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0_2, 16);
   pathsturn_sum_memory_read_words_0_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 14, address_bits => 12)
+    generic map (depth => 4096, width => 16, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsturn_sum_memory_read_words_0_2_memory_read_enable,
       read_address => pathsturn_sum_memory_read_words_0_2_memory_read_address, read_data => pathsturn_sum_memory_read_words_0_2,
@@ -847,9 +847,9 @@ begin
   pathsturn_sum_memory_read_words_0_1_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
   pathsturn_sum_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
-  pathsturn_sum_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0_1, 14);
+  pathsturn_sum_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0_1, 16);
   pathsturn_sum_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 14, address_bits => 12)
+    generic map (depth => 4096, width => 16, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsturn_sum_memory_read_words_0_1_memory_read_enable,
       read_address => pathsturn_sum_memory_read_words_0_1_memory_read_address, read_data => pathsturn_sum_memory_read_words_0_1,
@@ -858,9 +858,9 @@ begin
   pathsturn_sum_memory_read_words_0_0_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
   pathsturn_sum_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
-  pathsturn_sum_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0_0, 14);
+  pathsturn_sum_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0_0, 16);
   pathsturn_sum_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 14, address_bits => 12)
+    generic map (depth => 4096, width => 16, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsturn_sum_memory_read_words_0_0_memory_read_enable,
       read_address => pathsturn_sum_memory_read_words_0_0_memory_read_address, read_data => pathsturn_sum_memory_read_words_0_0,
@@ -869,9 +869,9 @@ begin
   pathsturn_sum_memory_read_words_1_3_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_1_3_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
   pathsturn_sum_memory_read_words_1_3_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
-  pathsturn_sum_memory_read_words_1_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1_3, 14);
+  pathsturn_sum_memory_read_words_1_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1_3, 8);
   pathsturn_sum_memory_read_words_1_3_memory : entity work.line_memory
-    generic map (depth => 1024, width => 14, address_bits => 10)
+    generic map (depth => 1024, width => 8, address_bits => 10)
     port map (
       clock => clock, read_enable => pathsturn_sum_memory_read_words_1_3_memory_read_enable,
       read_address => pathsturn_sum_memory_read_words_1_3_memory_read_address, read_data => pathsturn_sum_memory_read_words_1_3,
@@ -880,9 +880,9 @@ begin
   pathsturn_sum_memory_read_words_1_2_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
   pathsturn_sum_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
-  pathsturn_sum_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1_2, 14);
+  pathsturn_sum_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1_2, 16);
   pathsturn_sum_memory_read_words_1_2_memory : entity work.line_memory
-    generic map (depth => 1024, width => 14, address_bits => 10)
+    generic map (depth => 1024, width => 16, address_bits => 10)
     port map (
       clock => clock, read_enable => pathsturn_sum_memory_read_words_1_2_memory_read_enable,
       read_address => pathsturn_sum_memory_read_words_1_2_memory_read_address, read_data => pathsturn_sum_memory_read_words_1_2,
@@ -891,9 +891,9 @@ begin
   pathsturn_sum_memory_read_words_1_1_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
   pathsturn_sum_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
-  pathsturn_sum_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1_1, 14);
+  pathsturn_sum_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1_1, 16);
   pathsturn_sum_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 1024, width => 14, address_bits => 10)
+    generic map (depth => 1024, width => 16, address_bits => 10)
     port map (
       clock => clock, read_enable => pathsturn_sum_memory_read_words_1_1_memory_read_enable,
       read_address => pathsturn_sum_memory_read_words_1_1_memory_read_address, read_data => pathsturn_sum_memory_read_words_1_1,
@@ -902,9 +902,9 @@ begin
   pathsturn_sum_memory_read_words_1_0_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
   pathsturn_sum_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
-  pathsturn_sum_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1_0, 14);
+  pathsturn_sum_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1_0, 16);
   pathsturn_sum_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 14, address_bits => 10)
+    generic map (depth => 1024, width => 16, address_bits => 10)
     port map (
       clock => clock, read_enable => pathsturn_sum_memory_read_words_1_0_memory_read_enable,
       read_address => pathsturn_sum_memory_read_words_1_0_memory_read_address, read_data => pathsturn_sum_memory_read_words_1_0,
@@ -979,9 +979,9 @@ begin
   pathsabove_memory_read_words_0_2_memory_read_enable <= true;
   pathsabove_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
   pathsabove_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
-  pathsabove_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0_2, 10);
+  pathsabove_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0_2, 8);
   pathsabove_memory_read_words_0_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 10, address_bits => 12)
+    generic map (depth => 4096, width => 8, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsabove_memory_read_words_0_2_memory_read_enable,
       read_address => pathsabove_memory_read_words_0_2_memory_read_address, read_data => pathsabove_memory_read_words_0_2,
@@ -990,9 +990,9 @@ begin
   pathsabove_memory_read_words_0_1_memory_read_enable <= true;
   pathsabove_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
   pathsabove_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
-  pathsabove_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0_1, 15);
+  pathsabove_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0_1, 16);
   pathsabove_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 15, address_bits => 12)
+    generic map (depth => 4096, width => 16, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsabove_memory_read_words_0_1_memory_read_enable,
       read_address => pathsabove_memory_read_words_0_1_memory_read_address, read_data => pathsabove_memory_read_words_0_1,
@@ -1001,9 +1001,9 @@ begin
   pathsabove_memory_read_words_0_0_memory_read_enable <= true;
   pathsabove_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
   pathsabove_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
-  pathsabove_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0_0, 15);
+  pathsabove_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0_0, 16);
   pathsabove_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 15, address_bits => 12)
+    generic map (depth => 4096, width => 16, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsabove_memory_read_words_0_0_memory_read_enable,
       read_address => pathsabove_memory_read_words_0_0_memory_read_address, read_data => pathsabove_memory_read_words_0_0,
@@ -1012,9 +1012,9 @@ begin
   pathsabove_memory_read_words_1_2_memory_read_enable <= true;
   pathsabove_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
   pathsabove_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
-  pathsabove_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1_2, 10);
+  pathsabove_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1_2, 8);
   pathsabove_memory_read_words_1_2_memory : entity work.line_memory
-    generic map (depth => 1024, width => 10, address_bits => 10)
+    generic map (depth => 1024, width => 8, address_bits => 10)
     port map (
       clock => clock, read_enable => pathsabove_memory_read_words_1_2_memory_read_enable,
       read_address => pathsabove_memory_read_words_1_2_memory_read_address, read_data => pathsabove_memory_read_words_1_2,
@@ -1023,9 +1023,9 @@ begin
   pathsabove_memory_read_words_1_1_memory_read_enable <= true;
   pathsabove_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
   pathsabove_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
-  pathsabove_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1_1, 15);
+  pathsabove_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1_1, 16);
   pathsabove_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 1024, width => 15, address_bits => 10)
+    generic map (depth => 1024, width => 16, address_bits => 10)
     port map (
       clock => clock, read_enable => pathsabove_memory_read_words_1_1_memory_read_enable,
       read_address => pathsabove_memory_read_words_1_1_memory_read_address, read_data => pathsabove_memory_read_words_1_1,
@@ -1034,9 +1034,9 @@ begin
   pathsabove_memory_read_words_1_0_memory_read_enable <= true;
   pathsabove_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
   pathsabove_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
-  pathsabove_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1_0, 15);
+  pathsabove_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1_0, 16);
   pathsabove_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 15, address_bits => 10)
+    generic map (depth => 1024, width => 16, address_bits => 10)
     port map (
       clock => clock, read_enable => pathsabove_memory_read_words_1_0_memory_read_enable,
       read_address => pathsabove_memory_read_words_1_0_memory_read_address, read_data => pathsabove_memory_read_words_1_0,
@@ -1604,40 +1604,47 @@ begin
     variable costscolumn_pixels_first_0_0_count_13_value_3, costscolumn_pixels_first_0_0_count_14_value : boolean;
     variable pathsleft_read_count_phase_is_equal, pathsleft_step_0_is_equal, pathsleft_cost_0_any : boolean;
     variable pathsabove_ready_top_choice, pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
-    variable pathsabove_memory_write_words_0_0_all, pathsabove_memory_write_words_1_0_all : boolean;
-    variable pathsturn_sum_memory_write_words_0_0_all, pathsturn_sum_memory_write_words_1_0_all : boolean;
-    variable pathsturn_cost_memory_write_words_0_0_all, pathsturn_cost_memory_write_words_1_0_all : boolean;
-    variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_3, winnerswinner1_of_pair_0_0_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_4, winnerswinner1_of_pair_0_0_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_7, winnerswinner1_of_pair_0_2_choice : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_2, winnerswinner1_of_pair_0_2_value : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_3, winnerswinner1_of_pair_0_2_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_4, winnerswinner1_of_pair_0_2_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_5, winnerswinner1_of_pair_0_2_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_2_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice, winnerswinner1_of_pair_0_4_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_4_value, winnerswinner1_of_pair_0_4_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_2, winnerswinner1_of_pair_0_4_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_3, winnerswinner1_of_pair_0_4_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_4, winnerswinner1_of_pair_0_4_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_7, winnerswinner1_of_pair_0_6_choice : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_2, winnerswinner1_of_pair_0_6_value : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_3, winnerswinner1_of_pair_0_6_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_4, winnerswinner1_of_pair_0_6_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_5, winnerswinner1_of_pair_0_6_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_6_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value : boolean;
-    variable winnerswinner1_of_four_0_0_value_2, winnerswinner1_of_four_0_0_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_0_value_3, winnerswinner1_of_four_0_0_value_4 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_3, winnerswinner1_of_four_0_0_value_5 : boolean;
-    variable winnerswinner1_of_four_0_0_value_6, winnerswinner1_of_four_0_0_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_0_value_7, winnerswinner1_of_four_0_0_value_8 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_5, winnerswinner1_of_four_0_0_value_9 : boolean;
-    variable winnerswinner1_of_four_0_0_value_10, winnerswinner1_of_four_0_0_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_7, winnerswinner1_of_four_0_4_choice : boolean;
+    variable pathsabove_memory_write_words_0_0_is_less, pathsabove_memory_write_words_0_0_choice_4 : boolean;
+    variable pathsabove_memory_write_words_0_1_is_less, pathsabove_memory_write_words_0_0_all : boolean;
+    variable pathsabove_memory_write_words_1_0_all, pathsturn_sum_memory_write_words_0_0_all : boolean;
+    variable pathsturn_sum_memory_write_words_1_0_all, pathsturn_cost_memory_write_words_0_0_all : boolean;
+    variable pathsturn_cost_memory_write_words_1_0_all, winnerswinner1_of_pair_0_0_choice : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_2, winnerswinner1_of_pair_0_0_value : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_3, winnerswinner1_of_pair_0_0_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_4, winnerswinner1_of_pair_0_0_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_5, winnerswinner1_of_pair_0_0_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_6, winnerswinner1_of_pair_0_0_value_5 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_7, winnerswinner1_of_pair_0_0_choice_8 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice, winnerswinner1_of_pair_0_2_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_2_value, winnerswinner1_of_pair_0_2_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_2, winnerswinner1_of_pair_0_2_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_3, winnerswinner1_of_pair_0_2_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_4, winnerswinner1_of_pair_0_2_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_5, winnerswinner1_of_pair_0_2_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_8, winnerswinner1_of_pair_0_4_choice : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_2, winnerswinner1_of_pair_0_4_value : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_3, winnerswinner1_of_pair_0_4_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_4, winnerswinner1_of_pair_0_4_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_5, winnerswinner1_of_pair_0_4_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_6, winnerswinner1_of_pair_0_4_value_5 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_7, winnerswinner1_of_pair_0_4_choice_8 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice, winnerswinner1_of_pair_0_6_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_6_value, winnerswinner1_of_pair_0_6_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_2, winnerswinner1_of_pair_0_6_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_3, winnerswinner1_of_pair_0_6_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_4, winnerswinner1_of_pair_0_6_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_5, winnerswinner1_of_pair_0_6_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_8, winnerswinner1_of_four_0_0_choice : boolean;
+    variable winnerswinner1_of_four_0_0_value, winnerswinner1_of_four_0_0_value_2 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_2, winnerswinner1_of_four_0_0_value_3 : boolean;
+    variable winnerswinner1_of_four_0_0_value_4, winnerswinner1_of_four_0_0_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_0_value_5, winnerswinner1_of_four_0_0_value_6 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_4, winnerswinner1_of_four_0_0_value_7 : boolean;
+    variable winnerswinner1_of_four_0_0_value_8, winnerswinner1_of_four_0_0_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_0_value_9, winnerswinner1_of_four_0_0_value_10 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_6, winnerswinner1_of_four_0_0_value_11 : boolean;
+    variable winnerswinner1_of_four_0_0_value_12, winnerswinner1_of_four_0_0_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_8, winnerswinner1_of_four_0_4_choice : boolean;
     variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
     variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_3 : boolean;
     variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_3 : boolean;
@@ -1645,58 +1652,61 @@ begin
     variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_7 : boolean;
     variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_5 : boolean;
     variable winnerswinner1_of_four_0_4_value_9, winnerswinner1_of_four_0_4_value_10 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_4_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_0_choice, winnerswinner2_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_0_value, winnerswinner2_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_0_value_2, winnerswinner2_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_0_value_3, winnerswinner2_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_0_value_4, winnerswinner2_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_7, winners_best_cost_0_0_choice : boolean;
-    variable winners_best_cost_0_0_choice_2, winners_best_cost_0_0_value, winners_best_cost_0_0_choice_3 : boolean;
-    variable winners_best_cost_0_0_value_2, winners_best_cost_0_0_choice_4, winners_best_cost_0_0_value_3 : boolean;
-    variable winners_best_cost_0_0_choice_5, winners_best_cost_0_0_value_4, winners_best_cost_0_0_choice_6 : boolean;
-    variable winners_best_cost_0_0_choice_7, winners_best_cost_0_0_choice_8, turn_order_address_any : boolean;
-    variable turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
-    variable turn_ready_tag_row_start_differs, turn_ready_tag_row_start_is_equal : boolean;
-    variable turn_ready_tag_row_start_choice, turn_ready_tag_row_start_choice_2 : boolean;
-    variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_all : boolean;
-    variable turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2, map_counter_group_is_equal : boolean;
-    variable map_line_ended_choice, map_at_arrives_value, map_of_column_0_b_below_a_value : boolean;
-    variable map_of_column_0_b_below_a_choice, map_of_column_0_b_below_a_value_2 : boolean;
-    variable map_of_column_0_b_below_a_choice_2, map_of_column_0_b_below_a_choice_3 : boolean;
-    variable map_of_column_0_b_below_a_choice_4, map_of_column_0_b_below_a_value_3 : boolean;
-    variable map_of_column_0_b_below_a_value_4, map_of_column_0_b_below_a_choice_5 : boolean;
-    variable map_of_column_0_b_below_a_value_5, map_of_column_0_b_below_a_value_6 : boolean;
-    variable map_of_column_0_b_below_a_choice_6, map_of_column_0_b_below_a_value_7 : boolean;
-    variable map_of_column_0_b_below_a_value_8, map_of_column_0_b_below_a_choice_7 : boolean;
-    variable map_of_column_0_b_below_a_value_9, map_of_column_0_b_below_a_value_10 : boolean;
-    variable map_of_column_0_b_below_a_choice_8, map_of_column_0_b_below_a_value_11 : boolean;
-    variable map_of_column_0_b_below_a_value_12, map_of_column_0_b_below_a_choice_9 : boolean;
-    variable map_of_column_0_c_below_a_value, map_of_column_0_c_below_a_choice : boolean;
-    variable map_of_column_0_c_below_a_value_2, map_of_column_0_c_below_a_choice_2 : boolean;
-    variable map_of_column_0_c_below_a_choice_3, map_of_column_0_c_below_a_value_3 : boolean;
-    variable map_of_column_0_c_below_a_choice_4, map_of_column_0_c_below_a_choice_5 : boolean;
-    variable map_of_column_0_c_below_a_choice_6, map_of_column_0_c_below_a_value_4 : boolean;
-    variable map_of_column_0_c_below_a_choice_7, map_of_column_0_c_below_a_choice_8 : boolean;
-    variable map_of_column_0_c_below_a_choice_9, map_of_column_0_c_below_a_value_5 : boolean;
-    variable map_of_column_0_c_below_a_choice_10, map_of_column_0_c_below_a_choice_11 : boolean;
-    variable map_of_column_0_c_below_a_choice_12, map_of_column_0_c_below_a_value_6 : boolean;
-    variable map_of_column_0_c_below_a_choice_13, map_of_column_0_c_below_a_choice_14 : boolean;
-    variable map_of_column_0_c_below_a_choice_15, map_of_column_0_c_below_a_value_7 : boolean;
-    variable map_of_column_0_c_below_a_choice_16, map_of_column_0_c_below_a_choice_17 : boolean;
-    variable map_of_column_0_c_below_a_choice_18, map_of_column_0_c_below_a_choice_19 : boolean;
-    variable map_of_column_0_c_below_a_choice_20, map_of_column_0_c_below_b_choice : boolean;
-    variable map_of_column_0_c_below_b_choice_2, map_of_column_0_c_below_b_choice_3 : boolean;
-    variable map_of_column_0_c_below_b_choice_4, map_of_column_0_c_below_b_choice_5 : boolean;
-    variable map_of_column_0_c_below_b_choice_6, map_window_complete_is_equal, map_window_complete_choice : boolean;
-    variable map_of_low_0_b_below_a_value, map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_is_equal : boolean;
-    variable map_of_low_0_b_below_a_choice_2, map_of_low_0_b_below_a_value_2, map_of_low_0_b_below_a_value_3 : boolean;
-    variable map_of_low_0_b_below_a_choice_3, map_of_low_0_b_below_a_value_4, map_of_low_0_b_below_a_value_5 : boolean;
-    variable map_of_low_0_b_below_a_choice_4, map_of_low_0_b_below_a_value_6, map_of_low_0_b_below_a_value_7 : boolean;
-    variable map_of_low_0_b_below_a_choice_5, map_of_low_0_b_below_a_value_8, map_of_low_0_b_below_a_value_9 : boolean;
-    variable map_of_low_0_b_below_a_choice_6, map_of_low_0_b_below_a_value_10 : boolean;
-    variable map_of_low_0_b_below_a_value_11, map_of_low_0_b_below_a_choice_7, map_of_low_0_c_below_a_value : boolean;
-    variable map_of_low_0_c_below_a_choice, map_of_low_0_c_below_a_choice_2, map_of_low_0_c_below_a_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_4_value_11 : boolean;
+    variable winnerswinner1_of_four_0_4_value_12, winnerswinner1_of_four_0_4_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_8, winnerswinner2_best_index_0_0_choice : boolean;
+    variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
+    variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_value_5 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_7, winnerswinner2_best_index_0_0_choice_8 : boolean;
+    variable winners_best_index_0_0_value, winners_best_index_0_0_choice, winners_best_index_0_0_value_2 : boolean;
+    variable winners_best_index_0_0_choice_2, winners_best_index_0_0_value_3, winners_best_index_0_0_choice_3 : boolean;
+    variable winners_best_index_0_0_value_4, winners_best_index_0_0_choice_4, winners_best_index_0_0_value_5 : boolean;
+    variable winners_best_index_0_0_choice_5, winners_best_index_0_0_value_6, winners_best_index_0_0_choice_6 : boolean;
+    variable winners_best_index_0_0_choice_7, turn_order_address_any, turn_order_address_any_2 : boolean;
+    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_differs : boolean;
+    variable turn_ready_tag_row_start_is_equal, turn_ready_tag_row_start_choice : boolean;
+    variable turn_ready_tag_row_start_choice_2, turn_ready_tag_row_start_is_equal_2 : boolean;
+    variable turn_ready_tag_row_start_all, turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2 : boolean;
+    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value : boolean;
+    variable map_of_column_0_b_below_a_value, map_of_column_0_b_below_a_choice : boolean;
+    variable map_of_column_0_b_below_a_value_2, map_of_column_0_b_below_a_choice_2 : boolean;
+    variable map_of_column_0_b_below_a_choice_3, map_of_column_0_b_below_a_choice_4 : boolean;
+    variable map_of_column_0_b_below_a_value_3, map_of_column_0_b_below_a_value_4 : boolean;
+    variable map_of_column_0_b_below_a_choice_5, map_of_column_0_b_below_a_value_5 : boolean;
+    variable map_of_column_0_b_below_a_value_6, map_of_column_0_b_below_a_choice_6 : boolean;
+    variable map_of_column_0_b_below_a_value_7, map_of_column_0_b_below_a_value_8 : boolean;
+    variable map_of_column_0_b_below_a_choice_7, map_of_column_0_b_below_a_value_9 : boolean;
+    variable map_of_column_0_b_below_a_value_10, map_of_column_0_b_below_a_choice_8 : boolean;
+    variable map_of_column_0_b_below_a_value_11, map_of_column_0_b_below_a_value_12 : boolean;
+    variable map_of_column_0_b_below_a_choice_9, map_of_column_0_c_below_a_value : boolean;
+    variable map_of_column_0_c_below_a_choice, map_of_column_0_c_below_a_value_2 : boolean;
+    variable map_of_column_0_c_below_a_choice_2, map_of_column_0_c_below_a_choice_3 : boolean;
+    variable map_of_column_0_c_below_a_value_3, map_of_column_0_c_below_a_choice_4 : boolean;
+    variable map_of_column_0_c_below_a_choice_5, map_of_column_0_c_below_a_choice_6 : boolean;
+    variable map_of_column_0_c_below_a_value_4, map_of_column_0_c_below_a_choice_7 : boolean;
+    variable map_of_column_0_c_below_a_choice_8, map_of_column_0_c_below_a_choice_9 : boolean;
+    variable map_of_column_0_c_below_a_value_5, map_of_column_0_c_below_a_choice_10 : boolean;
+    variable map_of_column_0_c_below_a_choice_11, map_of_column_0_c_below_a_choice_12 : boolean;
+    variable map_of_column_0_c_below_a_value_6, map_of_column_0_c_below_a_choice_13 : boolean;
+    variable map_of_column_0_c_below_a_choice_14, map_of_column_0_c_below_a_choice_15 : boolean;
+    variable map_of_column_0_c_below_a_value_7, map_of_column_0_c_below_a_choice_16 : boolean;
+    variable map_of_column_0_c_below_a_choice_17, map_of_column_0_c_below_a_choice_18 : boolean;
+    variable map_of_column_0_c_below_a_choice_19, map_of_column_0_c_below_a_choice_20 : boolean;
+    variable map_of_column_0_c_below_b_choice, map_of_column_0_c_below_b_choice_2 : boolean;
+    variable map_of_column_0_c_below_b_choice_3, map_of_column_0_c_below_b_choice_4 : boolean;
+    variable map_of_column_0_c_below_b_choice_5, map_of_column_0_c_below_b_choice_6 : boolean;
+    variable map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_value : boolean;
+    variable map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_is_equal, map_of_low_0_b_below_a_choice_2 : boolean;
+    variable map_of_low_0_b_below_a_value_2, map_of_low_0_b_below_a_value_3, map_of_low_0_b_below_a_choice_3 : boolean;
+    variable map_of_low_0_b_below_a_value_4, map_of_low_0_b_below_a_value_5, map_of_low_0_b_below_a_choice_4 : boolean;
+    variable map_of_low_0_b_below_a_value_6, map_of_low_0_b_below_a_value_7, map_of_low_0_b_below_a_choice_5 : boolean;
+    variable map_of_low_0_b_below_a_value_8, map_of_low_0_b_below_a_value_9, map_of_low_0_b_below_a_choice_6 : boolean;
+    variable map_of_low_0_b_below_a_value_10, map_of_low_0_b_below_a_value_11 : boolean;
+    variable map_of_low_0_b_below_a_choice_7, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice : boolean;
+    variable map_of_low_0_c_below_a_choice_2, map_of_low_0_c_below_a_choice_3 : boolean;
     variable map_of_low_0_c_below_a_choice_4, map_of_low_0_c_below_a_choice_5 : boolean;
     variable map_of_low_0_c_below_a_choice_6, map_of_low_0_c_below_a_choice_7, map_of_low_0_c_below_b_choice : boolean;
     variable map_of_low_0_c_below_b_choice_2, map_of_low_0_c_below_b_choice_3 : boolean;
@@ -1771,13 +1781,12 @@ begin
     variable pathsabove_memory_write_words_0_1_choice_3 : natural range 0 to 31;
     variable pathsabove_memory_write_words_0_2_choice : natural range 0 to 31;
     variable pathsabove_memory_write_words_0_2_choice_2, pathsright_q_choice : natural range 0 to 31;
-    variable pathsright_q_choice_2, pathsright_room_left_choice, winners_base_choice : natural range 0 to 31;
+    variable pathsright_q_choice_2, pathsright_room_left_choice : natural range 0 to 31;
     variable transform_left_filter_feature_0_choice_355 : natural range 0 to 1023;
     variable transform_right_filter_feature_0_choice_355 : natural range 0 to 1023;
-    variable pathsabove_memory_read_address_1_choice, pathsabove_memory_write_words_0_2_sum : natural range 0 to 1023;
+    variable pathsabove_memory_read_address_1_choice : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_356 : natural range 0 to 32767;
     variable transform_right_filter_feature_0_choice_356 : natural range 0 to 32767;
-    variable pathsabove_memory_write_words_0_0_sum, pathsabove_memory_write_words_0_1_sum : natural range 0 to 32767;
     variable transform_left_filter_feature_0_choice_357 : natural range 0 to 1048575;
     variable transform_right_filter_feature_0_choice_357 : natural range 0 to 1048575;
     variable transform_left_filter_feature_0_choice_358 : natural range 0 to 8388607;
@@ -1822,10 +1831,9 @@ begin
     variable pathsabove_memory_read_address_0_sum_2, pathsturn_cost_memory_read_address_0_sum : natural range 0 to 8192;
     variable pathsabove_memory_bank_choice, pathsabove_memory_bank_choice_2 : natural range 0 to 8191;
     variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
-    variable pathsturn_sum_memory_write_words_0_0_sum : natural range 0 to 16254;
-    variable pathsturn_sum_memory_write_words_0_1_sum : natural range 0 to 16254;
-    variable pathsturn_sum_memory_write_words_0_2_sum : natural range 0 to 16254;
-    variable pathsturn_sum_memory_write_words_0_3_sum : natural range 0 to 16254;
+    variable pathsabove_memory_write_words_0_0_sum, pathsabove_memory_write_words_0_1_sum : natural range 0 to 65535;
+    variable pathsabove_memory_write_words_0_1_choice_4 : natural range 0 to 3;
+    variable pathsabove_memory_write_words_0_2_sum, winners_best_cost_0_0_choice : natural range 0 to 255;
     variable map_sorted_low_0_choice, map_sorted_low_0_choice_2, map_sorted_middle_0_choice : natural range 0 to 255;
     variable map_sorted_middle_0_choice_2, map_sorted_high_0_choice : natural range 0 to 255;
     variable map_sorted_high_0_choice_2, map_largest_low_0_choice, map_largest_low_0_choice_2 : natural range 0 to 255;
@@ -1835,6 +1843,13 @@ begin
     variable map_out_disparity_0_choice, map_out_disparity_0_choice_2 : natural range 0 to 255;
     variable map_out_disparity_0_choice_3, map_out_disparity_0_choice_4, map_low_0_0_choice : natural range 0 to 255;
     variable map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 255;
+    variable pathsturn_sum_memory_write_words_0_0_sum : natural range 0 to 126;
+    variable pathsturn_sum_memory_write_words_0_1_sum : natural range 0 to 126;
+    variable pathsturn_sum_memory_write_words_0_2_sum : natural range 0 to 126;
+    variable pathsturn_sum_memory_write_words_0_0_sum_2 : natural range 0 to 65406;
+    variable pathsturn_sum_memory_write_words_0_1_sum_2 : natural range 0 to 65503;
+    variable pathsturn_sum_memory_write_words_0_2_sum_2 : natural range 0 to 65527;
+    variable pathsturn_sum_memory_write_words_0_3_sum : natural range 0 to 253;
     variable other_4_choice, other_6_choice, other_8_choice, other_10_choice, other_12_choice : natural range 0 to 11;
     variable other_14_choice, other_16_choice, other_18_choice : natural range 0 to 11;
   begin
@@ -7846,14 +7861,17 @@ begin
         paths_smallest_cost_choice := paths_smallest_cost;
       end if;
       paths_cost_delay_ring_write_address <= paths_cost_delay_ring_read_address;
-      paths_sum_0 <= (pathsright_cost_0 + pathsturn_sum_memory_ready_words_0) mod 128;
-      paths_sum_1 <= (pathsright_cost_1 + (pathsturn_sum_memory_ready_words_0 / 128)) mod 128;
-      paths_sum_2 <= (pathsright_cost_2 + pathsturn_sum_memory_ready_words_1) mod 128;
-      paths_sum_3 <= (pathsright_cost_3 + (pathsturn_sum_memory_ready_words_1 / 128)) mod 128;
-      paths_sum_4 <= (pathsright_cost_4 + pathsturn_sum_memory_ready_words_2) mod 128;
-      paths_sum_5 <= (pathsright_cost_5 + (pathsturn_sum_memory_ready_words_2 / 128)) mod 128;
-      paths_sum_6 <= (pathsright_cost_6 + pathsturn_sum_memory_ready_words_3) mod 128;
-      paths_sum_7 <= (pathsright_cost_7 + (pathsturn_sum_memory_ready_words_3 / 128)) mod 128;
+      paths_sum_0 <= (pathsturn_sum_memory_ready_words_0 mod 128) + pathsright_cost_0;
+      paths_sum_1 <= ((pathsturn_sum_memory_ready_words_0 / 128) mod 128) + pathsright_cost_1;
+      paths_sum_2 <= ((pathsturn_sum_memory_ready_words_1 mod 32) * 4) + (pathsturn_sum_memory_ready_words_0 / 16384) +
+        pathsright_cost_2;
+      paths_sum_3 <= ((pathsturn_sum_memory_ready_words_1 / 32) mod 128) + pathsright_cost_3;
+      paths_sum_4 <= ((pathsturn_sum_memory_ready_words_2 mod 8) * 16) + (pathsturn_sum_memory_ready_words_1 / 4096) +
+        pathsright_cost_4;
+      paths_sum_5 <= ((pathsturn_sum_memory_ready_words_2 / 8) mod 128) + pathsright_cost_5;
+      paths_sum_6 <= ((pathsturn_sum_memory_ready_words_3 mod 2) * 64) + (pathsturn_sum_memory_ready_words_2 / 1024) +
+        pathsright_cost_6;
+      paths_sum_7 <= (pathsturn_sum_memory_ready_words_3 / 2) + pathsright_cost_7;
       if (costs_cost_1 - costs_cost_0) < 0 then
         paths_tree_smallest_0 <= costs_cost_1;
       else
@@ -8299,32 +8317,34 @@ begin
       if pathsabove_ready_top then
         pathsabove_total_2_choice := 24;
       else
-        pathsabove_total_2_choice := pathsabove_memory_ready_words_0 / 1024;
+        pathsabove_total_2_choice := (pathsabove_memory_ready_words_0 / 1024) mod 32;
       end if;
       if pathsabove_ready_top then
         pathsabove_total_3_choice := 24;
       else
-        pathsabove_total_3_choice := pathsabove_memory_ready_words_1 mod 32;
+        pathsabove_total_3_choice := ((pathsabove_memory_ready_words_1 mod 16) * 2) + (pathsabove_memory_ready_words_0
+          / 32768);
       end if;
       if pathsabove_ready_top then
         pathsabove_total_4_choice := 24;
       else
-        pathsabove_total_4_choice := (pathsabove_memory_ready_words_1 / 32) mod 32;
+        pathsabove_total_4_choice := (pathsabove_memory_ready_words_1 / 16) mod 32;
       end if;
       if pathsabove_ready_top then
         pathsabove_total_5_choice := 24;
       else
-        pathsabove_total_5_choice := pathsabove_memory_ready_words_1 / 1024;
+        pathsabove_total_5_choice := (pathsabove_memory_ready_words_1 / 512) mod 32;
       end if;
       if pathsabove_ready_top then
         pathsabove_total_6_choice := 24;
       else
-        pathsabove_total_6_choice := pathsabove_memory_ready_words_2 mod 32;
+        pathsabove_total_6_choice := ((pathsabove_memory_ready_words_2 mod 8) * 4) + (pathsabove_memory_ready_words_1 /
+          16384);
       end if;
       if pathsabove_ready_top then
         pathsabove_total_7_choice := 24;
       else
-        pathsabove_total_7_choice := pathsabove_memory_ready_words_2 / 32;
+        pathsabove_total_7_choice := pathsabove_memory_ready_words_2 / 8;
       end if;
       if line_comes_12 then
         pathsabove_smallest_total_choice := 63;
@@ -8582,14 +8602,21 @@ begin
       else
         pathsabove_memory_write_words_0_0_choice_3 := pathsabove_stay_2;
       end if;
+      pathsabove_memory_write_words_0_0_is_less := (pathsabove_step_3 - pathsabove_stay_3) < 0;
+      if pathsabove_memory_write_words_0_0_is_less then
+        pathsabove_memory_write_words_0_0_choice_4 := (pathsabove_step_3 mod 2) = 1;
+      else
+        pathsabove_memory_write_words_0_0_choice_4 := (pathsabove_stay_3 mod 2) = 1;
+      end if;
       pathsabove_memory_write_words_0_0_sum := (pathsabove_memory_write_words_0_0_choice * 32) +
-        pathsabove_memory_write_words_0_0_choice_2 + (pathsabove_memory_write_words_0_0_choice_3 * 1024);
+        pathsabove_memory_write_words_0_0_choice_2 + (pathsabove_memory_write_words_0_0_choice_3 * 1024) +
+        (as_number(pathsabove_memory_write_words_0_0_choice_4) * 32768);
       if (pathsabove_step_4 - pathsabove_stay_4) < 0 then
         pathsabove_memory_write_words_0_1_choice := pathsabove_step_4 mod 32;
       else
         pathsabove_memory_write_words_0_1_choice := pathsabove_stay_4;
       end if;
-      if (pathsabove_step_3 - pathsabove_stay_3) < 0 then
+      if pathsabove_memory_write_words_0_0_is_less then
         pathsabove_memory_write_words_0_1_choice_2 := pathsabove_step_3 mod 32;
       else
         pathsabove_memory_write_words_0_1_choice_2 := pathsabove_stay_3;
@@ -8599,20 +8626,27 @@ begin
       else
         pathsabove_memory_write_words_0_1_choice_3 := pathsabove_stay_5;
       end if;
-      pathsabove_memory_write_words_0_1_sum := (pathsabove_memory_write_words_0_1_choice * 32) +
-        pathsabove_memory_write_words_0_1_choice_2 + (pathsabove_memory_write_words_0_1_choice_3 * 1024);
+      pathsabove_memory_write_words_0_1_is_less := (pathsabove_step_6 - pathsabove_stay_6) < 0;
+      if pathsabove_memory_write_words_0_1_is_less then
+        pathsabove_memory_write_words_0_1_choice_4 := pathsabove_step_6 mod 4;
+      else
+        pathsabove_memory_write_words_0_1_choice_4 := pathsabove_stay_6 mod 4;
+      end if;
+      pathsabove_memory_write_words_0_1_sum := (pathsabove_memory_write_words_0_1_choice * 16) +
+        (pathsabove_memory_write_words_0_1_choice_2 / 2) + (pathsabove_memory_write_words_0_1_choice_3 * 512) +
+        (pathsabove_memory_write_words_0_1_choice_4 * 16384);
+      if pathsabove_memory_write_words_0_1_is_less then
+        pathsabove_memory_write_words_0_2_choice := pathsabove_step_6 mod 32;
+      else
+        pathsabove_memory_write_words_0_2_choice := pathsabove_stay_6;
+      end if;
       if (pathsabove_step_7 - pathsabove_stay_7) < 0 then
-        pathsabove_memory_write_words_0_2_choice := pathsabove_step_7 mod 32;
+        pathsabove_memory_write_words_0_2_choice_2 := pathsabove_step_7 mod 32;
       else
-        pathsabove_memory_write_words_0_2_choice := pathsabove_stay_7;
+        pathsabove_memory_write_words_0_2_choice_2 := pathsabove_stay_7;
       end if;
-      if (pathsabove_step_6 - pathsabove_stay_6) < 0 then
-        pathsabove_memory_write_words_0_2_choice_2 := pathsabove_step_6 mod 32;
-      else
-        pathsabove_memory_write_words_0_2_choice_2 := pathsabove_stay_6;
-      end if;
-      pathsabove_memory_write_words_0_2_sum := (pathsabove_memory_write_words_0_2_choice * 32) +
-        pathsabove_memory_write_words_0_2_choice_2;
+      pathsabove_memory_write_words_0_2_sum := (pathsabove_memory_write_words_0_2_choice / 4) +
+        (pathsabove_memory_write_words_0_2_choice_2 * 8);
       pathsabove_memory_write_words_0_0_all := pathsabove_write_address_is_here and (pathsabove_write_address_address <
         4096);
       if pathsabove_memory_write_words_0_0_all then
@@ -8720,28 +8754,31 @@ begin
           1)) or (not ((pathsturn_write_address_count_phase mod 2) = 1))))) mod 8192;
         pathsturn_write_address_count_phase <= pathsturn_write_address_count_phase_choice;
       end if;
-      pathsturn_sum_memory_write_words_0_0_sum := ((pathsleft_cost_1 + pathsabove_cost_1) * 128) + pathsleft_cost_0 +
-        pathsabove_cost_0;
-      pathsturn_sum_memory_write_words_0_1_sum := ((pathsleft_cost_3 + pathsabove_cost_3) * 128) + pathsleft_cost_2 +
-        pathsabove_cost_2;
-      pathsturn_sum_memory_write_words_0_2_sum := ((pathsleft_cost_5 + pathsabove_cost_5) * 128) + pathsleft_cost_4 +
-        pathsabove_cost_4;
-      pathsturn_sum_memory_write_words_0_3_sum := ((pathsleft_cost_7 + pathsabove_cost_7) * 128) + pathsleft_cost_6 +
-        pathsabove_cost_6;
+      pathsturn_sum_memory_write_words_0_0_sum := pathsleft_cost_2 + pathsabove_cost_2;
+      pathsturn_sum_memory_write_words_0_0_sum_2 := ((pathsleft_cost_1 + pathsabove_cost_1) * 128) + pathsleft_cost_0 +
+        pathsabove_cost_0 + ((pathsturn_sum_memory_write_words_0_0_sum mod 4) * 16384);
+      pathsturn_sum_memory_write_words_0_1_sum := pathsleft_cost_4 + pathsabove_cost_4;
+      pathsturn_sum_memory_write_words_0_1_sum_2 := ((pathsleft_cost_3 + pathsabove_cost_3) * 32) +
+        (pathsturn_sum_memory_write_words_0_0_sum / 4) + ((pathsturn_sum_memory_write_words_0_1_sum mod 16) * 4096);
+      pathsturn_sum_memory_write_words_0_2_sum := pathsleft_cost_6 + pathsabove_cost_6;
+      pathsturn_sum_memory_write_words_0_2_sum_2 := ((pathsleft_cost_5 + pathsabove_cost_5) * 8) +
+        (pathsturn_sum_memory_write_words_0_1_sum / 16) + ((pathsturn_sum_memory_write_words_0_2_sum mod 64) * 1024);
+      pathsturn_sum_memory_write_words_0_3_sum := (pathsturn_sum_memory_write_words_0_2_sum / 64) + ((pathsleft_cost_7
+        + pathsabove_cost_7) * 2);
       pathsturn_sum_memory_write_words_0_0_all := (pathsturn_sum_write_address_1 < 4096) and pathsturn_writes_sums_1;
       if pathsturn_sum_memory_write_words_0_0_all then
-        pathsturn_sum_memory_write_words_0_0 <= pathsturn_sum_memory_write_words_0_0_sum;
-        pathsturn_sum_memory_write_words_0_1 <= pathsturn_sum_memory_write_words_0_1_sum;
-        pathsturn_sum_memory_write_words_0_2 <= pathsturn_sum_memory_write_words_0_2_sum;
+        pathsturn_sum_memory_write_words_0_0 <= pathsturn_sum_memory_write_words_0_0_sum_2;
+        pathsturn_sum_memory_write_words_0_1 <= pathsturn_sum_memory_write_words_0_1_sum_2;
+        pathsturn_sum_memory_write_words_0_2 <= pathsturn_sum_memory_write_words_0_2_sum_2;
         pathsturn_sum_memory_write_words_0_3 <= pathsturn_sum_memory_write_words_0_3_sum;
         pathsturn_sum_memory_write_address_0 <= pathsturn_sum_write_address_1 mod 4096;
       end if;
       pathsturn_sum_memory_write_words_1_0_all := ((pathsturn_sum_write_address_1 / 4096) = 1) and
         pathsturn_writes_sums_1;
       if pathsturn_sum_memory_write_words_1_0_all then
-        pathsturn_sum_memory_write_words_1_0 <= pathsturn_sum_memory_write_words_0_0_sum;
-        pathsturn_sum_memory_write_words_1_1 <= pathsturn_sum_memory_write_words_0_1_sum;
-        pathsturn_sum_memory_write_words_1_2 <= pathsturn_sum_memory_write_words_0_2_sum;
+        pathsturn_sum_memory_write_words_1_0 <= pathsturn_sum_memory_write_words_0_0_sum_2;
+        pathsturn_sum_memory_write_words_1_1 <= pathsturn_sum_memory_write_words_0_1_sum_2;
+        pathsturn_sum_memory_write_words_1_2 <= pathsturn_sum_memory_write_words_0_2_sum_2;
         pathsturn_sum_memory_write_words_1_3 <= pathsturn_sum_memory_write_words_0_3_sum;
         pathsturn_sum_memory_write_address_1 <= pathsturn_sum_write_address_1 mod 1024;
       end if;
@@ -9108,10 +9145,18 @@ begin
         winnerswinner1_of_pair_0_0_choice_6 := (not (((paths_sum_0 / 32) mod 2) = 1)) and
           winnerswinner1_of_pair_0_0_value_4;
       end if;
+      winnerswinner1_of_pair_0_0_value_5 := ((paths_sum_1 / 64) mod 2) = 1;
       if winnerswinner1_of_pair_0_0_choice_6 then
-        winnerswinner1_of_pair_0_0_choice_7 := ((paths_sum_0 / 64) = 1) and (not ((paths_sum_1 / 64) = 1));
+        winnerswinner1_of_pair_0_0_choice_7 := (not (((paths_sum_0 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_5;
       else
-        winnerswinner1_of_pair_0_0_choice_7 := ((paths_sum_0 / 64) = 1) or (not ((paths_sum_1 / 64) = 1));
+        winnerswinner1_of_pair_0_0_choice_7 := (not (((paths_sum_0 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_0_choice_7 then
+        winnerswinner1_of_pair_0_0_choice_8 := ((paths_sum_0 / 128) = 1) and (not ((paths_sum_1 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_0_choice_8 := ((paths_sum_0 / 128) = 1) or (not ((paths_sum_1 / 128) = 1));
       end if;
       if (paths_sum_2 mod 2) = 1 then
         winnerswinner1_of_pair_0_2_choice := (not (((paths_sum_3 / 2) mod 2) = 1)) or (not ((paths_sum_3 mod 2) = 1));
@@ -9155,10 +9200,18 @@ begin
         winnerswinner1_of_pair_0_2_choice_6 := (not (((paths_sum_2 / 32) mod 2) = 1)) and
           winnerswinner1_of_pair_0_2_value_4;
       end if;
+      winnerswinner1_of_pair_0_2_value_5 := ((paths_sum_3 / 64) mod 2) = 1;
       if winnerswinner1_of_pair_0_2_choice_6 then
-        winnerswinner1_of_pair_0_2_choice_7 := ((paths_sum_2 / 64) = 1) and (not ((paths_sum_3 / 64) = 1));
+        winnerswinner1_of_pair_0_2_choice_7 := (not (((paths_sum_2 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_5;
       else
-        winnerswinner1_of_pair_0_2_choice_7 := ((paths_sum_2 / 64) = 1) or (not ((paths_sum_3 / 64) = 1));
+        winnerswinner1_of_pair_0_2_choice_7 := (not (((paths_sum_2 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_2_choice_7 then
+        winnerswinner1_of_pair_0_2_choice_8 := ((paths_sum_2 / 128) = 1) and (not ((paths_sum_3 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_2_choice_8 := ((paths_sum_2 / 128) = 1) or (not ((paths_sum_3 / 128) = 1));
       end if;
       if (paths_sum_4 mod 2) = 1 then
         winnerswinner1_of_pair_0_4_choice := (not (((paths_sum_5 / 2) mod 2) = 1)) or (not ((paths_sum_5 mod 2) = 1));
@@ -9202,10 +9255,18 @@ begin
         winnerswinner1_of_pair_0_4_choice_6 := (not (((paths_sum_4 / 32) mod 2) = 1)) and
           winnerswinner1_of_pair_0_4_value_4;
       end if;
+      winnerswinner1_of_pair_0_4_value_5 := ((paths_sum_5 / 64) mod 2) = 1;
       if winnerswinner1_of_pair_0_4_choice_6 then
-        winnerswinner1_of_pair_0_4_choice_7 := ((paths_sum_4 / 64) = 1) and (not ((paths_sum_5 / 64) = 1));
+        winnerswinner1_of_pair_0_4_choice_7 := (not (((paths_sum_4 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_5;
       else
-        winnerswinner1_of_pair_0_4_choice_7 := ((paths_sum_4 / 64) = 1) or (not ((paths_sum_5 / 64) = 1));
+        winnerswinner1_of_pair_0_4_choice_7 := (not (((paths_sum_4 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_4_choice_7 then
+        winnerswinner1_of_pair_0_4_choice_8 := ((paths_sum_4 / 128) = 1) and (not ((paths_sum_5 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_4_choice_8 := ((paths_sum_4 / 128) = 1) or (not ((paths_sum_5 / 128) = 1));
       end if;
       if (paths_sum_6 mod 2) = 1 then
         winnerswinner1_of_pair_0_6_choice := (not (((paths_sum_7 / 2) mod 2) = 1)) or (not ((paths_sum_7 mod 2) = 1));
@@ -9249,10 +9310,18 @@ begin
         winnerswinner1_of_pair_0_6_choice_6 := (not (((paths_sum_6 / 32) mod 2) = 1)) and
           winnerswinner1_of_pair_0_6_value_4;
       end if;
+      winnerswinner1_of_pair_0_6_value_5 := ((paths_sum_7 / 64) mod 2) = 1;
       if winnerswinner1_of_pair_0_6_choice_6 then
-        winnerswinner1_of_pair_0_6_choice_7 := ((paths_sum_6 / 64) = 1) and (not ((paths_sum_7 / 64) = 1));
+        winnerswinner1_of_pair_0_6_choice_7 := (not (((paths_sum_6 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_5;
       else
-        winnerswinner1_of_pair_0_6_choice_7 := ((paths_sum_6 / 64) = 1) or (not ((paths_sum_7 / 64) = 1));
+        winnerswinner1_of_pair_0_6_choice_7 := (not (((paths_sum_6 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_6_choice_7 then
+        winnerswinner1_of_pair_0_6_choice_8 := ((paths_sum_6 / 128) = 1) and (not ((paths_sum_7 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_6_choice_8 := ((paths_sum_6 / 128) = 1) or (not ((paths_sum_7 / 128) = 1));
       end if;
       if (winnerswinner1_of_pair_0_1 mod 2) = 1 then
         winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
@@ -9315,14 +9384,25 @@ begin
           (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_9 or
           winnerswinner1_of_four_0_0_value_10);
       end if;
+      winnerswinner1_of_four_0_0_value_11 := ((winnerswinner1_of_pair_0_3 / 64) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_12 := ((winnerswinner1_of_pair_0_2 / 64) mod 2) = 1;
       if winnerswinner1_of_four_0_0_choice_6 then
-        winnerswinner1_of_four_0_0_choice_7 := (not ((not ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not
-          ((winnerswinner1_of_pair_0_0 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not
-          ((winnerswinner1_of_pair_0_2 / 64) = 1));
+        winnerswinner1_of_four_0_0_choice_7 := ((not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_11 or
+          winnerswinner1_of_four_0_0_value_12;
       else
-        winnerswinner1_of_four_0_0_choice_7 := (not ((not ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not
-          ((winnerswinner1_of_pair_0_0 / 64) = 1)))) or ((not ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not
-          ((winnerswinner1_of_pair_0_2 / 64) = 1)));
+        winnerswinner1_of_four_0_0_choice_7 := (not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_11 or
+          winnerswinner1_of_four_0_0_value_12);
+      end if;
+      if winnerswinner1_of_four_0_0_choice_7 then
+        winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_0 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 / 128) = 1));
+      else
+        winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_0 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 / 128) = 1)));
       end if;
       if (winnerswinner1_of_pair_0_5 mod 2) = 1 then
         winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
@@ -9385,32 +9465,43 @@ begin
           (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_9 or
           winnerswinner1_of_four_0_4_value_10);
       end if;
+      winnerswinner1_of_four_0_4_value_11 := ((winnerswinner1_of_pair_0_7 / 64) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_12 := ((winnerswinner1_of_pair_0_6 / 64) mod 2) = 1;
       if winnerswinner1_of_four_0_4_choice_6 then
-        winnerswinner1_of_four_0_4_choice_7 := (not ((not ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not
-          ((winnerswinner1_of_pair_0_4 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not
-          ((winnerswinner1_of_pair_0_6 / 64) = 1));
+        winnerswinner1_of_four_0_4_choice_7 := ((not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_11 or
+          winnerswinner1_of_four_0_4_value_12;
       else
-        winnerswinner1_of_four_0_4_choice_7 := (not ((not ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not
-          ((winnerswinner1_of_pair_0_4 / 64) = 1)))) or ((not ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not
-          ((winnerswinner1_of_pair_0_6 / 64) = 1)));
+        winnerswinner1_of_four_0_4_choice_7 := (not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_11 or
+          winnerswinner1_of_four_0_4_value_12);
       end if;
-      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choice_7;
-      winnerswinner1_best_cost_0_0 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_2, 7)) or
-        (to_unsigned(winnerswinner1_of_four_0_3, 7)))) or (to_unsigned(winnerswinner1_of_four_0_1, 7)))) or
-        (to_unsigned(winnerswinner1_of_four_0_0, 7))));
-      winnerswinner1_best_cost_0_1 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_6, 7)) or
-        (to_unsigned(winnerswinner1_of_four_0_7, 7)))) or (to_unsigned(winnerswinner1_of_four_0_5, 7)))) or
-        (to_unsigned(winnerswinner1_of_four_0_4, 7))));
+      if winnerswinner1_of_four_0_4_choice_7 then
+        winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_4 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 / 128) = 1));
+      else
+        winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_4 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 / 128) = 1)));
+      end if;
+      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choice_8;
+      winnerswinner1_best_cost_0_0 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_2, 8)) or
+        (to_unsigned(winnerswinner1_of_four_0_3, 8)))) or (to_unsigned(winnerswinner1_of_four_0_1, 8)))) or
+        (to_unsigned(winnerswinner1_of_four_0_0, 8))));
+      winnerswinner1_best_cost_0_1 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_6, 8)) or
+        (to_unsigned(winnerswinner1_of_four_0_7, 8)))) or (to_unsigned(winnerswinner1_of_four_0_5, 8)))) or
+        (to_unsigned(winnerswinner1_of_four_0_4, 8))));
       winnerswinner1_best_index_0_0 <= winnerswinner1_four_index_0_0;
       winnerswinner1_best_index_0_1 <= winnerswinner1_four_index_0_1;
-      if winnerswinner1_of_pair_0_0_choice_7 then
+      if winnerswinner1_of_pair_0_0_choice_8 then
         winnerswinner1_of_pair_0_0 <= 0;
         winnerswinner1_of_pair_0_1 <= paths_sum_1;
       else
         winnerswinner1_of_pair_0_0 <= paths_sum_0;
         winnerswinner1_of_pair_0_1 <= 0;
       end if;
-      if winnerswinner1_of_pair_0_2_choice_7 then
+      if winnerswinner1_of_pair_0_2_choice_8 then
         winnerswinner1_of_pair_0_2 <= 0;
         winnerswinner1_of_pair_0_3 <= paths_sum_3;
         winnerswinner1_pair_index_0_1 <= 3;
@@ -9419,7 +9510,7 @@ begin
         winnerswinner1_of_pair_0_3 <= 0;
         winnerswinner1_pair_index_0_1 <= 2;
       end if;
-      if winnerswinner1_of_pair_0_4_choice_7 then
+      if winnerswinner1_of_pair_0_4_choice_8 then
         winnerswinner1_of_pair_0_4 <= 0;
         winnerswinner1_of_pair_0_5 <= paths_sum_5;
         winnerswinner1_pair_index_0_2 <= 5;
@@ -9428,7 +9519,7 @@ begin
         winnerswinner1_of_pair_0_5 <= 0;
         winnerswinner1_pair_index_0_2 <= 4;
       end if;
-      if winnerswinner1_of_pair_0_6_choice_7 then
+      if winnerswinner1_of_pair_0_6_choice_8 then
         winnerswinner1_of_pair_0_6 <= 0;
         winnerswinner1_of_pair_0_7 <= paths_sum_7;
         winnerswinner1_pair_index_0_3 <= 7;
@@ -9437,7 +9528,7 @@ begin
         winnerswinner1_of_pair_0_7 <= 0;
         winnerswinner1_pair_index_0_3 <= 6;
       end if;
-      if winnerswinner1_of_four_0_0_choice_7 then
+      if winnerswinner1_of_four_0_0_choice_8 then
         winnerswinner1_of_four_0_0 <= 0;
         winnerswinner1_of_four_0_1 <= 0;
         winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2;
@@ -9450,7 +9541,7 @@ begin
         winnerswinner1_of_four_0_3 <= 0;
         winnerswinner1_four_index_0_0 <= as_number(winnerswinner1_pair_index_0_0);
       end if;
-      if winnerswinner1_of_four_0_4_choice_7 then
+      if winnerswinner1_of_four_0_4_choice_8 then
         winnerswinner1_of_four_0_4 <= 0;
         winnerswinner1_of_four_0_5 <= 0;
         winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6;
@@ -9508,93 +9599,107 @@ begin
         winnerswinner2_best_index_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and
           winnerswinner2_best_index_0_0_value_4;
       end if;
+      winnerswinner2_best_index_0_0_value_5 := ((winnerswinner1_best_cost_0_1 / 64) mod 2) = 1;
       if winnerswinner2_best_index_0_0_choice_6 then
-        winnerswinner2_best_index_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
-          ((winnerswinner1_best_cost_0_1 / 64) = 1));
+        winnerswinner2_best_index_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) or
+          winnerswinner2_best_index_0_0_value_5;
       else
-        winnerswinner2_best_index_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) or (not
-          ((winnerswinner1_best_cost_0_1 / 64) = 1));
+        winnerswinner2_best_index_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) and
+          winnerswinner2_best_index_0_0_value_5;
+      end if;
+      if winnerswinner2_best_index_0_0_choice_7 then
+        winnerswinner2_best_index_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) and (not
+          ((winnerswinner1_best_cost_0_1 / 128) = 1));
+      else
+        winnerswinner2_best_index_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) or (not
+          ((winnerswinner1_best_cost_0_1 / 128) = 1));
       end if;
       if (winnerswinner1_best_cost_0_1 - winnerswinner1_best_cost_0_0) < 0 then
         winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1;
       else
         winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_0;
       end if;
-      if winnerswinner2_best_index_0_0_choice_7 then
+      if winnerswinner2_best_index_0_0_choice_8 then
         winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1;
       else
         winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_0;
       end if;
       -- winners
-      if line_comes_26 then
-        winners_base_choice := 0;
+      if line_comes_27 then
+        winners_best_cost_0_0_choice := 255;
       else
-        winners_base_choice := ((winners_base / 8) + 1) mod 32;
+        winners_best_cost_0_0_choice := winners_best_cost_0_0;
       end if;
-      winners_base <= winners_base_choice * 8;
+      winners_best_index_0_0_value := ((winners_best_cost_0_0 / 2) mod 2) = 1;
+      if (not ((winnerswinner2_best_cost_0_0 mod 2) = 1)) and (((winners_best_cost_0_0 mod 2) = 1) or line_comes_27)
+        then
+        winners_best_index_0_0_choice := (not (((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1)) or
+          winners_best_index_0_0_value or line_comes_27;
+      else
+        winners_best_index_0_0_choice := (not (((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1)) and
+          (winners_best_index_0_0_value or line_comes_27);
+      end if;
+      winners_best_index_0_0_value_2 := ((winners_best_cost_0_0 / 4) mod 2) = 1;
+      if winners_best_index_0_0_choice then
+        winners_best_index_0_0_choice_2 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) or
+          winners_best_index_0_0_value_2 or line_comes_27;
+      else
+        winners_best_index_0_0_choice_2 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) and
+          (winners_best_index_0_0_value_2 or line_comes_27);
+      end if;
+      winners_best_index_0_0_value_3 := ((winners_best_cost_0_0 / 8) mod 2) = 1;
+      if winners_best_index_0_0_choice_2 then
+        winners_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) or
+          winners_best_index_0_0_value_3 or line_comes_27;
+      else
+        winners_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) and
+          (winners_best_index_0_0_value_3 or line_comes_27);
+      end if;
+      winners_best_index_0_0_value_4 := ((winners_best_cost_0_0 / 16) mod 2) = 1;
+      if winners_best_index_0_0_choice_3 then
+        winners_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) or
+          winners_best_index_0_0_value_4 or line_comes_27;
+      else
+        winners_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) and
+          (winners_best_index_0_0_value_4 or line_comes_27);
+      end if;
+      winners_best_index_0_0_value_5 := ((winners_best_cost_0_0 / 32) mod 2) = 1;
+      if winners_best_index_0_0_choice_4 then
+        winners_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) or
+          winners_best_index_0_0_value_5 or line_comes_27;
+      else
+        winners_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) and
+          (winners_best_index_0_0_value_5 or line_comes_27);
+      end if;
+      winners_best_index_0_0_value_6 := ((winners_best_cost_0_0 / 64) mod 2) = 1;
+      if winners_best_index_0_0_choice_5 then
+        winners_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) or
+          winners_best_index_0_0_value_6 or line_comes_27;
+      else
+        winners_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) and
+          (winners_best_index_0_0_value_6 or line_comes_27);
+      end if;
+      if winners_best_index_0_0_choice_6 then
+        winners_best_index_0_0_choice_7 := (not ((winnerswinner2_best_cost_0_0 / 128) = 1)) or ((winners_best_cost_0_0
+          / 128) = 1) or line_comes_27;
+      else
+        winners_best_index_0_0_choice_7 := (not ((winnerswinner2_best_cost_0_0 / 128) = 1)) and
+          (((winners_best_cost_0_0 / 128) = 1) or line_comes_27);
+      end if;
       winners_best_tag_valid <= line_comes_34;
       winners_best_tag_map_column <= line_places_4_map_column;
       winners_best_tag_output_column <= line_places_4_shown_output_column;
       winners_best_tag_start_of_frame <= line_places_4_shown_start_of_frame;
       winners_best_tag_end_of_line <= line_places_4_shown_end_of_line;
-      if (winners_best_cost_0_0 mod 2) = 1 then
-        winners_best_cost_0_0_choice := (not (((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1)) or (not
-          ((winnerswinner2_best_cost_0_0 mod 2) = 1));
-      else
-        winners_best_cost_0_0_choice := not (((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1);
-      end if;
-      if ((winners_best_cost_0_0 / 2) mod 2) = 1 then
-        winners_best_cost_0_0_choice_2 := winners_best_cost_0_0_choice;
-      else
-        winners_best_cost_0_0_choice_2 := ((winners_best_cost_0_0 mod 2) = 1) and ((winnerswinner2_best_cost_0_0 mod 4)
-          = 0);
-      end if;
-      winners_best_cost_0_0_value := ((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1;
-      if winners_best_cost_0_0_choice_2 then
-        winners_best_cost_0_0_choice_3 := (not (((winners_best_cost_0_0 / 4) mod 2) = 1)) and
-          winners_best_cost_0_0_value;
-      else
-        winners_best_cost_0_0_choice_3 := (not (((winners_best_cost_0_0 / 4) mod 2) = 1)) or
-          winners_best_cost_0_0_value;
-      end if;
-      winners_best_cost_0_0_value_2 := ((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1;
-      if winners_best_cost_0_0_choice_3 then
-        winners_best_cost_0_0_choice_4 := (not (((winners_best_cost_0_0 / 8) mod 2) = 1)) or
-          winners_best_cost_0_0_value_2;
-      else
-        winners_best_cost_0_0_choice_4 := (not (((winners_best_cost_0_0 / 8) mod 2) = 1)) and
-          winners_best_cost_0_0_value_2;
-      end if;
-      winners_best_cost_0_0_value_3 := ((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1;
-      if winners_best_cost_0_0_choice_4 then
-        winners_best_cost_0_0_choice_5 := (not (((winners_best_cost_0_0 / 16) mod 2) = 1)) or
-          winners_best_cost_0_0_value_3;
-      else
-        winners_best_cost_0_0_choice_5 := (not (((winners_best_cost_0_0 / 16) mod 2) = 1)) and
-          winners_best_cost_0_0_value_3;
-      end if;
-      winners_best_cost_0_0_value_4 := ((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1;
-      if winners_best_cost_0_0_choice_5 then
-        winners_best_cost_0_0_choice_6 := (not (((winners_best_cost_0_0 / 32) mod 2) = 1)) or
-          winners_best_cost_0_0_value_4;
-      else
-        winners_best_cost_0_0_choice_6 := (not (((winners_best_cost_0_0 / 32) mod 2) = 1)) and
-          winners_best_cost_0_0_value_4;
-      end if;
-      if (winners_best_cost_0_0 / 64) = 1 then
-        winners_best_cost_0_0_choice_7 := (not ((winnerswinner2_best_cost_0_0 / 64) = 1)) or line_comes_27;
-      else
-        winners_best_cost_0_0_choice_7 := line_comes_27;
-      end if;
-      if winners_best_cost_0_0_choice_6 then
-        winners_best_cost_0_0_choice_8 := winners_best_cost_0_0_choice_7;
-      else
-        winners_best_cost_0_0_choice_8 := ((winners_best_cost_0_0 / 64) = 1) or (not ((winnerswinner2_best_cost_0_0 /
-          64) = 1)) or line_comes_27;
-      end if;
-      if winners_best_cost_0_0_choice_8 then
+      if (winnerswinner2_best_cost_0_0 - winners_best_cost_0_0_choice) < 0 then
         winners_best_cost_0_0 <= winnerswinner2_best_cost_0_0;
-        winners_best_index_0_0 <= ((winners_base / 8) * 8) + winnerswinner2_best_index_0_0;
+      else
+        winners_best_cost_0_0 <= winners_best_cost_0_0_choice;
+      end if;
+      if winners_best_index_0_0_choice_7 then
+        winners_best_index_0_0 <= winnerswinner2_best_index_0_0 + 56;
+      else
+        winners_best_index_0_0 <= ((((winners_best_index_0_0 / 8) + 31) mod 32) * 8) + (winners_best_index_0_0 mod 8);
       end if;
       -- turn
       turn_order_address_any := turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid);
@@ -10872,204 +10977,33 @@ begin
       other_18 <= other_18_choice * 4;
       other_19 <= pathsleft_read_count_phase_is_equal;
       if reset = '1' then
-        transform_left_0 <= 0;
-        transform_right_0 <= 0;
         transform_valid <= false;
         transform_counter_column <= 0;
         transform_counter_group <= 482;
         transform_counter_next_frame <= false;
-        transform_left_rows_read_newest_0 <= 0;
-        transform_left_rows_ready_words_0 <= to_unsigned(0, 32);
-        transform_left_rows_ready_newest_0 <= 0;
-        transform_left_rows_write_words_0 <= to_unsigned(0, 32);
-        transform_right_rows_read_newest_0 <= 0;
-        transform_right_rows_ready_words_0 <= to_unsigned(0, 32);
-        transform_right_rows_ready_newest_0 <= 0;
-        transform_right_rows_write_words_0 <= to_unsigned(0, 32);
         transform_read_column <= 0;
-        transform_read_row_inside_0 <= false;
-        transform_read_row_inside_1 <= false;
-        transform_read_row_inside_2 <= false;
-        transform_read_row_inside_3 <= false;
-        transform_read_row_inside_4 <= false;
-        transform_read_column_inside_0 <= false;
-        transform_read_column_inside_1 <= false;
-        transform_read_column_inside_2 <= false;
-        transform_read_column_inside_3 <= false;
-        transform_read_column_inside_4 <= false;
-        transform_read_column_inside_5 <= false;
-        transform_read_column_inside_6 <= false;
-        transform_read_column_inside_7 <= false;
-        transform_read_column_inside_8 <= false;
         transform_read_start_of_frame <= false;
         transform_read_valid <= false;
         transform_ready_column <= 0;
-        transform_ready_row_inside_0 <= false;
-        transform_ready_row_inside_1 <= false;
-        transform_ready_row_inside_2 <= false;
-        transform_ready_row_inside_3 <= false;
-        transform_ready_row_inside_4 <= false;
-        transform_ready_column_inside_0 <= false;
-        transform_ready_column_inside_1 <= false;
-        transform_ready_column_inside_2 <= false;
-        transform_ready_column_inside_3 <= false;
-        transform_ready_column_inside_4 <= false;
-        transform_ready_column_inside_5 <= false;
-        transform_ready_column_inside_6 <= false;
-        transform_ready_column_inside_7 <= false;
-        transform_ready_column_inside_8 <= false;
         transform_ready_start_of_frame <= false;
         transform_ready_valid <= false;
         transform_write_column <= 0;
-        transform_left_column_0 <= 0;
-        transform_left_column_1 <= 0;
-        transform_left_column_2 <= 0;
-        transform_left_column_3 <= 0;
-        transform_left_column_4 <= 0;
-        transform_right_column_0 <= 0;
-        transform_right_column_1 <= 0;
-        transform_right_column_2 <= 0;
-        transform_right_column_3 <= 0;
-        transform_right_column_4 <= 0;
-        transform_columns_row_inside_0 <= false;
-        transform_columns_row_inside_1 <= false;
-        transform_columns_row_inside_2 <= false;
-        transform_columns_row_inside_3 <= false;
-        transform_columns_row_inside_4 <= false;
-        transform_columns_column_inside_0 <= false;
-        transform_columns_column_inside_1 <= false;
-        transform_columns_column_inside_2 <= false;
-        transform_columns_column_inside_3 <= false;
-        transform_columns_column_inside_4 <= false;
-        transform_columns_column_inside_5 <= false;
-        transform_columns_column_inside_6 <= false;
-        transform_columns_column_inside_7 <= false;
-        transform_columns_column_inside_8 <= false;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_left_filter_column_0_0 <= 0;
-        transform_left_filter_column_0_1 <= 0;
-        transform_left_filter_column_0_2 <= 0;
-        transform_left_filter_column_0_3 <= 0;
-        transform_left_filter_column_0_4 <= 0;
-        transform_left_filter_column_1_0 <= 0;
-        transform_left_filter_column_1_1 <= 0;
-        transform_left_filter_column_1_2 <= 0;
-        transform_left_filter_column_1_3 <= 0;
-        transform_left_filter_column_1_4 <= 0;
-        transform_left_filter_column_2_0 <= 0;
-        transform_left_filter_column_2_1 <= 0;
-        transform_left_filter_column_2_2 <= 0;
-        transform_left_filter_column_2_3 <= 0;
-        transform_left_filter_column_2_4 <= 0;
-        transform_left_filter_column_3_0 <= 0;
-        transform_left_filter_column_3_1 <= 0;
-        transform_left_filter_column_3_2 <= 0;
-        transform_left_filter_column_3_3 <= 0;
-        transform_left_filter_column_3_4 <= 0;
-        transform_left_filter_column_4_0 <= 0;
-        transform_left_filter_column_4_1 <= 0;
-        transform_left_filter_column_4_2 <= 0;
-        transform_left_filter_column_4_3 <= 0;
-        transform_left_filter_column_4_4 <= 0;
-        transform_left_filter_column_5_0 <= 0;
-        transform_left_filter_column_5_1 <= 0;
-        transform_left_filter_column_5_2 <= 0;
-        transform_left_filter_column_5_3 <= 0;
-        transform_left_filter_column_5_4 <= 0;
-        transform_left_filter_column_6_0 <= 0;
-        transform_left_filter_column_6_1 <= 0;
-        transform_left_filter_column_6_2 <= 0;
-        transform_left_filter_column_6_3 <= 0;
-        transform_left_filter_column_6_4 <= 0;
-        transform_left_filter_column_7_0 <= 0;
-        transform_left_filter_column_7_1 <= 0;
-        transform_left_filter_column_7_2 <= 0;
-        transform_left_filter_column_7_3 <= 0;
-        transform_left_filter_column_7_4 <= 0;
-        transform_left_filter_column_8_0 <= 0;
-        transform_left_filter_column_8_1 <= 0;
-        transform_left_filter_column_8_2 <= 0;
-        transform_left_filter_column_8_3 <= 0;
-        transform_left_filter_column_8_4 <= 0;
-        transform_left_filter_feature_0 <= to_unsigned(0, 44);
-        transform_right_filter_column_0_0 <= 0;
-        transform_right_filter_column_0_1 <= 0;
-        transform_right_filter_column_0_2 <= 0;
-        transform_right_filter_column_0_3 <= 0;
-        transform_right_filter_column_0_4 <= 0;
-        transform_right_filter_column_1_0 <= 0;
-        transform_right_filter_column_1_1 <= 0;
-        transform_right_filter_column_1_2 <= 0;
-        transform_right_filter_column_1_3 <= 0;
-        transform_right_filter_column_1_4 <= 0;
-        transform_right_filter_column_2_0 <= 0;
-        transform_right_filter_column_2_1 <= 0;
-        transform_right_filter_column_2_2 <= 0;
-        transform_right_filter_column_2_3 <= 0;
-        transform_right_filter_column_2_4 <= 0;
-        transform_right_filter_column_3_0 <= 0;
-        transform_right_filter_column_3_1 <= 0;
-        transform_right_filter_column_3_2 <= 0;
-        transform_right_filter_column_3_3 <= 0;
-        transform_right_filter_column_3_4 <= 0;
-        transform_right_filter_column_4_0 <= 0;
-        transform_right_filter_column_4_1 <= 0;
-        transform_right_filter_column_4_2 <= 0;
-        transform_right_filter_column_4_3 <= 0;
-        transform_right_filter_column_4_4 <= 0;
-        transform_right_filter_column_5_0 <= 0;
-        transform_right_filter_column_5_1 <= 0;
-        transform_right_filter_column_5_2 <= 0;
-        transform_right_filter_column_5_3 <= 0;
-        transform_right_filter_column_5_4 <= 0;
-        transform_right_filter_column_6_0 <= 0;
-        transform_right_filter_column_6_1 <= 0;
-        transform_right_filter_column_6_2 <= 0;
-        transform_right_filter_column_6_3 <= 0;
-        transform_right_filter_column_6_4 <= 0;
-        transform_right_filter_column_7_0 <= 0;
-        transform_right_filter_column_7_1 <= 0;
-        transform_right_filter_column_7_2 <= 0;
-        transform_right_filter_column_7_3 <= 0;
-        transform_right_filter_column_7_4 <= 0;
-        transform_right_filter_column_8_0 <= 0;
-        transform_right_filter_column_8_1 <= 0;
-        transform_right_filter_column_8_2 <= 0;
-        transform_right_filter_column_8_3 <= 0;
-        transform_right_filter_column_8_4 <= 0;
-        transform_right_filter_feature_0 <= to_unsigned(0, 44);
-        transform_filtering_0_column_inside_0 <= false;
-        transform_filtering_0_column_inside_1 <= false;
-        transform_filtering_0_column_inside_2 <= false;
-        transform_filtering_0_column_inside_3 <= false;
-        transform_filtering_0_column_inside_4 <= false;
-        transform_filtering_0_column_inside_5 <= false;
-        transform_filtering_0_column_inside_6 <= false;
-        transform_filtering_0_column_inside_7 <= false;
-        transform_filtering_0_column_inside_8 <= false;
         transform_filtering_0_start_of_frame <= false;
         transform_filtering_0_valid <= false;
         transform_filtering_1_start_of_frame <= false;
         transform_filtering_1_valid <= false;
-        raster_features_search_0 <= to_unsigned(0, 44);
-        raster_features_reference_0 <= to_unsigned(0, 44);
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 480;
-        delay_ahead_0 <= to_unsigned(0, 44);
-        delay_delayed_0 <= to_unsigned(0, 44);
         delay_tag_valid <= false;
-        delay_tag_border_column <= false;
         delay_tag_first_cost <= false;
         delay_tag_map_column <= false;
         delay_tag_output_column <= false;
         delay_tag_start_of_frame <= false;
         delay_tag_end_of_line <= false;
-        rows_search_0 <= to_unsigned(0, 44);
-        rows_reference_0 <= to_unsigned(0, 44);
         rows_tag_valid <= false;
-        rows_tag_border_column <= false;
         rows_tag_first_cost <= false;
         rows_tag_map_column <= false;
         rows_tag_output_column <= false;
@@ -11077,7 +11011,6 @@ begin
         rows_tag_end_of_line <= false;
         line_centre_map_column_0 <= false;
         line_centre_first_column_0 <= false;
-        line_centre_start_of_frame_0 <= false;
         line_centre_end_of_line_0 <= false;
         line_order_address <= 0;
         line_order_falls <= false;
@@ -11158,7 +11091,6 @@ begin
         line_starts_phases_33 <= false;
         line_places_0_map_column <= false;
         line_places_0_first_column <= false;
-        line_places_0_top <= false;
         line_places_0_address <= 0;
         line_places_0_shown_output_column <= false;
         line_places_0_shown_start_of_frame <= false;
@@ -11183,411 +11115,39 @@ begin
         line_places_4_shown_output_column <= false;
         line_places_4_shown_start_of_frame <= false;
         line_places_4_shown_end_of_line <= false;
-        costsshift_newest_0 <= to_unsigned(0, 44);
-        costsshift_new_reference_0 <= to_unsigned(0, 44);
         costsshift_new_tag_valid <= false;
-        costsshift_new_tag_border_column <= false;
         costsshift_count_phase <= 7;
-        costsshift_handed_on_0 <= to_unsigned(0, 44);
-        costsshift_read_reference_0 <= to_unsigned(0, 44);
         costsshift_read_tag_valid <= false;
-        costsshift_read_tag_border_column <= false;
         costsshift_read_count_phase <= 7;
-        costsshift_search_0_0 <= to_unsigned(0, 44);
-        costsshift_search_0_1 <= to_unsigned(0, 44);
-        costsshift_search_0_2 <= to_unsigned(0, 44);
-        costsshift_search_0_3 <= to_unsigned(0, 44);
-        costsshift_search_0_4 <= to_unsigned(0, 44);
-        costsshift_search_0_5 <= to_unsigned(0, 44);
-        costsshift_search_0_6 <= to_unsigned(0, 44);
-        costsshift_search_0_7 <= to_unsigned(0, 44);
-        costsshift_reference_0 <= to_unsigned(0, 44);
-        costsshift_tag_border_column <= false;
         costsshift_write_phase <= 7;
-        costscolumn_pixels_first_0_0_count_0 <= 0;
-        costscolumn_pixels_first_0_0_count_1 <= 0;
-        costscolumn_pixels_first_0_0_count_2 <= 0;
-        costscolumn_pixels_first_0_0_count_3 <= 0;
-        costscolumn_pixels_first_0_0_count_4 <= 0;
-        costscolumn_pixels_first_0_0_count_5 <= 0;
-        costscolumn_pixels_first_0_0_count_6 <= 0;
-        costscolumn_pixels_first_0_0_count_7 <= 0;
-        costscolumn_pixels_first_0_0_count_8 <= 0;
-        costscolumn_pixels_first_0_0_count_9 <= 0;
-        costscolumn_pixels_first_0_0_count_10 <= 0;
-        costscolumn_pixels_first_0_0_count_11 <= 0;
-        costscolumn_pixels_first_0_0_count_12 <= 0;
-        costscolumn_pixels_first_0_0_count_13 <= 0;
-        costscolumn_pixels_first_0_0_count_14 <= 0;
-        costscolumn_pixels_first_0_1_count_0 <= 0;
-        costscolumn_pixels_first_0_1_count_1 <= 0;
-        costscolumn_pixels_first_0_1_count_2 <= 0;
-        costscolumn_pixels_first_0_1_count_3 <= 0;
-        costscolumn_pixels_first_0_1_count_4 <= 0;
-        costscolumn_pixels_first_0_1_count_5 <= 0;
-        costscolumn_pixels_first_0_1_count_6 <= 0;
-        costscolumn_pixels_first_0_1_count_7 <= 0;
-        costscolumn_pixels_first_0_1_count_8 <= 0;
-        costscolumn_pixels_first_0_1_count_9 <= 0;
-        costscolumn_pixels_first_0_1_count_10 <= 0;
-        costscolumn_pixels_first_0_1_count_11 <= 0;
-        costscolumn_pixels_first_0_1_count_12 <= 0;
-        costscolumn_pixels_first_0_1_count_13 <= 0;
-        costscolumn_pixels_first_0_1_count_14 <= 0;
-        costscolumn_pixels_first_0_2_count_0 <= 0;
-        costscolumn_pixels_first_0_2_count_1 <= 0;
-        costscolumn_pixels_first_0_2_count_2 <= 0;
-        costscolumn_pixels_first_0_2_count_3 <= 0;
-        costscolumn_pixels_first_0_2_count_4 <= 0;
-        costscolumn_pixels_first_0_2_count_5 <= 0;
-        costscolumn_pixels_first_0_2_count_6 <= 0;
-        costscolumn_pixels_first_0_2_count_7 <= 0;
-        costscolumn_pixels_first_0_2_count_8 <= 0;
-        costscolumn_pixels_first_0_2_count_9 <= 0;
-        costscolumn_pixels_first_0_2_count_10 <= 0;
-        costscolumn_pixels_first_0_2_count_11 <= 0;
-        costscolumn_pixels_first_0_2_count_12 <= 0;
-        costscolumn_pixels_first_0_2_count_13 <= 0;
-        costscolumn_pixels_first_0_2_count_14 <= 0;
-        costscolumn_pixels_first_0_3_count_0 <= 0;
-        costscolumn_pixels_first_0_3_count_1 <= 0;
-        costscolumn_pixels_first_0_3_count_2 <= 0;
-        costscolumn_pixels_first_0_3_count_3 <= 0;
-        costscolumn_pixels_first_0_3_count_4 <= 0;
-        costscolumn_pixels_first_0_3_count_5 <= 0;
-        costscolumn_pixels_first_0_3_count_6 <= 0;
-        costscolumn_pixels_first_0_3_count_7 <= 0;
-        costscolumn_pixels_first_0_3_count_8 <= 0;
-        costscolumn_pixels_first_0_3_count_9 <= 0;
-        costscolumn_pixels_first_0_3_count_10 <= 0;
-        costscolumn_pixels_first_0_3_count_11 <= 0;
-        costscolumn_pixels_first_0_3_count_12 <= 0;
-        costscolumn_pixels_first_0_3_count_13 <= 0;
-        costscolumn_pixels_first_0_3_count_14 <= 0;
-        costscolumn_pixels_first_0_4_count_0 <= 0;
-        costscolumn_pixels_first_0_4_count_1 <= 0;
-        costscolumn_pixels_first_0_4_count_2 <= 0;
-        costscolumn_pixels_first_0_4_count_3 <= 0;
-        costscolumn_pixels_first_0_4_count_4 <= 0;
-        costscolumn_pixels_first_0_4_count_5 <= 0;
-        costscolumn_pixels_first_0_4_count_6 <= 0;
-        costscolumn_pixels_first_0_4_count_7 <= 0;
-        costscolumn_pixels_first_0_4_count_8 <= 0;
-        costscolumn_pixels_first_0_4_count_9 <= 0;
-        costscolumn_pixels_first_0_4_count_10 <= 0;
-        costscolumn_pixels_first_0_4_count_11 <= 0;
-        costscolumn_pixels_first_0_4_count_12 <= 0;
-        costscolumn_pixels_first_0_4_count_13 <= 0;
-        costscolumn_pixels_first_0_4_count_14 <= 0;
-        costscolumn_pixels_first_0_5_count_0 <= 0;
-        costscolumn_pixels_first_0_5_count_1 <= 0;
-        costscolumn_pixels_first_0_5_count_2 <= 0;
-        costscolumn_pixels_first_0_5_count_3 <= 0;
-        costscolumn_pixels_first_0_5_count_4 <= 0;
-        costscolumn_pixels_first_0_5_count_5 <= 0;
-        costscolumn_pixels_first_0_5_count_6 <= 0;
-        costscolumn_pixels_first_0_5_count_7 <= 0;
-        costscolumn_pixels_first_0_5_count_8 <= 0;
-        costscolumn_pixels_first_0_5_count_9 <= 0;
-        costscolumn_pixels_first_0_5_count_10 <= 0;
-        costscolumn_pixels_first_0_5_count_11 <= 0;
-        costscolumn_pixels_first_0_5_count_12 <= 0;
-        costscolumn_pixels_first_0_5_count_13 <= 0;
-        costscolumn_pixels_first_0_5_count_14 <= 0;
-        costscolumn_pixels_first_0_6_count_0 <= 0;
-        costscolumn_pixels_first_0_6_count_1 <= 0;
-        costscolumn_pixels_first_0_6_count_2 <= 0;
-        costscolumn_pixels_first_0_6_count_3 <= 0;
-        costscolumn_pixels_first_0_6_count_4 <= 0;
-        costscolumn_pixels_first_0_6_count_5 <= 0;
-        costscolumn_pixels_first_0_6_count_6 <= 0;
-        costscolumn_pixels_first_0_6_count_7 <= 0;
-        costscolumn_pixels_first_0_6_count_8 <= 0;
-        costscolumn_pixels_first_0_6_count_9 <= 0;
-        costscolumn_pixels_first_0_6_count_10 <= 0;
-        costscolumn_pixels_first_0_6_count_11 <= 0;
-        costscolumn_pixels_first_0_6_count_12 <= 0;
-        costscolumn_pixels_first_0_6_count_13 <= 0;
-        costscolumn_pixels_first_0_6_count_14 <= 0;
-        costscolumn_pixels_first_0_7_count_0 <= 0;
-        costscolumn_pixels_first_0_7_count_1 <= 0;
-        costscolumn_pixels_first_0_7_count_2 <= 0;
-        costscolumn_pixels_first_0_7_count_3 <= 0;
-        costscolumn_pixels_first_0_7_count_4 <= 0;
-        costscolumn_pixels_first_0_7_count_5 <= 0;
-        costscolumn_pixels_first_0_7_count_6 <= 0;
-        costscolumn_pixels_first_0_7_count_7 <= 0;
-        costscolumn_pixels_first_0_7_count_8 <= 0;
-        costscolumn_pixels_first_0_7_count_9 <= 0;
-        costscolumn_pixels_first_0_7_count_10 <= 0;
-        costscolumn_pixels_first_0_7_count_11 <= 0;
-        costscolumn_pixels_first_0_7_count_12 <= 0;
-        costscolumn_pixels_first_0_7_count_13 <= 0;
-        costscolumn_pixels_first_0_7_count_14 <= 0;
-        costscolumn_pixels_first_tag_border_column <= false;
-        costscolumn_pixels_cost_0_0 <= 0;
-        costscolumn_pixels_cost_0_1 <= 0;
-        costscolumn_pixels_cost_0_2 <= 0;
-        costscolumn_pixels_cost_0_3 <= 0;
-        costscolumn_pixels_cost_0_4 <= 0;
-        costscolumn_pixels_cost_0_5 <= 0;
-        costscolumn_pixels_cost_0_6 <= 0;
-        costscolumn_pixels_cost_0_7 <= 0;
-        costscolumn_pixels_tag_border_column <= false;
-        costscolumn_single_0_0 <= 0;
-        costscolumn_single_0_1 <= 0;
-        costscolumn_single_0_2 <= 0;
-        costscolumn_single_0_3 <= 0;
-        costscolumn_single_0_4 <= 0;
-        costscolumn_single_0_5 <= 0;
-        costscolumn_single_0_6 <= 0;
-        costscolumn_single_0_7 <= 0;
-        costscolumn_pair_tag_border_column <= false;
-        costs_cost_0 <= 0;
-        costs_cost_1 <= 0;
-        costs_cost_2 <= 0;
-        costs_cost_3 <= 0;
-        costs_cost_4 <= 0;
-        costs_cost_5 <= 0;
-        costs_cost_6 <= 0;
-        costs_cost_7 <= 0;
-        paths_tree_smallest_0 <= 0;
-        paths_tree_smallest_1 <= 0;
-        paths_tree_smallest_2 <= 0;
-        paths_tree_smallest_3 <= 0;
-        paths_tree_next_smallest_0 <= 0;
-        paths_tree_next_smallest_1 <= 0;
-        paths_tree_next_next_smallest_0 <= 0;
-        paths_smallest_cost <= 0;
         paths_cost_delay_ring_read_address <= 1;
         paths_cost_delay_ring_write_address <= 0;
         pathsleft_low_address <= 5;
-        pathsleft_lost <= false;
-        pathsleft_short_of <= false;
-        pathsleft_missing <= 0;
-        pathsleft_below <= 0;
-        pathsleft_q <= 0;
-        pathsleft_room_left <= 0;
-        pathsleft_q_now <= 0;
-        pathsleft_q_less <= 0;
-        pathsleft_room <= 0;
-        pathsleft_start_cost_1 <= 0;
-        pathsleft_start_cost_2 <= 0;
-        pathsleft_start_cost_3 <= 0;
-        pathsleft_start_cost_4 <= 0;
-        pathsleft_start_cost_5 <= 0;
-        pathsleft_start_cost_6 <= 0;
-        pathsleft_start_cost_7 <= 0;
-        pathsleft_start_cost_8 <= 0;
-        pathsleft_first <= false;
-        pathsleft_g <= 0;
-        pathsleft_g_less <= 0;
         pathsleft_read_count_phase <= 7;
         pathsleft_ahead_count_phase <= 7;
-        pathsleft_count_phase <= 7;
-        pathsleft_lower_neighbour <= 0;
-        pathsleft_stay_0 <= 0;
-        pathsleft_stay_1 <= 0;
-        pathsleft_stay_2 <= 0;
-        pathsleft_stay_3 <= 0;
-        pathsleft_stay_4 <= 0;
-        pathsleft_stay_5 <= 0;
-        pathsleft_stay_6 <= 0;
-        pathsleft_stay_7 <= 0;
-        pathsleft_step_0 <= 0;
-        pathsleft_step_1 <= 0;
-        pathsleft_step_2 <= 0;
-        pathsleft_step_3 <= 0;
-        pathsleft_step_4 <= 0;
-        pathsleft_step_5 <= 0;
-        pathsleft_step_6 <= 0;
-        pathsleft_step_7 <= 0;
-        pathsleft_stay_change_0 <= 0;
-        pathsleft_stay_change_1 <= 0;
-        pathsleft_stay_change_2 <= 0;
-        pathsleft_stay_change_3 <= 0;
-        pathsleft_stay_change_4 <= 0;
-        pathsleft_stay_change_5 <= 0;
-        pathsleft_stay_change_6 <= 0;
-        pathsleft_stay_change_7 <= 0;
-        pathsleft_step_change_0 <= 0;
-        pathsleft_step_change_1 <= 0;
-        pathsleft_step_change_2 <= 0;
-        pathsleft_step_change_3 <= 0;
-        pathsleft_step_change_4 <= 0;
-        pathsleft_step_change_5 <= 0;
-        pathsleft_step_change_6 <= 0;
-        pathsleft_step_change_7 <= 0;
-        pathsleft_cost_0 <= 0;
-        pathsleft_cost_1 <= 0;
-        pathsleft_cost_2 <= 0;
-        pathsleft_cost_3 <= 0;
-        pathsleft_cost_4 <= 0;
-        pathsleft_cost_5 <= 0;
-        pathsleft_cost_6 <= 0;
-        pathsleft_cost_7 <= 0;
-        pathsleft_arrived_0 <= 0;
-        pathsleft_arrived_1 <= 0;
-        pathsleft_arrived_2 <= 0;
-        pathsleft_arrived_3 <= 0;
-        pathsleft_arrived_4 <= 0;
-        pathsleft_arrived_5 <= 0;
-        pathsleft_arrived_6 <= 0;
-        pathsleft_arrived_7 <= 0;
         pathsleft_write_count_phase <= 7;
-        pathsleft_tree_smallest_0 <= 0;
-        pathsleft_tree_smallest_1 <= 0;
-        pathsleft_tree_smallest_2 <= 0;
-        pathsleft_tree_smallest_3 <= 0;
-        pathsleft_tree_next_smallest_0 <= 0;
-        pathsleft_tree_next_smallest_1 <= 0;
-        pathsleft_tree_next_next_smallest_0 <= 0;
-        pathsleft_low_0 <= 0;
         pathsleft_low_write_address <= 0;
         pathsabove_memory_read_address_0 <= 0;
         pathsabove_memory_read_address_1 <= 0;
-        pathsabove_memory_bank <= false;
-        pathsabove_memory_read_bank <= false;
-        pathsabove_memory_held_words_0_0 <= 0;
-        pathsabove_memory_held_words_0_1 <= 0;
-        pathsabove_memory_held_words_0_2 <= 0;
-        pathsabove_memory_held_words_1_0 <= 0;
-        pathsabove_memory_held_words_1_1 <= 0;
-        pathsabove_memory_held_words_1_2 <= 0;
-        pathsabove_memory_held_bank <= false;
-        pathsabove_memory_ready_words_0 <= 0;
-        pathsabove_memory_ready_words_1 <= 0;
-        pathsabove_memory_ready_words_2 <= 0;
-        pathsabove_memory_write_words_0_0 <= 0;
-        pathsabove_memory_write_words_0_1 <= 0;
-        pathsabove_memory_write_words_0_2 <= 0;
-        pathsabove_memory_write_words_1_0 <= 0;
-        pathsabove_memory_write_words_1_1 <= 0;
-        pathsabove_memory_write_words_1_2 <= 0;
         pathsabove_memory_write_address_0 <= 0;
         pathsabove_memory_write_address_1 <= 0;
         pathsabove_read_address_address <= 0;
         pathsabove_read_address_count_phase <= 7;
-        pathsabove_ready_top <= false;
-        pathsabove_total_0 <= 0;
-        pathsabove_total_1 <= 0;
-        pathsabove_total_2 <= 0;
-        pathsabove_total_3 <= 0;
-        pathsabove_total_4 <= 0;
-        pathsabove_total_5 <= 0;
-        pathsabove_total_6 <= 0;
-        pathsabove_total_7 <= 0;
-        pathsabove_tree_smallest_0 <= 0;
-        pathsabove_tree_smallest_1 <= 0;
-        pathsabove_tree_smallest_2 <= 0;
-        pathsabove_tree_smallest_3 <= 0;
-        pathsabove_tree_next_smallest_0 <= 0;
-        pathsabove_tree_next_smallest_1 <= 0;
-        pathsabove_tree_next_next_smallest_0 <= 0;
-        pathsabove_smallest_total <= 0;
-        pathsabove_smallest <= 0;
-        pathsabove_cost_0 <= 0;
-        pathsabove_cost_1 <= 0;
-        pathsabove_cost_2 <= 0;
-        pathsabove_cost_3 <= 0;
-        pathsabove_cost_4 <= 0;
-        pathsabove_cost_5 <= 0;
-        pathsabove_cost_6 <= 0;
-        pathsabove_cost_7 <= 0;
-        pathsabove_held_0 <= 0;
-        pathsabove_held_1 <= 0;
-        pathsabove_held_2 <= 0;
-        pathsabove_held_3 <= 0;
-        pathsabove_held_4 <= 0;
-        pathsabove_held_5 <= 0;
-        pathsabove_held_6 <= 0;
-        pathsabove_held_7 <= 0;
-        pathsabove_lower_neighbour <= 0;
-        pathsabove_count_phase <= 7;
-        pathsabove_beside_0 <= 0;
-        pathsabove_beside_1 <= 0;
-        pathsabove_beside_2 <= 0;
-        pathsabove_beside_3 <= 0;
-        pathsabove_beside_4 <= 0;
-        pathsabove_beside_5 <= 0;
-        pathsabove_beside_6 <= 0;
-        pathsabove_beside_7 <= 0;
-        pathsabove_own_0 <= 0;
-        pathsabove_own_1 <= 0;
-        pathsabove_own_2 <= 0;
-        pathsabove_own_3 <= 0;
-        pathsabove_own_4 <= 0;
-        pathsabove_own_5 <= 0;
-        pathsabove_own_6 <= 0;
-        pathsabove_step_0 <= 0;
-        pathsabove_step_1 <= 0;
-        pathsabove_step_2 <= 0;
-        pathsabove_step_3 <= 0;
-        pathsabove_step_4 <= 0;
-        pathsabove_step_5 <= 0;
-        pathsabove_step_6 <= 0;
-        pathsabove_step_7 <= 0;
-        pathsabove_stay_0 <= 0;
-        pathsabove_stay_1 <= 0;
-        pathsabove_stay_2 <= 0;
-        pathsabove_stay_3 <= 0;
-        pathsabove_stay_4 <= 0;
-        pathsabove_stay_5 <= 0;
-        pathsabove_stay_6 <= 0;
-        pathsabove_stay_7 <= 0;
         pathsabove_write_address_address <= 0;
         pathsabove_write_address_is_here <= false;
         pathsabove_write_address_count_phase <= 7;
         pathsturn_sum_memory_read_address_0 <= 0;
         pathsturn_sum_memory_read_address_1 <= 0;
-        pathsturn_sum_memory_bank <= false;
-        pathsturn_sum_memory_read_bank <= false;
-        pathsturn_sum_memory_held_words_0_0 <= 0;
-        pathsturn_sum_memory_held_words_0_1 <= 0;
-        pathsturn_sum_memory_held_words_0_2 <= 0;
-        pathsturn_sum_memory_held_words_0_3 <= 0;
-        pathsturn_sum_memory_held_words_1_0 <= 0;
-        pathsturn_sum_memory_held_words_1_1 <= 0;
-        pathsturn_sum_memory_held_words_1_2 <= 0;
-        pathsturn_sum_memory_held_words_1_3 <= 0;
-        pathsturn_sum_memory_held_bank <= false;
-        pathsturn_sum_memory_ready_words_0 <= 0;
-        pathsturn_sum_memory_ready_words_1 <= 0;
-        pathsturn_sum_memory_ready_words_2 <= 0;
-        pathsturn_sum_memory_ready_words_3 <= 0;
-        pathsturn_sum_memory_write_words_0_0 <= 0;
-        pathsturn_sum_memory_write_words_0_1 <= 0;
-        pathsturn_sum_memory_write_words_0_2 <= 0;
-        pathsturn_sum_memory_write_words_0_3 <= 0;
-        pathsturn_sum_memory_write_words_1_0 <= 0;
-        pathsturn_sum_memory_write_words_1_1 <= 0;
-        pathsturn_sum_memory_write_words_1_2 <= 0;
-        pathsturn_sum_memory_write_words_1_3 <= 0;
         pathsturn_sum_memory_write_address_0 <= 0;
         pathsturn_sum_memory_write_address_1 <= 0;
         pathsturn_cost_memory_read_address_0 <= 0;
         pathsturn_cost_memory_read_address_1 <= 0;
-        pathsturn_cost_memory_bank <= false;
-        pathsturn_cost_memory_read_bank <= false;
-        pathsturn_cost_memory_held_words_0_0 <= 0;
-        pathsturn_cost_memory_held_words_0_1 <= 0;
-        pathsturn_cost_memory_held_words_1_0 <= 0;
-        pathsturn_cost_memory_held_words_1_1 <= 0;
-        pathsturn_cost_memory_held_bank <= false;
-        pathsturn_cost_memory_ready_words_0 <= 0;
-        pathsturn_cost_memory_ready_words_1 <= 0;
-        pathsturn_cost_memory_write_words_0_0 <= 0;
-        pathsturn_cost_memory_write_words_0_1 <= 0;
-        pathsturn_cost_memory_write_words_1_0 <= 0;
-        pathsturn_cost_memory_write_words_1_1 <= 0;
         pathsturn_cost_memory_write_address_0 <= 0;
         pathsturn_cost_memory_write_address_1 <= 0;
         pathsturn_smallest_address <= 0;
-        pathsturn_ready_smallest_0 <= 0;
         pathsturn_read_address_address <= 0;
         pathsturn_read_address_count_phase <= 7;
         pathsturn_sum_read_address <= 0;
-        pathsturn_write_smallest_0 <= 0;
         pathsturn_write_smallest_address <= 0;
         pathsturn_write_address_address <= 0;
         pathsturn_write_address_is_here <= false;
@@ -11596,110 +11156,6 @@ begin
         pathsturn_sum_write_address_1 <= 0;
         pathsturn_writes_sums_0 <= false;
         pathsturn_writes_sums_1 <= false;
-        pathsright_lost <= false;
-        pathsright_short_of <= false;
-        pathsright_missing <= 0;
-        pathsright_below <= 0;
-        pathsright_q <= 0;
-        pathsright_room_left <= 0;
-        pathsright_q_now <= 0;
-        pathsright_q_less <= 0;
-        pathsright_room <= 0;
-        pathsright_start_cost_1 <= 0;
-        pathsright_start_cost_2 <= 0;
-        pathsright_start_cost_3 <= 0;
-        pathsright_start_cost_4 <= 0;
-        pathsright_start_cost_5 <= 0;
-        pathsright_start_cost_6 <= 0;
-        pathsright_start_cost_7 <= 0;
-        pathsright_start_cost_8 <= 0;
-        pathsright_g <= 0;
-        pathsright_g_less <= 0;
-        pathsright_lower_neighbour <= 0;
-        pathsright_stay_0 <= 0;
-        pathsright_stay_1 <= 0;
-        pathsright_stay_2 <= 0;
-        pathsright_stay_3 <= 0;
-        pathsright_stay_4 <= 0;
-        pathsright_stay_5 <= 0;
-        pathsright_stay_6 <= 0;
-        pathsright_stay_7 <= 0;
-        pathsright_step_0 <= 0;
-        pathsright_step_1 <= 0;
-        pathsright_step_2 <= 0;
-        pathsright_step_3 <= 0;
-        pathsright_step_4 <= 0;
-        pathsright_step_5 <= 0;
-        pathsright_step_6 <= 0;
-        pathsright_step_7 <= 0;
-        pathsright_stay_change_0 <= 0;
-        pathsright_stay_change_1 <= 0;
-        pathsright_stay_change_2 <= 0;
-        pathsright_stay_change_3 <= 0;
-        pathsright_stay_change_4 <= 0;
-        pathsright_stay_change_5 <= 0;
-        pathsright_stay_change_6 <= 0;
-        pathsright_stay_change_7 <= 0;
-        pathsright_step_change_0 <= 0;
-        pathsright_step_change_1 <= 0;
-        pathsright_step_change_2 <= 0;
-        pathsright_step_change_3 <= 0;
-        pathsright_step_change_4 <= 0;
-        pathsright_step_change_5 <= 0;
-        pathsright_step_change_6 <= 0;
-        pathsright_step_change_7 <= 0;
-        pathsright_cost_0 <= 0;
-        pathsright_cost_1 <= 0;
-        pathsright_cost_2 <= 0;
-        pathsright_cost_3 <= 0;
-        pathsright_cost_4 <= 0;
-        pathsright_cost_5 <= 0;
-        pathsright_cost_6 <= 0;
-        pathsright_cost_7 <= 0;
-        pathsright_arrived_0 <= 0;
-        pathsright_arrived_1 <= 0;
-        pathsright_arrived_2 <= 0;
-        pathsright_arrived_3 <= 0;
-        pathsright_arrived_4 <= 0;
-        pathsright_arrived_5 <= 0;
-        pathsright_arrived_6 <= 0;
-        pathsright_arrived_7 <= 0;
-        pathsright_tree_smallest_0 <= 0;
-        pathsright_tree_smallest_1 <= 0;
-        pathsright_tree_smallest_2 <= 0;
-        pathsright_tree_smallest_3 <= 0;
-        pathsright_tree_next_smallest_0 <= 0;
-        pathsright_tree_next_smallest_1 <= 0;
-        pathsright_tree_next_next_smallest_0 <= 0;
-        pathsright_low_0 <= 0;
-        paths_sum_0 <= 0;
-        paths_sum_1 <= 0;
-        paths_sum_2 <= 0;
-        paths_sum_3 <= 0;
-        paths_sum_4 <= 0;
-        paths_sum_5 <= 0;
-        paths_sum_6 <= 0;
-        paths_sum_7 <= 0;
-        winnerswinner1_of_pair_0_0 <= 0;
-        winnerswinner1_of_pair_0_1 <= 0;
-        winnerswinner1_of_pair_0_2 <= 0;
-        winnerswinner1_of_pair_0_3 <= 0;
-        winnerswinner1_of_pair_0_4 <= 0;
-        winnerswinner1_of_pair_0_5 <= 0;
-        winnerswinner1_of_pair_0_6 <= 0;
-        winnerswinner1_of_pair_0_7 <= 0;
-        winnerswinner1_of_four_0_0 <= 0;
-        winnerswinner1_of_four_0_1 <= 0;
-        winnerswinner1_of_four_0_2 <= 0;
-        winnerswinner1_of_four_0_3 <= 0;
-        winnerswinner1_of_four_0_4 <= 0;
-        winnerswinner1_of_four_0_5 <= 0;
-        winnerswinner1_of_four_0_6 <= 0;
-        winnerswinner1_of_four_0_7 <= 0;
-        winnerswinner1_best_cost_0_0 <= 0;
-        winnerswinner1_best_cost_0_1 <= 0;
-        winnerswinner2_best_cost_0_0 <= 0;
-        winners_best_cost_0_0 <= 0;
         winners_best_tag_valid <= false;
         winners_best_tag_map_column <= false;
         winners_best_tag_output_column <= false;
@@ -11764,23 +11220,6 @@ begin
         map_out_end_of_line <= false;
         other_0 <= to_unsigned(0, 49);
         other_1 <= to_unsigned(0, 49);
-        other_3 <= 0;
-        other_4 <= 0;
-        other_5 <= 0;
-        other_6 <= 0;
-        other_7 <= 0;
-        other_8 <= 0;
-        other_9 <= 0;
-        other_10 <= 0;
-        other_11 <= 0;
-        other_12 <= 0;
-        other_13 <= 0;
-        other_14 <= 0;
-        other_15 <= 0;
-        other_16 <= 0;
-        other_17 <= 0;
-        other_18 <= 0;
-        other_19 <= true;
       end if;
     end if;
   end process;

@@ -65,7 +65,7 @@ begin
       latency_clocks => 59,
       flush_groups => 3205,
       gap_groups => 0,
-      core_id => x"98cdab18",
+      core_id => x"8a626f72",
       enabled_at_reset => enabled_at_reset,
       clocks_per_group => 8)
     port map (
