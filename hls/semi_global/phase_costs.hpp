@@ -4,11 +4,12 @@
 #include <type_traits>
 
 #include "cost/column_cost.hpp"
-#include "cost/single_column.hpp"
 #include "semi_global/phase_mask.hpp"
+#include "semi_global/phase_pixels.hpp"
 #include "semi_global/phase_shift.hpp"
 #include "semi_global/phase_window.hpp"
 #include "semi_global/seen_cost.hpp"
+#include "support/optional_block.hpp"
 #include "winner/candidate_mask.hpp"
 
 namespace stereo::semi_global {
@@ -20,9 +21,9 @@ struct PhaseCosts {
    static constexpr int kLanes = Stages<C>::kLanes;
    static constexpr int kTaps = kWindows.tap_rows();
    using Shift = PhaseShift<C>;
-   using Column = ColumnBlock<kWindowConfig<C>, kLanes>;
    static constexpr bool kIsSingle = kWindows.window_px == 1;
-   using Window = typename std::conditional_t<kIsSingle, std::type_identity<SingleColumn<kWindowConfig<C>, kLanes>>,
+   using Column = Optional<!kIsSingle, ColumnBlock<kWindowConfig<C>, kLanes>>;
+   using Window = typename std::conditional_t<kIsSingle, std::type_identity<PhasePixels<C>>,
                                               std::type_identity<PhaseWindow<C>>>::type;
    using Mask = std::conditional_t<C.full_width, PhaseMask<C, false, Stages<C>::kWindows>, NoMask>;
    static constexpr int kMemories = Shift::kMemories + Column::kMemories + Window::kMemories;
@@ -46,7 +47,7 @@ struct PhaseCosts {
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit.block("shift", shift);
-      visit.block("column", column);
+      if constexpr (!kIsSingle) visit.block("column", column);
       visit.block("window", window);
       if constexpr (C.full_width) visit.block("mask", mask);
       visit("cost", cost);
@@ -59,9 +60,12 @@ struct PhaseCosts {
       HLS_UNROLL
       for (int l = 0; l < kLanes; ++l) cost[l] = shown(seen_cost<C>(window.sum[0][l]), l);
       if constexpr (C.full_width) mask.clock(line, settings, size);
-      if constexpr (kIsSingle) window.clock(column);
-      else window.clock(column, line);
-      column.clock(shift);
+      if constexpr (kIsSingle) {
+         window.clock(shift);
+      } else {
+         window.clock(column, line);
+         column.clock(shift);
+      }
       shift.clock(search, reference, tag);
    }
 

@@ -18,7 +18,7 @@ entity stereo_core_sgm_640_64_f8 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 577;
-    latency_clocks : positive := 59;
+    latency_clocks : positive := 57;
     flush_groups : positive := 3205;
     gap_groups : natural := 0
   );
@@ -42,7 +42,7 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_sgm_640_64_f8: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_sgm_640_64_f8: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 577 report "stereo_core_sgm_640_64_f8: output_width_px is " & integer'image(output_width_px) & " but this core has 577" severity failure;
-  assert latency_clocks = 59 report "stereo_core_sgm_640_64_f8: latency_clocks is " & integer'image(latency_clocks) & " but this core has 59" severity failure;
+  assert latency_clocks = 57 report "stereo_core_sgm_640_64_f8: latency_clocks is " & integer'image(latency_clocks) & " but this core has 57" severity failure;
   assert flush_groups = 3205 report "stereo_core_sgm_640_64_f8: flush_groups is " & integer'image(flush_groups) & " but this core has 3205" severity failure;
   assert gap_groups = 0 report "stereo_core_sgm_640_64_f8: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
@@ -181,12 +181,12 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal raster_place_group : natural range 0 to 511;
   -- delay
   signal delay_ahead_0, delay_delayed_0 : unsigned(43 downto 0);
-  signal delay_tag_valid, delay_tag_border_column, delay_tag_first_cost, delay_tag_map_column : boolean;
-  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_tag_valid, delay_tag_first_cost, delay_tag_map_column, delay_tag_output_column : boolean;
+  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_0, rows_reference_0 : unsigned(43 downto 0);
-  signal rows_tag_valid, rows_tag_border_column, rows_tag_first_cost, rows_tag_map_column : boolean;
-  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_tag_valid, rows_tag_first_cost, rows_tag_map_column, rows_tag_output_column : boolean;
+  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- line
   signal line_centre_map_column_0, line_centre_first_column_0, line_centre_start_of_frame_0 : boolean;
   signal line_centre_end_of_line_0, line_order_falls, line_order_inside, line_order_complete : boolean;
@@ -196,25 +196,22 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal line_comes_10, line_comes_11, line_comes_12, line_comes_13, line_comes_14, line_comes_15 : boolean;
   signal line_comes_16, line_comes_17, line_comes_18, line_comes_19, line_comes_20, line_comes_21 : boolean;
   signal line_comes_22, line_comes_23, line_comes_24, line_comes_25, line_comes_26, line_comes_27 : boolean;
-  signal line_comes_28, line_comes_29, line_comes_30, line_comes_31, line_comes_32, line_comes_33 : boolean;
-  signal line_comes_34, line_starts_phases_1, line_starts_phases_2, line_starts_phases_3 : boolean;
-  signal line_starts_phases_4, line_starts_phases_5, line_starts_phases_6, line_starts_phases_7 : boolean;
-  signal line_starts_phases_8, line_starts_phases_9, line_starts_phases_10, line_starts_phases_11 : boolean;
-  signal line_starts_phases_12, line_starts_phases_13, line_starts_phases_14, line_starts_phases_15 : boolean;
-  signal line_starts_phases_16, line_starts_phases_17, line_starts_phases_18, line_starts_phases_19 : boolean;
-  signal line_starts_phases_20, line_starts_phases_21, line_starts_phases_22, line_starts_phases_23 : boolean;
-  signal line_starts_phases_24, line_starts_phases_25, line_starts_phases_26, line_starts_phases_27 : boolean;
-  signal line_starts_phases_28, line_starts_phases_29, line_starts_phases_30, line_starts_phases_31 : boolean;
-  signal line_starts_phases_32, line_starts_phases_33, line_places_0_map_column, line_places_0_first_column : boolean;
+  signal line_comes_28, line_comes_29, line_comes_30, line_comes_31, line_comes_32, line_starts_phases_1 : boolean;
+  signal line_starts_phases_2, line_starts_phases_3, line_starts_phases_4, line_starts_phases_5 : boolean;
+  signal line_starts_phases_6, line_starts_phases_7, line_starts_phases_8, line_starts_phases_9 : boolean;
+  signal line_starts_phases_10, line_starts_phases_11, line_starts_phases_12, line_starts_phases_13 : boolean;
+  signal line_starts_phases_14, line_starts_phases_15, line_starts_phases_16, line_starts_phases_17 : boolean;
+  signal line_starts_phases_18, line_starts_phases_19, line_starts_phases_20, line_starts_phases_21 : boolean;
+  signal line_starts_phases_22, line_starts_phases_23, line_starts_phases_24, line_starts_phases_25 : boolean;
+  signal line_starts_phases_26, line_starts_phases_27, line_starts_phases_28, line_starts_phases_29 : boolean;
+  signal line_starts_phases_30, line_starts_phases_31, line_places_0_map_column, line_places_0_first_column : boolean;
   signal line_places_0_top, line_places_0_shown_output_column, line_places_0_shown_start_of_frame : boolean;
   signal line_places_0_shown_end_of_line, line_places_1_map_column, line_places_1_first_column : boolean;
   signal line_places_1_shown_output_column, line_places_1_shown_start_of_frame : boolean;
   signal line_places_1_shown_end_of_line, line_places_2_map_column, line_places_2_first_column : boolean;
   signal line_places_2_shown_output_column, line_places_2_shown_start_of_frame : boolean;
   signal line_places_2_shown_end_of_line, line_places_3_map_column, line_places_3_shown_output_column : boolean;
-  signal line_places_3_shown_start_of_frame, line_places_3_shown_end_of_line, line_places_4_map_column : boolean;
-  signal line_places_4_shown_output_column, line_places_4_shown_start_of_frame : boolean;
-  signal line_places_4_shown_end_of_line : boolean;
+  signal line_places_3_shown_start_of_frame, line_places_3_shown_end_of_line : boolean;
   signal line_order_address, line_places_0_address, line_places_1_address : natural range 0 to 1023;
   signal line_places_2_address : natural range 0 to 1023;
   -- costsshift
@@ -225,85 +222,62 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal costsshift_search_0_0, costsshift_search_0_1, costsshift_search_0_2 : unsigned(43 downto 0);
   signal costsshift_search_0_3, costsshift_search_0_4, costsshift_search_0_5 : unsigned(43 downto 0);
   signal costsshift_search_0_6, costsshift_search_0_7, costsshift_reference_0 : unsigned(43 downto 0);
-  signal costsshift_new_tag_valid, costsshift_new_tag_border_column, costsshift_read_tag_valid : boolean;
-  signal costsshift_read_tag_border_column, costsshift_tag_border_column : boolean;
+  signal costsshift_new_tag_valid, costsshift_read_tag_valid : boolean;
   signal costsshift_count_phase, costsshift_read_count_phase, costsshift_write_phase : natural range 0 to 7;
-  -- costscolumn
-  signal costscolumn_pixels_first_0_0_count_0, costscolumn_pixels_first_0_0_count_1 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_0_count_2, costscolumn_pixels_first_0_0_count_3 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_0_count_4, costscolumn_pixels_first_0_0_count_5 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_0_count_6, costscolumn_pixels_first_0_0_count_7 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_0_count_8, costscolumn_pixels_first_0_0_count_9 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_0_count_10, costscolumn_pixels_first_0_0_count_11 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_0_count_12, costscolumn_pixels_first_0_0_count_13 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_1_count_0, costscolumn_pixels_first_0_1_count_1 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_1_count_2, costscolumn_pixels_first_0_1_count_3 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_1_count_4, costscolumn_pixels_first_0_1_count_5 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_1_count_6, costscolumn_pixels_first_0_1_count_7 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_1_count_8, costscolumn_pixels_first_0_1_count_9 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_1_count_10, costscolumn_pixels_first_0_1_count_11 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_1_count_12, costscolumn_pixels_first_0_1_count_13 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_2_count_0, costscolumn_pixels_first_0_2_count_1 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_2_count_2, costscolumn_pixels_first_0_2_count_3 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_2_count_4, costscolumn_pixels_first_0_2_count_5 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_2_count_6, costscolumn_pixels_first_0_2_count_7 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_2_count_8, costscolumn_pixels_first_0_2_count_9 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_2_count_10, costscolumn_pixels_first_0_2_count_11 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_2_count_12, costscolumn_pixels_first_0_2_count_13 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_3_count_0, costscolumn_pixels_first_0_3_count_1 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_3_count_2, costscolumn_pixels_first_0_3_count_3 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_3_count_4, costscolumn_pixels_first_0_3_count_5 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_3_count_6, costscolumn_pixels_first_0_3_count_7 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_3_count_8, costscolumn_pixels_first_0_3_count_9 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_3_count_10, costscolumn_pixels_first_0_3_count_11 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_3_count_12, costscolumn_pixels_first_0_3_count_13 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_4_count_0, costscolumn_pixels_first_0_4_count_1 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_4_count_2, costscolumn_pixels_first_0_4_count_3 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_4_count_4, costscolumn_pixels_first_0_4_count_5 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_4_count_6, costscolumn_pixels_first_0_4_count_7 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_4_count_8, costscolumn_pixels_first_0_4_count_9 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_4_count_10, costscolumn_pixels_first_0_4_count_11 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_4_count_12, costscolumn_pixels_first_0_4_count_13 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_5_count_0, costscolumn_pixels_first_0_5_count_1 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_5_count_2, costscolumn_pixels_first_0_5_count_3 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_5_count_4, costscolumn_pixels_first_0_5_count_5 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_5_count_6, costscolumn_pixels_first_0_5_count_7 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_5_count_8, costscolumn_pixels_first_0_5_count_9 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_5_count_10, costscolumn_pixels_first_0_5_count_11 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_5_count_12, costscolumn_pixels_first_0_5_count_13 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_6_count_0, costscolumn_pixels_first_0_6_count_1 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_6_count_2, costscolumn_pixels_first_0_6_count_3 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_6_count_4, costscolumn_pixels_first_0_6_count_5 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_6_count_6, costscolumn_pixels_first_0_6_count_7 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_6_count_8, costscolumn_pixels_first_0_6_count_9 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_6_count_10, costscolumn_pixels_first_0_6_count_11 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_6_count_12, costscolumn_pixels_first_0_6_count_13 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_7_count_0, costscolumn_pixels_first_0_7_count_1 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_7_count_2, costscolumn_pixels_first_0_7_count_3 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_7_count_4, costscolumn_pixels_first_0_7_count_5 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_7_count_6, costscolumn_pixels_first_0_7_count_7 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_7_count_8, costscolumn_pixels_first_0_7_count_9 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_7_count_10, costscolumn_pixels_first_0_7_count_11 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_7_count_12, costscolumn_pixels_first_0_7_count_13 : natural range 0 to 3;
-  signal costscolumn_pixels_first_0_0_count_14, costscolumn_pixels_first_0_1_count_14 : natural range 0 to 2;
-  signal costscolumn_pixels_first_0_2_count_14, costscolumn_pixels_first_0_3_count_14 : natural range 0 to 2;
-  signal costscolumn_pixels_first_0_4_count_14, costscolumn_pixels_first_0_5_count_14 : natural range 0 to 2;
-  signal costscolumn_pixels_first_0_6_count_14, costscolumn_pixels_first_0_7_count_14 : natural range 0 to 2;
-  signal costscolumn_pixels_first_tag_border_column, costscolumn_pixels_tag_border_column : boolean;
-  signal costscolumn_pair_tag_border_column : boolean;
-  signal costscolumn_pixels_cost_0_0, costscolumn_pixels_cost_0_1, costscolumn_pixels_cost_0_2 : natural range 0 to 44;
-  signal costscolumn_pixels_cost_0_3, costscolumn_pixels_cost_0_4, costscolumn_pixels_cost_0_5 : natural range 0 to 44;
-  signal costscolumn_pixels_cost_0_6, costscolumn_pixels_cost_0_7, costscolumn_single_0_0 : natural range 0 to 44;
-  signal costscolumn_single_0_1, costscolumn_single_0_2, costscolumn_single_0_3 : natural range 0 to 44;
-  signal costscolumn_single_0_4, costscolumn_single_0_5, costscolumn_single_0_6 : natural range 0 to 44;
-  signal costscolumn_single_0_7 : natural range 0 to 44;
+  -- costswindow
+  signal costswindow_first_0_count_0, costswindow_first_0_count_1, costswindow_first_0_count_2 : natural range 0 to 3;
+  signal costswindow_first_0_count_3, costswindow_first_0_count_4, costswindow_first_0_count_5 : natural range 0 to 3;
+  signal costswindow_first_0_count_6, costswindow_first_0_count_7, costswindow_first_0_count_8 : natural range 0 to 3;
+  signal costswindow_first_0_count_9, costswindow_first_0_count_10, costswindow_first_0_count_11 : natural range 0 to 3;
+  signal costswindow_first_0_count_12, costswindow_first_0_count_13, costswindow_first_1_count_0 : natural range 0 to 3;
+  signal costswindow_first_1_count_1, costswindow_first_1_count_2, costswindow_first_1_count_3 : natural range 0 to 3;
+  signal costswindow_first_1_count_4, costswindow_first_1_count_5, costswindow_first_1_count_6 : natural range 0 to 3;
+  signal costswindow_first_1_count_7, costswindow_first_1_count_8, costswindow_first_1_count_9 : natural range 0 to 3;
+  signal costswindow_first_1_count_10, costswindow_first_1_count_11 : natural range 0 to 3;
+  signal costswindow_first_1_count_12, costswindow_first_1_count_13, costswindow_first_2_count_0 : natural range 0 to 3;
+  signal costswindow_first_2_count_1, costswindow_first_2_count_2, costswindow_first_2_count_3 : natural range 0 to 3;
+  signal costswindow_first_2_count_4, costswindow_first_2_count_5, costswindow_first_2_count_6 : natural range 0 to 3;
+  signal costswindow_first_2_count_7, costswindow_first_2_count_8, costswindow_first_2_count_9 : natural range 0 to 3;
+  signal costswindow_first_2_count_10, costswindow_first_2_count_11 : natural range 0 to 3;
+  signal costswindow_first_2_count_12, costswindow_first_2_count_13, costswindow_first_3_count_0 : natural range 0 to 3;
+  signal costswindow_first_3_count_1, costswindow_first_3_count_2, costswindow_first_3_count_3 : natural range 0 to 3;
+  signal costswindow_first_3_count_4, costswindow_first_3_count_5, costswindow_first_3_count_6 : natural range 0 to 3;
+  signal costswindow_first_3_count_7, costswindow_first_3_count_8, costswindow_first_3_count_9 : natural range 0 to 3;
+  signal costswindow_first_3_count_10, costswindow_first_3_count_11 : natural range 0 to 3;
+  signal costswindow_first_3_count_12, costswindow_first_3_count_13, costswindow_first_4_count_0 : natural range 0 to 3;
+  signal costswindow_first_4_count_1, costswindow_first_4_count_2, costswindow_first_4_count_3 : natural range 0 to 3;
+  signal costswindow_first_4_count_4, costswindow_first_4_count_5, costswindow_first_4_count_6 : natural range 0 to 3;
+  signal costswindow_first_4_count_7, costswindow_first_4_count_8, costswindow_first_4_count_9 : natural range 0 to 3;
+  signal costswindow_first_4_count_10, costswindow_first_4_count_11 : natural range 0 to 3;
+  signal costswindow_first_4_count_12, costswindow_first_4_count_13, costswindow_first_5_count_0 : natural range 0 to 3;
+  signal costswindow_first_5_count_1, costswindow_first_5_count_2, costswindow_first_5_count_3 : natural range 0 to 3;
+  signal costswindow_first_5_count_4, costswindow_first_5_count_5, costswindow_first_5_count_6 : natural range 0 to 3;
+  signal costswindow_first_5_count_7, costswindow_first_5_count_8, costswindow_first_5_count_9 : natural range 0 to 3;
+  signal costswindow_first_5_count_10, costswindow_first_5_count_11 : natural range 0 to 3;
+  signal costswindow_first_5_count_12, costswindow_first_5_count_13, costswindow_first_6_count_0 : natural range 0 to 3;
+  signal costswindow_first_6_count_1, costswindow_first_6_count_2, costswindow_first_6_count_3 : natural range 0 to 3;
+  signal costswindow_first_6_count_4, costswindow_first_6_count_5, costswindow_first_6_count_6 : natural range 0 to 3;
+  signal costswindow_first_6_count_7, costswindow_first_6_count_8, costswindow_first_6_count_9 : natural range 0 to 3;
+  signal costswindow_first_6_count_10, costswindow_first_6_count_11 : natural range 0 to 3;
+  signal costswindow_first_6_count_12, costswindow_first_6_count_13, costswindow_first_7_count_0 : natural range 0 to 3;
+  signal costswindow_first_7_count_1, costswindow_first_7_count_2, costswindow_first_7_count_3 : natural range 0 to 3;
+  signal costswindow_first_7_count_4, costswindow_first_7_count_5, costswindow_first_7_count_6 : natural range 0 to 3;
+  signal costswindow_first_7_count_7, costswindow_first_7_count_8, costswindow_first_7_count_9 : natural range 0 to 3;
+  signal costswindow_first_7_count_10, costswindow_first_7_count_11 : natural range 0 to 3;
+  signal costswindow_first_7_count_12, costswindow_first_7_count_13 : natural range 0 to 3;
+  signal costswindow_first_0_count_14, costswindow_first_1_count_14 : natural range 0 to 2;
+  signal costswindow_first_2_count_14, costswindow_first_3_count_14 : natural range 0 to 2;
+  signal costswindow_first_4_count_14, costswindow_first_5_count_14 : natural range 0 to 2;
+  signal costswindow_first_6_count_14, costswindow_first_7_count_14 : natural range 0 to 2;
+  signal costswindow_sum_0_0, costswindow_sum_0_1, costswindow_sum_0_2, costswindow_sum_0_3 : natural range 0 to 53;
+  signal costswindow_sum_0_4, costswindow_sum_0_5, costswindow_sum_0_6, costswindow_sum_0_7 : natural range 0 to 53;
   -- costs
-  signal costs_cost_0, costs_cost_1, costs_cost_2, costs_cost_3, costs_cost_4, costs_cost_5 : natural range 0 to 11;
-  signal costs_cost_6, costs_cost_7 : natural range 0 to 11;
+  signal costs_cost_0, costs_cost_1, costs_cost_2, costs_cost_3, costs_cost_4, costs_cost_5 : natural range 0 to 13;
+  signal costs_cost_6, costs_cost_7 : natural range 0 to 13;
   -- paths
-  signal paths_tree_smallest_0, paths_tree_smallest_1, paths_tree_smallest_2 : natural range 0 to 11;
-  signal paths_tree_smallest_3, paths_tree_next_smallest_0, paths_tree_next_smallest_1 : natural range 0 to 11;
-  signal paths_tree_next_next_smallest_0 : natural range 0 to 11;
+  signal paths_tree_smallest_0, paths_tree_smallest_1, paths_tree_smallest_2 : natural range 0 to 13;
+  signal paths_tree_smallest_3, paths_tree_next_smallest_0, paths_tree_next_smallest_1 : natural range 0 to 13;
+  signal paths_tree_next_next_smallest_0 : natural range 0 to 13;
   signal paths_smallest_cost, paths_cost_delay_ring_read_address : natural range 0 to 15;
   signal paths_cost_delay_ring_write_address : natural range 0 to 15;
   signal paths_cost_delay_held_0 : unsigned(31 downto 0);
@@ -357,11 +331,11 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsabove_read_address_address, pathsabove_write_address_address : natural range 0 to 8191;
   signal pathsabove_read_address_count_phase, pathsabove_count_phase : natural range 0 to 7;
   signal pathsabove_write_address_count_phase : natural range 0 to 7;
-  signal pathsabove_total_0, pathsabove_total_1, pathsabove_total_2, pathsabove_total_3 : natural range 0 to 42;
-  signal pathsabove_total_4, pathsabove_total_5, pathsabove_total_6, pathsabove_total_7 : natural range 0 to 42;
-  signal pathsabove_tree_smallest_0, pathsabove_tree_smallest_1, pathsabove_tree_smallest_2 : natural range 0 to 42;
-  signal pathsabove_tree_smallest_3, pathsabove_tree_next_smallest_0 : natural range 0 to 42;
-  signal pathsabove_tree_next_smallest_1, pathsabove_tree_next_next_smallest_0 : natural range 0 to 42;
+  signal pathsabove_total_0, pathsabove_total_1, pathsabove_total_2, pathsabove_total_3 : natural range 0 to 44;
+  signal pathsabove_total_4, pathsabove_total_5, pathsabove_total_6, pathsabove_total_7 : natural range 0 to 44;
+  signal pathsabove_tree_smallest_0, pathsabove_tree_smallest_1, pathsabove_tree_smallest_2 : natural range 0 to 44;
+  signal pathsabove_tree_smallest_3, pathsabove_tree_next_smallest_0 : natural range 0 to 44;
+  signal pathsabove_tree_next_smallest_1, pathsabove_tree_next_next_smallest_0 : natural range 0 to 44;
   signal pathsabove_delay_held_0 : unsigned(29 downto 0);
   signal pathsabove_delay_held_1 : unsigned(17 downto 0);
   signal pathsabove_smallest_total, pathsabove_smallest, pathsabove_cost_0, pathsabove_cost_1 : natural range 0 to 63;
@@ -502,9 +476,8 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   -- other
   signal other_0, other_1 : unsigned(48 downto 0);
   signal other_2 : natural range 0 to 510;
-  signal other_3, other_4, other_5, other_6, other_7, other_8, other_9, other_10, other_11 : natural range 0 to 44;
-  signal other_12, other_13, other_14, other_15, other_16, other_17, other_18 : natural range 0 to 44;
-  signal other_19 : boolean;
+  signal other_3, other_4, other_5, other_6, other_7, other_8, other_9, other_10 : natural range 0 to 135007244;
+  signal other_11 : boolean;
   signal transform_left_rows_read_words_0_memory_read_enable : boolean;
   signal transform_left_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
   signal transform_left_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
@@ -812,7 +785,7 @@ begin
       write_address => pathsright_lowest_0_memory_write_address, write_data => pathsright_lowest_0_memory_write_data);
 
   pathsturn_read_smallest_0_memory_read_enable <= true;
-  pathsturn_read_smallest_0_memory_read_address <= to_unsigned(line_places_2_address, 10);
+  pathsturn_read_smallest_0_memory_read_address <= to_unsigned(pathsturn_smallest_address, 10);
   pathsturn_read_smallest_0_memory_write_address <= to_unsigned(pathsturn_write_smallest_address, 10);
   pathsturn_read_smallest_0_memory_write_data <= to_unsigned(pathsturn_write_smallest_0, 4);
   pathsturn_read_smallest_0_memory : entity work.line_memory
@@ -1581,29 +1554,30 @@ begin
     variable transform_right_filter_feature_0_choice_353, raster_place_group_is_equal : boolean;
     variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
     variable line_order_falls_any, line_order_falls_all, line_order_complete_any : boolean;
-    variable line_order_turned_output_column_choice, costscolumn_pixels_first_0_0_count_0_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_0_value_2, costscolumn_pixels_first_0_0_count_1_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_1_value_2, costscolumn_pixels_first_0_0_count_1_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_2_value, costscolumn_pixels_first_0_0_count_2_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_3_value, costscolumn_pixels_first_0_0_count_3_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_3_value_3, costscolumn_pixels_first_0_0_count_4_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_4_value_2, costscolumn_pixels_first_0_0_count_4_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_5_value, costscolumn_pixels_first_0_0_count_5_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_5_value_3, costscolumn_pixels_first_0_0_count_6_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_6_value_2, costscolumn_pixels_first_0_0_count_6_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_7_value, costscolumn_pixels_first_0_0_count_7_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_7_value_3, costscolumn_pixels_first_0_0_count_8_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_8_value_2, costscolumn_pixels_first_0_0_count_8_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_9_value, costscolumn_pixels_first_0_0_count_9_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_9_value_3, costscolumn_pixels_first_0_0_count_10_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_10_value_2, costscolumn_pixels_first_0_0_count_10_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_11_value, costscolumn_pixels_first_0_0_count_11_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_11_value_3, costscolumn_pixels_first_0_0_count_12_value : boolean;
-    variable costscolumn_pixels_first_0_0_count_12_value_2, costscolumn_pixels_first_0_0_count_12_value_3 : boolean;
-    variable costscolumn_pixels_first_0_0_count_13_value, costscolumn_pixels_first_0_0_count_13_value_2 : boolean;
-    variable costscolumn_pixels_first_0_0_count_13_value_3, costscolumn_pixels_first_0_0_count_14_value : boolean;
-    variable pathsleft_read_count_phase_is_equal, pathsleft_step_0_is_equal, pathsleft_cost_0_any : boolean;
-    variable pathsabove_ready_top_choice, pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
+    variable line_order_turned_output_column_choice, costswindow_first_0_count_0_value : boolean;
+    variable costswindow_first_0_count_0_value_2, costswindow_first_0_count_1_value : boolean;
+    variable costswindow_first_0_count_1_value_2, costswindow_first_0_count_1_value_3 : boolean;
+    variable costswindow_first_0_count_2_value, costswindow_first_0_count_2_value_2 : boolean;
+    variable costswindow_first_0_count_2_value_3, costswindow_first_0_count_3_value : boolean;
+    variable costswindow_first_0_count_3_value_2, costswindow_first_0_count_3_value_3 : boolean;
+    variable costswindow_first_0_count_4_value, costswindow_first_0_count_4_value_2 : boolean;
+    variable costswindow_first_0_count_4_value_3, costswindow_first_0_count_5_value : boolean;
+    variable costswindow_first_0_count_5_value_2, costswindow_first_0_count_5_value_3 : boolean;
+    variable costswindow_first_0_count_6_value, costswindow_first_0_count_6_value_2 : boolean;
+    variable costswindow_first_0_count_6_value_3, costswindow_first_0_count_7_value : boolean;
+    variable costswindow_first_0_count_7_value_2, costswindow_first_0_count_7_value_3 : boolean;
+    variable costswindow_first_0_count_8_value, costswindow_first_0_count_8_value_2 : boolean;
+    variable costswindow_first_0_count_8_value_3, costswindow_first_0_count_9_value : boolean;
+    variable costswindow_first_0_count_9_value_2, costswindow_first_0_count_9_value_3 : boolean;
+    variable costswindow_first_0_count_10_value, costswindow_first_0_count_10_value_2 : boolean;
+    variable costswindow_first_0_count_10_value_3, costswindow_first_0_count_11_value : boolean;
+    variable costswindow_first_0_count_11_value_2, costswindow_first_0_count_11_value_3 : boolean;
+    variable costswindow_first_0_count_12_value, costswindow_first_0_count_12_value_2 : boolean;
+    variable costswindow_first_0_count_12_value_3, costswindow_first_0_count_13_value : boolean;
+    variable costswindow_first_0_count_13_value_2, costswindow_first_0_count_13_value_3 : boolean;
+    variable costswindow_first_0_count_14_value, pathsleft_read_count_phase_is_equal : boolean;
+    variable pathsleft_step_0_is_equal, pathsleft_cost_0_any, pathsabove_ready_top_choice : boolean;
+    variable pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
     variable pathsabove_memory_write_words_0_0_is_less, pathsabove_memory_write_words_0_0_choice_4 : boolean;
     variable pathsabove_memory_write_words_0_1_is_less, pathsabove_memory_write_words_0_0_all : boolean;
     variable pathsabove_memory_write_words_1_0_all, pathsturn_sum_memory_write_words_0_0_all : boolean;
@@ -1850,8 +1824,6 @@ begin
     variable pathsturn_sum_memory_write_words_0_1_sum_2 : natural range 0 to 65503;
     variable pathsturn_sum_memory_write_words_0_2_sum_2 : natural range 0 to 65527;
     variable pathsturn_sum_memory_write_words_0_3_sum : natural range 0 to 253;
-    variable other_4_choice, other_6_choice, other_8_choice, other_10_choice, other_12_choice : natural range 0 to 11;
-    variable other_14_choice, other_16_choice, other_18_choice : natural range 0 to 11;
   begin
     if rising_edge(clock) then
       -- transform
@@ -7019,7 +6991,6 @@ begin
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= raster_place_column < 63;
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
       delay_tag_output_column <= (raster_place_group < 480) and delay_tag_map_column_is_not_less and
@@ -7030,7 +7001,6 @@ begin
       rows_search_0 <= delay_delayed_0;
       rows_reference_0 <= delay_ahead_0;
       rows_tag_valid <= delay_tag_valid;
-      rows_tag_border_column <= delay_tag_border_column;
       rows_tag_first_cost <= delay_tag_first_cost;
       rows_tag_map_column <= delay_tag_map_column;
       rows_tag_output_column <= delay_tag_output_column;
@@ -7088,8 +7058,6 @@ begin
       line_comes_30 <= line_comes_29;
       line_comes_31 <= line_comes_30;
       line_comes_32 <= line_comes_31;
-      line_comes_33 <= line_comes_32;
-      line_comes_34 <= line_comes_33;
       line_starts_phases_1 <= line_order_turned_valid and line_centre_map_column_0;
       line_starts_phases_2 <= line_starts_phases_1;
       line_starts_phases_3 <= line_starts_phases_2;
@@ -7121,8 +7089,6 @@ begin
       line_starts_phases_29 <= line_starts_phases_28;
       line_starts_phases_30 <= line_starts_phases_29;
       line_starts_phases_31 <= line_starts_phases_30;
-      line_starts_phases_32 <= line_starts_phases_31;
-      line_starts_phases_33 <= line_starts_phases_32;
       if line_order_falls then
         line_order_falls <= line_order_falls_any;
       else
@@ -7175,12 +7141,10 @@ begin
       if line_comes_16 then
         line_places_2_map_column <= line_places_1_map_column;
         line_places_2_first_column <= line_places_1_first_column;
+        line_places_2_address <= line_places_1_address;
         line_places_2_shown_output_column <= line_places_1_shown_output_column;
         line_places_2_shown_start_of_frame <= line_places_1_shown_start_of_frame;
         line_places_2_shown_end_of_line <= line_places_1_shown_end_of_line;
-      end if;
-      if line_starts_phases_16 then
-        line_places_2_address <= line_places_1_address;
       end if;
       if line_comes_24 then
         line_places_3_map_column <= line_places_2_map_column;
@@ -7188,17 +7152,10 @@ begin
         line_places_3_shown_start_of_frame <= line_places_2_shown_start_of_frame;
         line_places_3_shown_end_of_line <= line_places_2_shown_end_of_line;
       end if;
-      if line_comes_32 then
-        line_places_4_map_column <= line_places_3_map_column;
-        line_places_4_shown_output_column <= line_places_3_shown_output_column;
-        line_places_4_shown_start_of_frame <= line_places_3_shown_start_of_frame;
-        line_places_4_shown_end_of_line <= line_places_3_shown_end_of_line;
-      end if;
       -- costsshift
       if rows_tag_valid then
         costsshift_newest_0 <= rows_search_0;
         costsshift_new_reference_0 <= rows_reference_0;
-        costsshift_new_tag_border_column <= rows_tag_border_column;
       end if;
       if costsshift_count_phase = 7 then
         costsshift_count_phase_choice := 7;
@@ -7210,10 +7167,8 @@ begin
       costsshift_handed_on_0 <= costsshift_read_words_7;
       costsshift_read_reference_0 <= costsshift_new_reference_0;
       costsshift_read_tag_valid <= costsshift_new_tag_valid;
-      costsshift_read_tag_border_column <= costsshift_new_tag_border_column;
       costsshift_read_count_phase <= costsshift_count_phase;
       costsshift_reference_0 <= costsshift_read_reference_0;
-      costsshift_tag_border_column <= costsshift_read_tag_border_column;
       costsshift_write_phase <= costsshift_read_count_phase;
       if rows_tag_valid then
         costsshift_count_phase <= 0;
@@ -7234,628 +7189,548 @@ begin
           costsshift_search_0_0 <= costsshift_handed_on_0;
         end if;
       end if;
-      -- costscolumn
-      costscolumn_pixels_first_0_0_count_0_value := to_integer(costsshift_reference_0(2 downto 2)) = 1;
-      costscolumn_pixels_first_0_0_count_0_value_2 := to_integer(costsshift_reference_0(1 downto 1)) = 1;
-      costscolumn_pixels_first_0_0_count_1_value := to_integer(costsshift_reference_0(3 downto 3)) = 1;
-      costscolumn_pixels_first_0_0_count_1_value_2 := to_integer(costsshift_reference_0(5 downto 5)) = 1;
-      costscolumn_pixels_first_0_0_count_1_value_3 := to_integer(costsshift_reference_0(4 downto 4)) = 1;
-      costscolumn_pixels_first_0_0_count_2_value := to_integer(costsshift_reference_0(8 downto 8)) = 1;
-      costscolumn_pixels_first_0_0_count_2_value_2 := to_integer(costsshift_reference_0(6 downto 6)) = 1;
-      costscolumn_pixels_first_0_0_count_3_value := to_integer(costsshift_reference_0(9 downto 9)) = 1;
-      costscolumn_pixels_first_0_0_count_3_value_2 := to_integer(costsshift_reference_0(11 downto 11)) = 1;
-      costscolumn_pixels_first_0_0_count_3_value_3 := to_integer(costsshift_reference_0(10 downto 10)) = 1;
-      costscolumn_pixels_first_0_0_count_4_value := to_integer(costsshift_reference_0(12 downto 12)) = 1;
-      costscolumn_pixels_first_0_0_count_4_value_2 := to_integer(costsshift_reference_0(14 downto 14)) = 1;
-      costscolumn_pixels_first_0_0_count_4_value_3 := to_integer(costsshift_reference_0(13 downto 13)) = 1;
-      costscolumn_pixels_first_0_0_count_5_value := to_integer(costsshift_reference_0(15 downto 15)) = 1;
-      costscolumn_pixels_first_0_0_count_5_value_2 := to_integer(costsshift_reference_0(17 downto 17)) = 1;
-      costscolumn_pixels_first_0_0_count_5_value_3 := to_integer(costsshift_reference_0(16 downto 16)) = 1;
-      costscolumn_pixels_first_0_0_count_6_value := to_integer(costsshift_reference_0(18 downto 18)) = 1;
-      costscolumn_pixels_first_0_0_count_6_value_2 := to_integer(costsshift_reference_0(20 downto 20)) = 1;
-      costscolumn_pixels_first_0_0_count_6_value_3 := to_integer(costsshift_reference_0(19 downto 19)) = 1;
-      costscolumn_pixels_first_0_0_count_7_value := to_integer(costsshift_reference_0(21 downto 21)) = 1;
-      costscolumn_pixels_first_0_0_count_7_value_2 := to_integer(costsshift_reference_0(23 downto 23)) = 1;
-      costscolumn_pixels_first_0_0_count_7_value_3 := to_integer(costsshift_reference_0(22 downto 22)) = 1;
-      costscolumn_pixels_first_0_0_count_8_value := to_integer(costsshift_reference_0(24 downto 24)) = 1;
-      costscolumn_pixels_first_0_0_count_8_value_2 := to_integer(costsshift_reference_0(26 downto 26)) = 1;
-      costscolumn_pixels_first_0_0_count_8_value_3 := to_integer(costsshift_reference_0(25 downto 25)) = 1;
-      costscolumn_pixels_first_0_0_count_9_value := to_integer(costsshift_reference_0(27 downto 27)) = 1;
-      costscolumn_pixels_first_0_0_count_9_value_2 := to_integer(costsshift_reference_0(29 downto 29)) = 1;
-      costscolumn_pixels_first_0_0_count_9_value_3 := to_integer(costsshift_reference_0(28 downto 28)) = 1;
-      costscolumn_pixels_first_0_0_count_10_value := to_integer(costsshift_reference_0(30 downto 30)) = 1;
-      costscolumn_pixels_first_0_0_count_10_value_2 := to_integer(costsshift_reference_0(32 downto 32)) = 1;
-      costscolumn_pixels_first_0_0_count_10_value_3 := to_integer(costsshift_reference_0(31 downto 31)) = 1;
-      costscolumn_pixels_first_0_0_count_11_value := to_integer(costsshift_reference_0(33 downto 33)) = 1;
-      costscolumn_pixels_first_0_0_count_11_value_2 := to_integer(costsshift_reference_0(35 downto 35)) = 1;
-      costscolumn_pixels_first_0_0_count_11_value_3 := to_integer(costsshift_reference_0(34 downto 34)) = 1;
-      costscolumn_pixels_first_0_0_count_12_value := to_integer(costsshift_reference_0(36 downto 36)) = 1;
-      costscolumn_pixels_first_0_0_count_12_value_2 := to_integer(costsshift_reference_0(38 downto 38)) = 1;
-      costscolumn_pixels_first_0_0_count_12_value_3 := to_integer(costsshift_reference_0(37 downto 37)) = 1;
-      costscolumn_pixels_first_0_0_count_13_value := to_integer(costsshift_reference_0(39 downto 39)) = 1;
-      costscolumn_pixels_first_0_0_count_13_value_2 := to_integer(costsshift_reference_0(41 downto 41)) = 1;
-      costscolumn_pixels_first_0_0_count_13_value_3 := to_integer(costsshift_reference_0(40 downto 40)) = 1;
-      costscolumn_pixels_first_0_0_count_14_value := to_integer(costsshift_reference_0(42 downto 42)) = 1;
-      costscolumn_pixels_first_0_0_count_0 <= as_number(((to_integer(costsshift_search_0_0(0 downto 0)) = 1) /=
-        (to_integer(costsshift_reference_0(0 downto 0)) = 1))) + as_number((costscolumn_pixels_first_0_0_count_0_value
-        /= (to_integer(costsshift_search_0_0(2 downto 2)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_0_value_2 /= (to_integer(costsshift_search_0_0(1 downto 1)) =
-        1)));
-      costscolumn_pixels_first_0_0_count_1 <= as_number((costscolumn_pixels_first_0_0_count_1_value /=
-        (to_integer(costsshift_search_0_0(3 downto 3)) = 1))) + as_number((costscolumn_pixels_first_0_0_count_1_value_2
-        /= (to_integer(costsshift_search_0_0(5 downto 5)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_1_value_3 /= (to_integer(costsshift_search_0_0(4 downto 4)) =
-        1)));
-      costscolumn_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned(to_integer(costsshift_search_0_0(7 downto 0)),
-        8)) xor (to_unsigned(to_integer(costsshift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number((costscolumn_pixels_first_0_0_count_2_value /= (to_integer(costsshift_search_0_0(8 downto 8)) = 1)))
-        + as_number((costscolumn_pixels_first_0_0_count_2_value_2 /= (to_integer(costsshift_search_0_0(6 downto 6)) =
-        1)));
-      costscolumn_pixels_first_0_0_count_3 <= as_number((costscolumn_pixels_first_0_0_count_3_value /=
-        (to_integer(costsshift_search_0_0(9 downto 9)) = 1))) + as_number((costscolumn_pixels_first_0_0_count_3_value_2
-        /= (to_integer(costsshift_search_0_0(11 downto 11)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_3_value_3 /= (to_integer(costsshift_search_0_0(10 downto 10)) =
-        1)));
-      costscolumn_pixels_first_0_0_count_4 <= as_number((costscolumn_pixels_first_0_0_count_4_value /=
-        (to_integer(costsshift_search_0_0(12 downto 12)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_4_value_2 /= (to_integer(costsshift_search_0_0(14 downto 14)) =
-        1))) + as_number((costscolumn_pixels_first_0_0_count_4_value_3 /= (to_integer(costsshift_search_0_0(13 downto
-        13)) = 1)));
-      costscolumn_pixels_first_0_0_count_5 <= as_number((costscolumn_pixels_first_0_0_count_5_value /=
-        (to_integer(costsshift_search_0_0(15 downto 15)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_5_value_2 /= (to_integer(costsshift_search_0_0(17 downto 17)) =
-        1))) + as_number((costscolumn_pixels_first_0_0_count_5_value_3 /= (to_integer(costsshift_search_0_0(16 downto
-        16)) = 1)));
-      costscolumn_pixels_first_0_0_count_6 <= as_number((costscolumn_pixels_first_0_0_count_6_value /=
-        (to_integer(costsshift_search_0_0(18 downto 18)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_6_value_2 /= (to_integer(costsshift_search_0_0(20 downto 20)) =
-        1))) + as_number((costscolumn_pixels_first_0_0_count_6_value_3 /= (to_integer(costsshift_search_0_0(19 downto
-        19)) = 1)));
-      costscolumn_pixels_first_0_0_count_7 <= as_number((costscolumn_pixels_first_0_0_count_7_value /=
-        (to_integer(costsshift_search_0_0(21 downto 21)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_7_value_2 /= (to_integer(costsshift_search_0_0(23 downto 23)) =
-        1))) + as_number((costscolumn_pixels_first_0_0_count_7_value_3 /= (to_integer(costsshift_search_0_0(22 downto
-        22)) = 1)));
-      costscolumn_pixels_first_0_0_count_8 <= as_number((costscolumn_pixels_first_0_0_count_8_value /=
-        (to_integer(costsshift_search_0_0(24 downto 24)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_8_value_2 /= (to_integer(costsshift_search_0_0(26 downto 26)) =
-        1))) + as_number((costscolumn_pixels_first_0_0_count_8_value_3 /= (to_integer(costsshift_search_0_0(25 downto
-        25)) = 1)));
-      costscolumn_pixels_first_0_0_count_9 <= as_number((costscolumn_pixels_first_0_0_count_9_value /=
-        (to_integer(costsshift_search_0_0(27 downto 27)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_9_value_2 /= (to_integer(costsshift_search_0_0(29 downto 29)) =
-        1))) + as_number((costscolumn_pixels_first_0_0_count_9_value_3 /= (to_integer(costsshift_search_0_0(28 downto
-        28)) = 1)));
-      costscolumn_pixels_first_0_0_count_10 <= as_number((costscolumn_pixels_first_0_0_count_10_value /=
-        (to_integer(costsshift_search_0_0(30 downto 30)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_10_value_2 /= (to_integer(costsshift_search_0_0(32 downto 32)) =
-        1))) + as_number((costscolumn_pixels_first_0_0_count_10_value_3 /= (to_integer(costsshift_search_0_0(31 downto
-        31)) = 1)));
-      costscolumn_pixels_first_0_0_count_11 <= as_number((costscolumn_pixels_first_0_0_count_11_value /=
-        (to_integer(costsshift_search_0_0(33 downto 33)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_11_value_2 /= (to_integer(costsshift_search_0_0(35 downto 35)) =
-        1))) + as_number((costscolumn_pixels_first_0_0_count_11_value_3 /= (to_integer(costsshift_search_0_0(34 downto
-        34)) = 1)));
-      costscolumn_pixels_first_0_0_count_12 <= as_number((costscolumn_pixels_first_0_0_count_12_value /=
-        (to_integer(costsshift_search_0_0(36 downto 36)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_12_value_2 /= (to_integer(costsshift_search_0_0(38 downto 38)) =
-        1))) + as_number((costscolumn_pixels_first_0_0_count_12_value_3 /= (to_integer(costsshift_search_0_0(37 downto
-        37)) = 1)));
-      costscolumn_pixels_first_0_0_count_13 <= as_number((costscolumn_pixels_first_0_0_count_13_value /=
-        (to_integer(costsshift_search_0_0(39 downto 39)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_13_value_2 /= (to_integer(costsshift_search_0_0(41 downto 41)) =
-        1))) + as_number((costscolumn_pixels_first_0_0_count_13_value_3 /= (to_integer(costsshift_search_0_0(40 downto
-        40)) = 1)));
-      costscolumn_pixels_first_0_0_count_14 <= as_number(((to_integer(costsshift_reference_0(43 downto 43)) = 1) /=
-        (to_integer(costsshift_search_0_0(43 downto 43)) = 1))) +
-        as_number((costscolumn_pixels_first_0_0_count_14_value /= (to_integer(costsshift_search_0_0(42 downto 42)) =
-        1)));
-      costscolumn_pixels_first_0_1_count_0 <= as_number(((to_integer(costsshift_search_0_1(0 downto 0)) = 1) /=
+      -- costswindow
+      costswindow_first_0_count_0_value := to_integer(costsshift_reference_0(2 downto 2)) = 1;
+      costswindow_first_0_count_0_value_2 := to_integer(costsshift_reference_0(1 downto 1)) = 1;
+      costswindow_first_0_count_1_value := to_integer(costsshift_reference_0(3 downto 3)) = 1;
+      costswindow_first_0_count_1_value_2 := to_integer(costsshift_reference_0(4 downto 4)) = 1;
+      costswindow_first_0_count_1_value_3 := to_integer(costsshift_reference_0(5 downto 5)) = 1;
+      costswindow_first_0_count_2_value := to_integer(costsshift_reference_0(6 downto 6)) = 1;
+      costswindow_first_0_count_2_value_2 := to_integer(costsshift_reference_0(7 downto 7)) = 1;
+      costswindow_first_0_count_2_value_3 := to_integer(costsshift_reference_0(8 downto 8)) = 1;
+      costswindow_first_0_count_3_value := to_integer(costsshift_reference_0(9 downto 9)) = 1;
+      costswindow_first_0_count_3_value_2 := to_integer(costsshift_reference_0(10 downto 10)) = 1;
+      costswindow_first_0_count_3_value_3 := to_integer(costsshift_reference_0(11 downto 11)) = 1;
+      costswindow_first_0_count_4_value := to_integer(costsshift_reference_0(12 downto 12)) = 1;
+      costswindow_first_0_count_4_value_2 := to_integer(costsshift_reference_0(13 downto 13)) = 1;
+      costswindow_first_0_count_4_value_3 := to_integer(costsshift_reference_0(14 downto 14)) = 1;
+      costswindow_first_0_count_5_value := to_integer(costsshift_reference_0(15 downto 15)) = 1;
+      costswindow_first_0_count_5_value_2 := to_integer(costsshift_reference_0(16 downto 16)) = 1;
+      costswindow_first_0_count_5_value_3 := to_integer(costsshift_reference_0(17 downto 17)) = 1;
+      costswindow_first_0_count_6_value := to_integer(costsshift_reference_0(18 downto 18)) = 1;
+      costswindow_first_0_count_6_value_2 := to_integer(costsshift_reference_0(19 downto 19)) = 1;
+      costswindow_first_0_count_6_value_3 := to_integer(costsshift_reference_0(20 downto 20)) = 1;
+      costswindow_first_0_count_7_value := to_integer(costsshift_reference_0(21 downto 21)) = 1;
+      costswindow_first_0_count_7_value_2 := to_integer(costsshift_reference_0(22 downto 22)) = 1;
+      costswindow_first_0_count_7_value_3 := to_integer(costsshift_reference_0(23 downto 23)) = 1;
+      costswindow_first_0_count_8_value := to_integer(costsshift_reference_0(24 downto 24)) = 1;
+      costswindow_first_0_count_8_value_2 := to_integer(costsshift_reference_0(26 downto 26)) = 1;
+      costswindow_first_0_count_8_value_3 := to_integer(costsshift_reference_0(25 downto 25)) = 1;
+      costswindow_first_0_count_9_value := to_integer(costsshift_reference_0(27 downto 27)) = 1;
+      costswindow_first_0_count_9_value_2 := to_integer(costsshift_reference_0(28 downto 28)) = 1;
+      costswindow_first_0_count_9_value_3 := to_integer(costsshift_reference_0(29 downto 29)) = 1;
+      costswindow_first_0_count_10_value := to_integer(costsshift_reference_0(30 downto 30)) = 1;
+      costswindow_first_0_count_10_value_2 := to_integer(costsshift_reference_0(31 downto 31)) = 1;
+      costswindow_first_0_count_10_value_3 := to_integer(costsshift_reference_0(32 downto 32)) = 1;
+      costswindow_first_0_count_11_value := to_integer(costsshift_reference_0(33 downto 33)) = 1;
+      costswindow_first_0_count_11_value_2 := to_integer(costsshift_reference_0(34 downto 34)) = 1;
+      costswindow_first_0_count_11_value_3 := to_integer(costsshift_reference_0(35 downto 35)) = 1;
+      costswindow_first_0_count_12_value := to_integer(costsshift_reference_0(36 downto 36)) = 1;
+      costswindow_first_0_count_12_value_2 := to_integer(costsshift_reference_0(37 downto 37)) = 1;
+      costswindow_first_0_count_12_value_3 := to_integer(costsshift_reference_0(38 downto 38)) = 1;
+      costswindow_first_0_count_13_value := to_integer(costsshift_reference_0(39 downto 39)) = 1;
+      costswindow_first_0_count_13_value_2 := to_integer(costsshift_reference_0(40 downto 40)) = 1;
+      costswindow_first_0_count_13_value_3 := to_integer(costsshift_reference_0(41 downto 41)) = 1;
+      costswindow_first_0_count_14_value := to_integer(costsshift_reference_0(42 downto 42)) = 1;
+      costswindow_first_0_count_0 <= as_number(((to_integer(costsshift_reference_0(0 downto 0)) = 1) /=
+        (to_integer(costsshift_search_0_0(0 downto 0)) = 1))) + as_number((costswindow_first_0_count_0_value /=
+        (to_integer(costsshift_search_0_0(2 downto 2)) = 1))) + as_number((costswindow_first_0_count_0_value_2 /=
+        (to_integer(costsshift_search_0_0(1 downto 1)) = 1)));
+      costswindow_first_0_count_1 <= as_number((costswindow_first_0_count_1_value /=
+        (to_integer(costsshift_search_0_0(3 downto 3)) = 1))) + as_number((costswindow_first_0_count_1_value_2 /=
+        (to_integer(costsshift_search_0_0(4 downto 4)) = 1))) + as_number((costswindow_first_0_count_1_value_3 /=
+        (to_integer(costsshift_search_0_0(5 downto 5)) = 1)));
+      costswindow_first_0_count_2 <= as_number((costswindow_first_0_count_2_value /=
+        (to_integer(costsshift_search_0_0(6 downto 6)) = 1))) + as_number((costswindow_first_0_count_2_value_2 /=
+        (to_integer(costsshift_search_0_0(7 downto 7)) = 1))) + as_number((costswindow_first_0_count_2_value_3 /=
+        (to_integer(costsshift_search_0_0(8 downto 8)) = 1)));
+      costswindow_first_0_count_3 <= as_number((costswindow_first_0_count_3_value /=
+        (to_integer(costsshift_search_0_0(9 downto 9)) = 1))) + as_number((costswindow_first_0_count_3_value_2 /=
+        (to_integer(costsshift_search_0_0(10 downto 10)) = 1))) + as_number((costswindow_first_0_count_3_value_3 /=
+        (to_integer(costsshift_search_0_0(11 downto 11)) = 1)));
+      costswindow_first_0_count_4 <= as_number((costswindow_first_0_count_4_value /=
+        (to_integer(costsshift_search_0_0(12 downto 12)) = 1))) + as_number((costswindow_first_0_count_4_value_2 /=
+        (to_integer(costsshift_search_0_0(13 downto 13)) = 1))) + as_number((costswindow_first_0_count_4_value_3 /=
+        (to_integer(costsshift_search_0_0(14 downto 14)) = 1)));
+      costswindow_first_0_count_5 <= as_number((costswindow_first_0_count_5_value /=
+        (to_integer(costsshift_search_0_0(15 downto 15)) = 1))) + as_number((costswindow_first_0_count_5_value_2 /=
+        (to_integer(costsshift_search_0_0(16 downto 16)) = 1))) + as_number((costswindow_first_0_count_5_value_3 /=
+        (to_integer(costsshift_search_0_0(17 downto 17)) = 1)));
+      costswindow_first_0_count_6 <= as_number((costswindow_first_0_count_6_value /=
+        (to_integer(costsshift_search_0_0(18 downto 18)) = 1))) + as_number((costswindow_first_0_count_6_value_2 /=
+        (to_integer(costsshift_search_0_0(19 downto 19)) = 1))) + as_number((costswindow_first_0_count_6_value_3 /=
+        (to_integer(costsshift_search_0_0(20 downto 20)) = 1)));
+      costswindow_first_0_count_7 <= as_number((costswindow_first_0_count_7_value /=
+        (to_integer(costsshift_search_0_0(21 downto 21)) = 1))) + as_number((costswindow_first_0_count_7_value_2 /=
+        (to_integer(costsshift_search_0_0(22 downto 22)) = 1))) + as_number((costswindow_first_0_count_7_value_3 /=
+        (to_integer(costsshift_search_0_0(23 downto 23)) = 1)));
+      costswindow_first_0_count_8 <= as_number((costswindow_first_0_count_8_value /=
+        (to_integer(costsshift_search_0_0(24 downto 24)) = 1))) + as_number((costswindow_first_0_count_8_value_2 /=
+        (to_integer(costsshift_search_0_0(26 downto 26)) = 1))) + as_number((costswindow_first_0_count_8_value_3 /=
+        (to_integer(costsshift_search_0_0(25 downto 25)) = 1)));
+      costswindow_first_0_count_9 <= as_number((costswindow_first_0_count_9_value /=
+        (to_integer(costsshift_search_0_0(27 downto 27)) = 1))) + as_number((costswindow_first_0_count_9_value_2 /=
+        (to_integer(costsshift_search_0_0(28 downto 28)) = 1))) + as_number((costswindow_first_0_count_9_value_3 /=
+        (to_integer(costsshift_search_0_0(29 downto 29)) = 1)));
+      costswindow_first_0_count_10 <= as_number((costswindow_first_0_count_10_value /=
+        (to_integer(costsshift_search_0_0(30 downto 30)) = 1))) + as_number((costswindow_first_0_count_10_value_2 /=
+        (to_integer(costsshift_search_0_0(31 downto 31)) = 1))) + as_number((costswindow_first_0_count_10_value_3 /=
+        (to_integer(costsshift_search_0_0(32 downto 32)) = 1)));
+      costswindow_first_0_count_11 <= as_number((costswindow_first_0_count_11_value /=
+        (to_integer(costsshift_search_0_0(33 downto 33)) = 1))) + as_number((costswindow_first_0_count_11_value_2 /=
+        (to_integer(costsshift_search_0_0(34 downto 34)) = 1))) + as_number((costswindow_first_0_count_11_value_3 /=
+        (to_integer(costsshift_search_0_0(35 downto 35)) = 1)));
+      costswindow_first_0_count_12 <= as_number((costswindow_first_0_count_12_value /=
+        (to_integer(costsshift_search_0_0(36 downto 36)) = 1))) + as_number((costswindow_first_0_count_12_value_2 /=
+        (to_integer(costsshift_search_0_0(37 downto 37)) = 1))) + as_number((costswindow_first_0_count_12_value_3 /=
+        (to_integer(costsshift_search_0_0(38 downto 38)) = 1)));
+      costswindow_first_0_count_13 <= as_number((costswindow_first_0_count_13_value /=
+        (to_integer(costsshift_search_0_0(39 downto 39)) = 1))) + as_number((costswindow_first_0_count_13_value_2 /=
+        (to_integer(costsshift_search_0_0(40 downto 40)) = 1))) + as_number((costswindow_first_0_count_13_value_3 /=
+        (to_integer(costsshift_search_0_0(41 downto 41)) = 1)));
+      costswindow_first_0_count_14 <= as_number(((to_integer(costsshift_reference_0(43 downto 43)) = 1) /=
+        (to_integer(costsshift_search_0_0(43 downto 43)) = 1))) + as_number((costswindow_first_0_count_14_value /=
+        (to_integer(costsshift_search_0_0(42 downto 42)) = 1)));
+      costswindow_first_1_count_0 <= as_number(((to_integer(costsshift_search_0_1(0 downto 0)) = 1) /=
         (to_integer(costsshift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(costsshift_search_0_1(2 downto
-        2)) = 1) /= costscolumn_pixels_first_0_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_1(1
-        downto 1)) = 1) /= costscolumn_pixels_first_0_0_count_0_value_2));
-      costscolumn_pixels_first_0_1_count_1 <= as_number(((to_integer(costsshift_search_0_1(3 downto 3)) = 1) /=
-        costscolumn_pixels_first_0_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_1(5 downto 5)) = 1)
-        /= costscolumn_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_1(4 downto 4)) =
-        1) /= costscolumn_pixels_first_0_0_count_1_value_3));
-      costscolumn_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned(to_integer(costsshift_search_0_1(7 downto 0)),
-        8)) xor (to_unsigned(to_integer(costsshift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(((to_integer(costsshift_search_0_1(8 downto 8)) = 1) /= costscolumn_pixels_first_0_0_count_2_value))
-        + as_number(((to_integer(costsshift_search_0_1(6 downto 6)) = 1) /=
-        costscolumn_pixels_first_0_0_count_2_value_2));
-      costscolumn_pixels_first_0_1_count_3 <= as_number(((to_integer(costsshift_search_0_1(9 downto 9)) = 1) /=
-        costscolumn_pixels_first_0_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_1(11 downto 11)) = 1)
-        /= costscolumn_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_1(10 downto 10))
-        = 1) /= costscolumn_pixels_first_0_0_count_3_value_3));
-      costscolumn_pixels_first_0_1_count_4 <= as_number(((to_integer(costsshift_search_0_1(12 downto 12)) = 1) /=
-        costscolumn_pixels_first_0_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_1(14 downto 14)) = 1)
-        /= costscolumn_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_1(13 downto 13))
-        = 1) /= costscolumn_pixels_first_0_0_count_4_value_3));
-      costscolumn_pixels_first_0_1_count_5 <= as_number(((to_integer(costsshift_search_0_1(15 downto 15)) = 1) /=
-        costscolumn_pixels_first_0_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_1(17 downto 17)) = 1)
-        /= costscolumn_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_1(16 downto 16))
-        = 1) /= costscolumn_pixels_first_0_0_count_5_value_3));
-      costscolumn_pixels_first_0_1_count_6 <= as_number(((to_integer(costsshift_search_0_1(18 downto 18)) = 1) /=
-        costscolumn_pixels_first_0_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_1(20 downto 20)) = 1)
-        /= costscolumn_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_1(19 downto 19))
-        = 1) /= costscolumn_pixels_first_0_0_count_6_value_3));
-      costscolumn_pixels_first_0_1_count_7 <= as_number(((to_integer(costsshift_search_0_1(21 downto 21)) = 1) /=
-        costscolumn_pixels_first_0_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_1(23 downto 23)) = 1)
-        /= costscolumn_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_1(22 downto 22))
-        = 1) /= costscolumn_pixels_first_0_0_count_7_value_3));
-      costscolumn_pixels_first_0_1_count_8 <= as_number(((to_integer(costsshift_search_0_1(24 downto 24)) = 1) /=
-        costscolumn_pixels_first_0_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_1(26 downto 26)) = 1)
-        /= costscolumn_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_1(25 downto 25))
-        = 1) /= costscolumn_pixels_first_0_0_count_8_value_3));
-      costscolumn_pixels_first_0_1_count_9 <= as_number(((to_integer(costsshift_search_0_1(27 downto 27)) = 1) /=
-        costscolumn_pixels_first_0_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_1(29 downto 29)) = 1)
-        /= costscolumn_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_1(28 downto 28))
-        = 1) /= costscolumn_pixels_first_0_0_count_9_value_3));
-      costscolumn_pixels_first_0_1_count_10 <= as_number(((to_integer(costsshift_search_0_1(30 downto 30)) = 1) /=
-        costscolumn_pixels_first_0_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_1(32 downto 32)) =
-        1) /= costscolumn_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_1(31 downto
-        31)) = 1) /= costscolumn_pixels_first_0_0_count_10_value_3));
-      costscolumn_pixels_first_0_1_count_11 <= as_number(((to_integer(costsshift_search_0_1(33 downto 33)) = 1) /=
-        costscolumn_pixels_first_0_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_1(35 downto 35)) =
-        1) /= costscolumn_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_1(34 downto
-        34)) = 1) /= costscolumn_pixels_first_0_0_count_11_value_3));
-      costscolumn_pixels_first_0_1_count_12 <= as_number(((to_integer(costsshift_search_0_1(36 downto 36)) = 1) /=
-        costscolumn_pixels_first_0_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_1(38 downto 38)) =
-        1) /= costscolumn_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_1(37 downto
-        37)) = 1) /= costscolumn_pixels_first_0_0_count_12_value_3));
-      costscolumn_pixels_first_0_1_count_13 <= as_number(((to_integer(costsshift_search_0_1(39 downto 39)) = 1) /=
-        costscolumn_pixels_first_0_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_1(41 downto 41)) =
-        1) /= costscolumn_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_1(40 downto
-        40)) = 1) /= costscolumn_pixels_first_0_0_count_13_value_3));
-      costscolumn_pixels_first_0_1_count_14 <= as_number(((to_integer(costsshift_search_0_1(43 downto 43)) = 1) /=
+        2)) = 1) /= costswindow_first_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_1(1 downto 1)) =
+        1) /= costswindow_first_0_count_0_value_2));
+      costswindow_first_1_count_1 <= as_number(((to_integer(costsshift_search_0_1(3 downto 3)) = 1) /=
+        costswindow_first_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_1(4 downto 4)) = 1) /=
+        costswindow_first_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_1(5 downto 5)) = 1) /=
+        costswindow_first_0_count_1_value_3));
+      costswindow_first_1_count_2 <= as_number(((to_integer(costsshift_search_0_1(6 downto 6)) = 1) /=
+        costswindow_first_0_count_2_value)) + as_number(((to_integer(costsshift_search_0_1(7 downto 7)) = 1) /=
+        costswindow_first_0_count_2_value_2)) + as_number(((to_integer(costsshift_search_0_1(8 downto 8)) = 1) /=
+        costswindow_first_0_count_2_value_3));
+      costswindow_first_1_count_3 <= as_number(((to_integer(costsshift_search_0_1(9 downto 9)) = 1) /=
+        costswindow_first_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_1(10 downto 10)) = 1) /=
+        costswindow_first_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_1(11 downto 11)) = 1) /=
+        costswindow_first_0_count_3_value_3));
+      costswindow_first_1_count_4 <= as_number(((to_integer(costsshift_search_0_1(12 downto 12)) = 1) /=
+        costswindow_first_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_1(13 downto 13)) = 1) /=
+        costswindow_first_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_1(14 downto 14)) = 1) /=
+        costswindow_first_0_count_4_value_3));
+      costswindow_first_1_count_5 <= as_number(((to_integer(costsshift_search_0_1(15 downto 15)) = 1) /=
+        costswindow_first_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_1(16 downto 16)) = 1) /=
+        costswindow_first_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_1(17 downto 17)) = 1) /=
+        costswindow_first_0_count_5_value_3));
+      costswindow_first_1_count_6 <= as_number(((to_integer(costsshift_search_0_1(18 downto 18)) = 1) /=
+        costswindow_first_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_1(19 downto 19)) = 1) /=
+        costswindow_first_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_1(20 downto 20)) = 1) /=
+        costswindow_first_0_count_6_value_3));
+      costswindow_first_1_count_7 <= as_number(((to_integer(costsshift_search_0_1(21 downto 21)) = 1) /=
+        costswindow_first_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_1(22 downto 22)) = 1) /=
+        costswindow_first_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_1(23 downto 23)) = 1) /=
+        costswindow_first_0_count_7_value_3));
+      costswindow_first_1_count_8 <= as_number(((to_integer(costsshift_search_0_1(24 downto 24)) = 1) /=
+        costswindow_first_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_1(26 downto 26)) = 1) /=
+        costswindow_first_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_1(25 downto 25)) = 1) /=
+        costswindow_first_0_count_8_value_3));
+      costswindow_first_1_count_9 <= as_number(((to_integer(costsshift_search_0_1(27 downto 27)) = 1) /=
+        costswindow_first_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_1(28 downto 28)) = 1) /=
+        costswindow_first_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_1(29 downto 29)) = 1) /=
+        costswindow_first_0_count_9_value_3));
+      costswindow_first_1_count_10 <= as_number(((to_integer(costsshift_search_0_1(30 downto 30)) = 1) /=
+        costswindow_first_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_1(31 downto 31)) = 1) /=
+        costswindow_first_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_1(32 downto 32)) = 1) /=
+        costswindow_first_0_count_10_value_3));
+      costswindow_first_1_count_11 <= as_number(((to_integer(costsshift_search_0_1(33 downto 33)) = 1) /=
+        costswindow_first_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_1(34 downto 34)) = 1) /=
+        costswindow_first_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_1(35 downto 35)) = 1) /=
+        costswindow_first_0_count_11_value_3));
+      costswindow_first_1_count_12 <= as_number(((to_integer(costsshift_search_0_1(36 downto 36)) = 1) /=
+        costswindow_first_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_1(37 downto 37)) = 1) /=
+        costswindow_first_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_1(38 downto 38)) = 1) /=
+        costswindow_first_0_count_12_value_3));
+      costswindow_first_1_count_13 <= as_number(((to_integer(costsshift_search_0_1(39 downto 39)) = 1) /=
+        costswindow_first_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_1(40 downto 40)) = 1) /=
+        costswindow_first_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_1(41 downto 41)) = 1) /=
+        costswindow_first_0_count_13_value_3));
+      costswindow_first_1_count_14 <= as_number(((to_integer(costsshift_search_0_1(43 downto 43)) = 1) /=
         (to_integer(costsshift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(costsshift_search_0_1(42
-        downto 42)) = 1) /= costscolumn_pixels_first_0_0_count_14_value));
-      costscolumn_pixels_first_0_2_count_0 <= as_number(((to_integer(costsshift_search_0_2(0 downto 0)) = 1) /=
+        downto 42)) = 1) /= costswindow_first_0_count_14_value));
+      costswindow_first_2_count_0 <= as_number(((to_integer(costsshift_search_0_2(0 downto 0)) = 1) /=
         (to_integer(costsshift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(costsshift_search_0_2(2 downto
-        2)) = 1) /= costscolumn_pixels_first_0_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_2(1
-        downto 1)) = 1) /= costscolumn_pixels_first_0_0_count_0_value_2));
-      costscolumn_pixels_first_0_2_count_1 <= as_number(((to_integer(costsshift_search_0_2(3 downto 3)) = 1) /=
-        costscolumn_pixels_first_0_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_2(5 downto 5)) = 1)
-        /= costscolumn_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_2(4 downto 4)) =
-        1) /= costscolumn_pixels_first_0_0_count_1_value_3));
-      costscolumn_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned(to_integer(costsshift_search_0_2(7 downto 0)),
-        8)) xor (to_unsigned(to_integer(costsshift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(((to_integer(costsshift_search_0_2(8 downto 8)) = 1) /= costscolumn_pixels_first_0_0_count_2_value))
-        + as_number(((to_integer(costsshift_search_0_2(6 downto 6)) = 1) /=
-        costscolumn_pixels_first_0_0_count_2_value_2));
-      costscolumn_pixels_first_0_2_count_3 <= as_number(((to_integer(costsshift_search_0_2(9 downto 9)) = 1) /=
-        costscolumn_pixels_first_0_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_2(11 downto 11)) = 1)
-        /= costscolumn_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_2(10 downto 10))
-        = 1) /= costscolumn_pixels_first_0_0_count_3_value_3));
-      costscolumn_pixels_first_0_2_count_4 <= as_number(((to_integer(costsshift_search_0_2(12 downto 12)) = 1) /=
-        costscolumn_pixels_first_0_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_2(14 downto 14)) = 1)
-        /= costscolumn_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_2(13 downto 13))
-        = 1) /= costscolumn_pixels_first_0_0_count_4_value_3));
-      costscolumn_pixels_first_0_2_count_5 <= as_number(((to_integer(costsshift_search_0_2(15 downto 15)) = 1) /=
-        costscolumn_pixels_first_0_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_2(17 downto 17)) = 1)
-        /= costscolumn_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_2(16 downto 16))
-        = 1) /= costscolumn_pixels_first_0_0_count_5_value_3));
-      costscolumn_pixels_first_0_2_count_6 <= as_number(((to_integer(costsshift_search_0_2(18 downto 18)) = 1) /=
-        costscolumn_pixels_first_0_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_2(20 downto 20)) = 1)
-        /= costscolumn_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_2(19 downto 19))
-        = 1) /= costscolumn_pixels_first_0_0_count_6_value_3));
-      costscolumn_pixels_first_0_2_count_7 <= as_number(((to_integer(costsshift_search_0_2(21 downto 21)) = 1) /=
-        costscolumn_pixels_first_0_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_2(23 downto 23)) = 1)
-        /= costscolumn_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_2(22 downto 22))
-        = 1) /= costscolumn_pixels_first_0_0_count_7_value_3));
-      costscolumn_pixels_first_0_2_count_8 <= as_number(((to_integer(costsshift_search_0_2(24 downto 24)) = 1) /=
-        costscolumn_pixels_first_0_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_2(26 downto 26)) = 1)
-        /= costscolumn_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_2(25 downto 25))
-        = 1) /= costscolumn_pixels_first_0_0_count_8_value_3));
-      costscolumn_pixels_first_0_2_count_9 <= as_number(((to_integer(costsshift_search_0_2(27 downto 27)) = 1) /=
-        costscolumn_pixels_first_0_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_2(29 downto 29)) = 1)
-        /= costscolumn_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_2(28 downto 28))
-        = 1) /= costscolumn_pixels_first_0_0_count_9_value_3));
-      costscolumn_pixels_first_0_2_count_10 <= as_number(((to_integer(costsshift_search_0_2(30 downto 30)) = 1) /=
-        costscolumn_pixels_first_0_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_2(32 downto 32)) =
-        1) /= costscolumn_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_2(31 downto
-        31)) = 1) /= costscolumn_pixels_first_0_0_count_10_value_3));
-      costscolumn_pixels_first_0_2_count_11 <= as_number(((to_integer(costsshift_search_0_2(33 downto 33)) = 1) /=
-        costscolumn_pixels_first_0_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_2(35 downto 35)) =
-        1) /= costscolumn_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_2(34 downto
-        34)) = 1) /= costscolumn_pixels_first_0_0_count_11_value_3));
-      costscolumn_pixels_first_0_2_count_12 <= as_number(((to_integer(costsshift_search_0_2(36 downto 36)) = 1) /=
-        costscolumn_pixels_first_0_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_2(38 downto 38)) =
-        1) /= costscolumn_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_2(37 downto
-        37)) = 1) /= costscolumn_pixels_first_0_0_count_12_value_3));
-      costscolumn_pixels_first_0_2_count_13 <= as_number(((to_integer(costsshift_search_0_2(39 downto 39)) = 1) /=
-        costscolumn_pixels_first_0_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_2(41 downto 41)) =
-        1) /= costscolumn_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_2(40 downto
-        40)) = 1) /= costscolumn_pixels_first_0_0_count_13_value_3));
-      costscolumn_pixels_first_0_2_count_14 <= as_number(((to_integer(costsshift_search_0_2(43 downto 43)) = 1) /=
+        2)) = 1) /= costswindow_first_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_2(1 downto 1)) =
+        1) /= costswindow_first_0_count_0_value_2));
+      costswindow_first_2_count_1 <= as_number(((to_integer(costsshift_search_0_2(3 downto 3)) = 1) /=
+        costswindow_first_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_2(4 downto 4)) = 1) /=
+        costswindow_first_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_2(5 downto 5)) = 1) /=
+        costswindow_first_0_count_1_value_3));
+      costswindow_first_2_count_2 <= as_number(((to_integer(costsshift_search_0_2(6 downto 6)) = 1) /=
+        costswindow_first_0_count_2_value)) + as_number(((to_integer(costsshift_search_0_2(7 downto 7)) = 1) /=
+        costswindow_first_0_count_2_value_2)) + as_number(((to_integer(costsshift_search_0_2(8 downto 8)) = 1) /=
+        costswindow_first_0_count_2_value_3));
+      costswindow_first_2_count_3 <= as_number(((to_integer(costsshift_search_0_2(9 downto 9)) = 1) /=
+        costswindow_first_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_2(10 downto 10)) = 1) /=
+        costswindow_first_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_2(11 downto 11)) = 1) /=
+        costswindow_first_0_count_3_value_3));
+      costswindow_first_2_count_4 <= as_number(((to_integer(costsshift_search_0_2(12 downto 12)) = 1) /=
+        costswindow_first_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_2(13 downto 13)) = 1) /=
+        costswindow_first_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_2(14 downto 14)) = 1) /=
+        costswindow_first_0_count_4_value_3));
+      costswindow_first_2_count_5 <= as_number(((to_integer(costsshift_search_0_2(15 downto 15)) = 1) /=
+        costswindow_first_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_2(16 downto 16)) = 1) /=
+        costswindow_first_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_2(17 downto 17)) = 1) /=
+        costswindow_first_0_count_5_value_3));
+      costswindow_first_2_count_6 <= as_number(((to_integer(costsshift_search_0_2(18 downto 18)) = 1) /=
+        costswindow_first_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_2(19 downto 19)) = 1) /=
+        costswindow_first_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_2(20 downto 20)) = 1) /=
+        costswindow_first_0_count_6_value_3));
+      costswindow_first_2_count_7 <= as_number(((to_integer(costsshift_search_0_2(21 downto 21)) = 1) /=
+        costswindow_first_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_2(22 downto 22)) = 1) /=
+        costswindow_first_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_2(23 downto 23)) = 1) /=
+        costswindow_first_0_count_7_value_3));
+      costswindow_first_2_count_8 <= as_number(((to_integer(costsshift_search_0_2(24 downto 24)) = 1) /=
+        costswindow_first_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_2(26 downto 26)) = 1) /=
+        costswindow_first_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_2(25 downto 25)) = 1) /=
+        costswindow_first_0_count_8_value_3));
+      costswindow_first_2_count_9 <= as_number(((to_integer(costsshift_search_0_2(27 downto 27)) = 1) /=
+        costswindow_first_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_2(28 downto 28)) = 1) /=
+        costswindow_first_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_2(29 downto 29)) = 1) /=
+        costswindow_first_0_count_9_value_3));
+      costswindow_first_2_count_10 <= as_number(((to_integer(costsshift_search_0_2(30 downto 30)) = 1) /=
+        costswindow_first_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_2(31 downto 31)) = 1) /=
+        costswindow_first_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_2(32 downto 32)) = 1) /=
+        costswindow_first_0_count_10_value_3));
+      costswindow_first_2_count_11 <= as_number(((to_integer(costsshift_search_0_2(33 downto 33)) = 1) /=
+        costswindow_first_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_2(34 downto 34)) = 1) /=
+        costswindow_first_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_2(35 downto 35)) = 1) /=
+        costswindow_first_0_count_11_value_3));
+      costswindow_first_2_count_12 <= as_number(((to_integer(costsshift_search_0_2(36 downto 36)) = 1) /=
+        costswindow_first_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_2(37 downto 37)) = 1) /=
+        costswindow_first_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_2(38 downto 38)) = 1) /=
+        costswindow_first_0_count_12_value_3));
+      costswindow_first_2_count_13 <= as_number(((to_integer(costsshift_search_0_2(39 downto 39)) = 1) /=
+        costswindow_first_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_2(40 downto 40)) = 1) /=
+        costswindow_first_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_2(41 downto 41)) = 1) /=
+        costswindow_first_0_count_13_value_3));
+      costswindow_first_2_count_14 <= as_number(((to_integer(costsshift_search_0_2(43 downto 43)) = 1) /=
         (to_integer(costsshift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(costsshift_search_0_2(42
-        downto 42)) = 1) /= costscolumn_pixels_first_0_0_count_14_value));
-      costscolumn_pixels_first_0_3_count_0 <= as_number(((to_integer(costsshift_search_0_3(0 downto 0)) = 1) /=
+        downto 42)) = 1) /= costswindow_first_0_count_14_value));
+      costswindow_first_3_count_0 <= as_number(((to_integer(costsshift_search_0_3(0 downto 0)) = 1) /=
         (to_integer(costsshift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(costsshift_search_0_3(2 downto
-        2)) = 1) /= costscolumn_pixels_first_0_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_3(1
-        downto 1)) = 1) /= costscolumn_pixels_first_0_0_count_0_value_2));
-      costscolumn_pixels_first_0_3_count_1 <= as_number(((to_integer(costsshift_search_0_3(3 downto 3)) = 1) /=
-        costscolumn_pixels_first_0_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_3(5 downto 5)) = 1)
-        /= costscolumn_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_3(4 downto 4)) =
-        1) /= costscolumn_pixels_first_0_0_count_1_value_3));
-      costscolumn_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned(to_integer(costsshift_search_0_3(7 downto 0)),
-        8)) xor (to_unsigned(to_integer(costsshift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(((to_integer(costsshift_search_0_3(8 downto 8)) = 1) /= costscolumn_pixels_first_0_0_count_2_value))
-        + as_number(((to_integer(costsshift_search_0_3(6 downto 6)) = 1) /=
-        costscolumn_pixels_first_0_0_count_2_value_2));
-      costscolumn_pixels_first_0_3_count_3 <= as_number(((to_integer(costsshift_search_0_3(9 downto 9)) = 1) /=
-        costscolumn_pixels_first_0_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_3(11 downto 11)) = 1)
-        /= costscolumn_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_3(10 downto 10))
-        = 1) /= costscolumn_pixels_first_0_0_count_3_value_3));
-      costscolumn_pixels_first_0_3_count_4 <= as_number(((to_integer(costsshift_search_0_3(12 downto 12)) = 1) /=
-        costscolumn_pixels_first_0_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_3(14 downto 14)) = 1)
-        /= costscolumn_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_3(13 downto 13))
-        = 1) /= costscolumn_pixels_first_0_0_count_4_value_3));
-      costscolumn_pixels_first_0_3_count_5 <= as_number(((to_integer(costsshift_search_0_3(15 downto 15)) = 1) /=
-        costscolumn_pixels_first_0_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_3(17 downto 17)) = 1)
-        /= costscolumn_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_3(16 downto 16))
-        = 1) /= costscolumn_pixels_first_0_0_count_5_value_3));
-      costscolumn_pixels_first_0_3_count_6 <= as_number(((to_integer(costsshift_search_0_3(18 downto 18)) = 1) /=
-        costscolumn_pixels_first_0_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_3(20 downto 20)) = 1)
-        /= costscolumn_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_3(19 downto 19))
-        = 1) /= costscolumn_pixels_first_0_0_count_6_value_3));
-      costscolumn_pixels_first_0_3_count_7 <= as_number(((to_integer(costsshift_search_0_3(21 downto 21)) = 1) /=
-        costscolumn_pixels_first_0_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_3(23 downto 23)) = 1)
-        /= costscolumn_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_3(22 downto 22))
-        = 1) /= costscolumn_pixels_first_0_0_count_7_value_3));
-      costscolumn_pixels_first_0_3_count_8 <= as_number(((to_integer(costsshift_search_0_3(24 downto 24)) = 1) /=
-        costscolumn_pixels_first_0_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_3(26 downto 26)) = 1)
-        /= costscolumn_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_3(25 downto 25))
-        = 1) /= costscolumn_pixels_first_0_0_count_8_value_3));
-      costscolumn_pixels_first_0_3_count_9 <= as_number(((to_integer(costsshift_search_0_3(27 downto 27)) = 1) /=
-        costscolumn_pixels_first_0_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_3(29 downto 29)) = 1)
-        /= costscolumn_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_3(28 downto 28))
-        = 1) /= costscolumn_pixels_first_0_0_count_9_value_3));
-      costscolumn_pixels_first_0_3_count_10 <= as_number(((to_integer(costsshift_search_0_3(30 downto 30)) = 1) /=
-        costscolumn_pixels_first_0_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_3(32 downto 32)) =
-        1) /= costscolumn_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_3(31 downto
-        31)) = 1) /= costscolumn_pixels_first_0_0_count_10_value_3));
-      costscolumn_pixels_first_0_3_count_11 <= as_number(((to_integer(costsshift_search_0_3(33 downto 33)) = 1) /=
-        costscolumn_pixels_first_0_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_3(35 downto 35)) =
-        1) /= costscolumn_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_3(34 downto
-        34)) = 1) /= costscolumn_pixels_first_0_0_count_11_value_3));
-      costscolumn_pixels_first_0_3_count_12 <= as_number(((to_integer(costsshift_search_0_3(36 downto 36)) = 1) /=
-        costscolumn_pixels_first_0_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_3(38 downto 38)) =
-        1) /= costscolumn_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_3(37 downto
-        37)) = 1) /= costscolumn_pixels_first_0_0_count_12_value_3));
-      costscolumn_pixels_first_0_3_count_13 <= as_number(((to_integer(costsshift_search_0_3(39 downto 39)) = 1) /=
-        costscolumn_pixels_first_0_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_3(41 downto 41)) =
-        1) /= costscolumn_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_3(40 downto
-        40)) = 1) /= costscolumn_pixels_first_0_0_count_13_value_3));
-      costscolumn_pixels_first_0_3_count_14 <= as_number(((to_integer(costsshift_search_0_3(43 downto 43)) = 1) /=
+        2)) = 1) /= costswindow_first_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_3(1 downto 1)) =
+        1) /= costswindow_first_0_count_0_value_2));
+      costswindow_first_3_count_1 <= as_number(((to_integer(costsshift_search_0_3(3 downto 3)) = 1) /=
+        costswindow_first_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_3(4 downto 4)) = 1) /=
+        costswindow_first_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_3(5 downto 5)) = 1) /=
+        costswindow_first_0_count_1_value_3));
+      costswindow_first_3_count_2 <= as_number(((to_integer(costsshift_search_0_3(6 downto 6)) = 1) /=
+        costswindow_first_0_count_2_value)) + as_number(((to_integer(costsshift_search_0_3(7 downto 7)) = 1) /=
+        costswindow_first_0_count_2_value_2)) + as_number(((to_integer(costsshift_search_0_3(8 downto 8)) = 1) /=
+        costswindow_first_0_count_2_value_3));
+      costswindow_first_3_count_3 <= as_number(((to_integer(costsshift_search_0_3(9 downto 9)) = 1) /=
+        costswindow_first_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_3(10 downto 10)) = 1) /=
+        costswindow_first_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_3(11 downto 11)) = 1) /=
+        costswindow_first_0_count_3_value_3));
+      costswindow_first_3_count_4 <= as_number(((to_integer(costsshift_search_0_3(12 downto 12)) = 1) /=
+        costswindow_first_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_3(13 downto 13)) = 1) /=
+        costswindow_first_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_3(14 downto 14)) = 1) /=
+        costswindow_first_0_count_4_value_3));
+      costswindow_first_3_count_5 <= as_number(((to_integer(costsshift_search_0_3(15 downto 15)) = 1) /=
+        costswindow_first_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_3(16 downto 16)) = 1) /=
+        costswindow_first_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_3(17 downto 17)) = 1) /=
+        costswindow_first_0_count_5_value_3));
+      costswindow_first_3_count_6 <= as_number(((to_integer(costsshift_search_0_3(18 downto 18)) = 1) /=
+        costswindow_first_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_3(19 downto 19)) = 1) /=
+        costswindow_first_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_3(20 downto 20)) = 1) /=
+        costswindow_first_0_count_6_value_3));
+      costswindow_first_3_count_7 <= as_number(((to_integer(costsshift_search_0_3(21 downto 21)) = 1) /=
+        costswindow_first_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_3(22 downto 22)) = 1) /=
+        costswindow_first_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_3(23 downto 23)) = 1) /=
+        costswindow_first_0_count_7_value_3));
+      costswindow_first_3_count_8 <= as_number(((to_integer(costsshift_search_0_3(24 downto 24)) = 1) /=
+        costswindow_first_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_3(26 downto 26)) = 1) /=
+        costswindow_first_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_3(25 downto 25)) = 1) /=
+        costswindow_first_0_count_8_value_3));
+      costswindow_first_3_count_9 <= as_number(((to_integer(costsshift_search_0_3(27 downto 27)) = 1) /=
+        costswindow_first_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_3(28 downto 28)) = 1) /=
+        costswindow_first_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_3(29 downto 29)) = 1) /=
+        costswindow_first_0_count_9_value_3));
+      costswindow_first_3_count_10 <= as_number(((to_integer(costsshift_search_0_3(30 downto 30)) = 1) /=
+        costswindow_first_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_3(31 downto 31)) = 1) /=
+        costswindow_first_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_3(32 downto 32)) = 1) /=
+        costswindow_first_0_count_10_value_3));
+      costswindow_first_3_count_11 <= as_number(((to_integer(costsshift_search_0_3(33 downto 33)) = 1) /=
+        costswindow_first_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_3(34 downto 34)) = 1) /=
+        costswindow_first_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_3(35 downto 35)) = 1) /=
+        costswindow_first_0_count_11_value_3));
+      costswindow_first_3_count_12 <= as_number(((to_integer(costsshift_search_0_3(36 downto 36)) = 1) /=
+        costswindow_first_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_3(37 downto 37)) = 1) /=
+        costswindow_first_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_3(38 downto 38)) = 1) /=
+        costswindow_first_0_count_12_value_3));
+      costswindow_first_3_count_13 <= as_number(((to_integer(costsshift_search_0_3(39 downto 39)) = 1) /=
+        costswindow_first_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_3(40 downto 40)) = 1) /=
+        costswindow_first_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_3(41 downto 41)) = 1) /=
+        costswindow_first_0_count_13_value_3));
+      costswindow_first_3_count_14 <= as_number(((to_integer(costsshift_search_0_3(43 downto 43)) = 1) /=
         (to_integer(costsshift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(costsshift_search_0_3(42
-        downto 42)) = 1) /= costscolumn_pixels_first_0_0_count_14_value));
-      costscolumn_pixels_first_0_4_count_0 <= as_number(((to_integer(costsshift_search_0_4(0 downto 0)) = 1) /=
+        downto 42)) = 1) /= costswindow_first_0_count_14_value));
+      costswindow_first_4_count_0 <= as_number(((to_integer(costsshift_search_0_4(0 downto 0)) = 1) /=
         (to_integer(costsshift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(costsshift_search_0_4(2 downto
-        2)) = 1) /= costscolumn_pixels_first_0_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_4(1
-        downto 1)) = 1) /= costscolumn_pixels_first_0_0_count_0_value_2));
-      costscolumn_pixels_first_0_4_count_1 <= as_number(((to_integer(costsshift_search_0_4(3 downto 3)) = 1) /=
-        costscolumn_pixels_first_0_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_4(5 downto 5)) = 1)
-        /= costscolumn_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_4(4 downto 4)) =
-        1) /= costscolumn_pixels_first_0_0_count_1_value_3));
-      costscolumn_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned(to_integer(costsshift_search_0_4(7 downto 0)),
-        8)) xor (to_unsigned(to_integer(costsshift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(((to_integer(costsshift_search_0_4(8 downto 8)) = 1) /= costscolumn_pixels_first_0_0_count_2_value))
-        + as_number(((to_integer(costsshift_search_0_4(6 downto 6)) = 1) /=
-        costscolumn_pixels_first_0_0_count_2_value_2));
-      costscolumn_pixels_first_0_4_count_3 <= as_number(((to_integer(costsshift_search_0_4(9 downto 9)) = 1) /=
-        costscolumn_pixels_first_0_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_4(11 downto 11)) = 1)
-        /= costscolumn_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_4(10 downto 10))
-        = 1) /= costscolumn_pixels_first_0_0_count_3_value_3));
-      costscolumn_pixels_first_0_4_count_4 <= as_number(((to_integer(costsshift_search_0_4(12 downto 12)) = 1) /=
-        costscolumn_pixels_first_0_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_4(14 downto 14)) = 1)
-        /= costscolumn_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_4(13 downto 13))
-        = 1) /= costscolumn_pixels_first_0_0_count_4_value_3));
-      costscolumn_pixels_first_0_4_count_5 <= as_number(((to_integer(costsshift_search_0_4(15 downto 15)) = 1) /=
-        costscolumn_pixels_first_0_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_4(17 downto 17)) = 1)
-        /= costscolumn_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_4(16 downto 16))
-        = 1) /= costscolumn_pixels_first_0_0_count_5_value_3));
-      costscolumn_pixels_first_0_4_count_6 <= as_number(((to_integer(costsshift_search_0_4(18 downto 18)) = 1) /=
-        costscolumn_pixels_first_0_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_4(20 downto 20)) = 1)
-        /= costscolumn_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_4(19 downto 19))
-        = 1) /= costscolumn_pixels_first_0_0_count_6_value_3));
-      costscolumn_pixels_first_0_4_count_7 <= as_number(((to_integer(costsshift_search_0_4(21 downto 21)) = 1) /=
-        costscolumn_pixels_first_0_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_4(23 downto 23)) = 1)
-        /= costscolumn_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_4(22 downto 22))
-        = 1) /= costscolumn_pixels_first_0_0_count_7_value_3));
-      costscolumn_pixels_first_0_4_count_8 <= as_number(((to_integer(costsshift_search_0_4(24 downto 24)) = 1) /=
-        costscolumn_pixels_first_0_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_4(26 downto 26)) = 1)
-        /= costscolumn_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_4(25 downto 25))
-        = 1) /= costscolumn_pixels_first_0_0_count_8_value_3));
-      costscolumn_pixels_first_0_4_count_9 <= as_number(((to_integer(costsshift_search_0_4(27 downto 27)) = 1) /=
-        costscolumn_pixels_first_0_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_4(29 downto 29)) = 1)
-        /= costscolumn_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_4(28 downto 28))
-        = 1) /= costscolumn_pixels_first_0_0_count_9_value_3));
-      costscolumn_pixels_first_0_4_count_10 <= as_number(((to_integer(costsshift_search_0_4(30 downto 30)) = 1) /=
-        costscolumn_pixels_first_0_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_4(32 downto 32)) =
-        1) /= costscolumn_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_4(31 downto
-        31)) = 1) /= costscolumn_pixels_first_0_0_count_10_value_3));
-      costscolumn_pixels_first_0_4_count_11 <= as_number(((to_integer(costsshift_search_0_4(33 downto 33)) = 1) /=
-        costscolumn_pixels_first_0_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_4(35 downto 35)) =
-        1) /= costscolumn_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_4(34 downto
-        34)) = 1) /= costscolumn_pixels_first_0_0_count_11_value_3));
-      costscolumn_pixels_first_0_4_count_12 <= as_number(((to_integer(costsshift_search_0_4(36 downto 36)) = 1) /=
-        costscolumn_pixels_first_0_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_4(38 downto 38)) =
-        1) /= costscolumn_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_4(37 downto
-        37)) = 1) /= costscolumn_pixels_first_0_0_count_12_value_3));
-      costscolumn_pixels_first_0_4_count_13 <= as_number(((to_integer(costsshift_search_0_4(39 downto 39)) = 1) /=
-        costscolumn_pixels_first_0_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_4(41 downto 41)) =
-        1) /= costscolumn_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_4(40 downto
-        40)) = 1) /= costscolumn_pixels_first_0_0_count_13_value_3));
-      costscolumn_pixels_first_0_4_count_14 <= as_number(((to_integer(costsshift_search_0_4(43 downto 43)) = 1) /=
+        2)) = 1) /= costswindow_first_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_4(1 downto 1)) =
+        1) /= costswindow_first_0_count_0_value_2));
+      costswindow_first_4_count_1 <= as_number(((to_integer(costsshift_search_0_4(3 downto 3)) = 1) /=
+        costswindow_first_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_4(4 downto 4)) = 1) /=
+        costswindow_first_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_4(5 downto 5)) = 1) /=
+        costswindow_first_0_count_1_value_3));
+      costswindow_first_4_count_2 <= as_number(((to_integer(costsshift_search_0_4(6 downto 6)) = 1) /=
+        costswindow_first_0_count_2_value)) + as_number(((to_integer(costsshift_search_0_4(7 downto 7)) = 1) /=
+        costswindow_first_0_count_2_value_2)) + as_number(((to_integer(costsshift_search_0_4(8 downto 8)) = 1) /=
+        costswindow_first_0_count_2_value_3));
+      costswindow_first_4_count_3 <= as_number(((to_integer(costsshift_search_0_4(9 downto 9)) = 1) /=
+        costswindow_first_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_4(10 downto 10)) = 1) /=
+        costswindow_first_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_4(11 downto 11)) = 1) /=
+        costswindow_first_0_count_3_value_3));
+      costswindow_first_4_count_4 <= as_number(((to_integer(costsshift_search_0_4(12 downto 12)) = 1) /=
+        costswindow_first_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_4(13 downto 13)) = 1) /=
+        costswindow_first_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_4(14 downto 14)) = 1) /=
+        costswindow_first_0_count_4_value_3));
+      costswindow_first_4_count_5 <= as_number(((to_integer(costsshift_search_0_4(15 downto 15)) = 1) /=
+        costswindow_first_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_4(16 downto 16)) = 1) /=
+        costswindow_first_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_4(17 downto 17)) = 1) /=
+        costswindow_first_0_count_5_value_3));
+      costswindow_first_4_count_6 <= as_number(((to_integer(costsshift_search_0_4(18 downto 18)) = 1) /=
+        costswindow_first_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_4(19 downto 19)) = 1) /=
+        costswindow_first_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_4(20 downto 20)) = 1) /=
+        costswindow_first_0_count_6_value_3));
+      costswindow_first_4_count_7 <= as_number(((to_integer(costsshift_search_0_4(21 downto 21)) = 1) /=
+        costswindow_first_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_4(22 downto 22)) = 1) /=
+        costswindow_first_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_4(23 downto 23)) = 1) /=
+        costswindow_first_0_count_7_value_3));
+      costswindow_first_4_count_8 <= as_number(((to_integer(costsshift_search_0_4(24 downto 24)) = 1) /=
+        costswindow_first_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_4(26 downto 26)) = 1) /=
+        costswindow_first_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_4(25 downto 25)) = 1) /=
+        costswindow_first_0_count_8_value_3));
+      costswindow_first_4_count_9 <= as_number(((to_integer(costsshift_search_0_4(27 downto 27)) = 1) /=
+        costswindow_first_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_4(28 downto 28)) = 1) /=
+        costswindow_first_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_4(29 downto 29)) = 1) /=
+        costswindow_first_0_count_9_value_3));
+      costswindow_first_4_count_10 <= as_number(((to_integer(costsshift_search_0_4(30 downto 30)) = 1) /=
+        costswindow_first_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_4(31 downto 31)) = 1) /=
+        costswindow_first_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_4(32 downto 32)) = 1) /=
+        costswindow_first_0_count_10_value_3));
+      costswindow_first_4_count_11 <= as_number(((to_integer(costsshift_search_0_4(33 downto 33)) = 1) /=
+        costswindow_first_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_4(34 downto 34)) = 1) /=
+        costswindow_first_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_4(35 downto 35)) = 1) /=
+        costswindow_first_0_count_11_value_3));
+      costswindow_first_4_count_12 <= as_number(((to_integer(costsshift_search_0_4(36 downto 36)) = 1) /=
+        costswindow_first_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_4(37 downto 37)) = 1) /=
+        costswindow_first_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_4(38 downto 38)) = 1) /=
+        costswindow_first_0_count_12_value_3));
+      costswindow_first_4_count_13 <= as_number(((to_integer(costsshift_search_0_4(39 downto 39)) = 1) /=
+        costswindow_first_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_4(40 downto 40)) = 1) /=
+        costswindow_first_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_4(41 downto 41)) = 1) /=
+        costswindow_first_0_count_13_value_3));
+      costswindow_first_4_count_14 <= as_number(((to_integer(costsshift_search_0_4(43 downto 43)) = 1) /=
         (to_integer(costsshift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(costsshift_search_0_4(42
-        downto 42)) = 1) /= costscolumn_pixels_first_0_0_count_14_value));
-      costscolumn_pixels_first_0_5_count_0 <= as_number(((to_integer(costsshift_search_0_5(0 downto 0)) = 1) /=
+        downto 42)) = 1) /= costswindow_first_0_count_14_value));
+      costswindow_first_5_count_0 <= as_number(((to_integer(costsshift_search_0_5(0 downto 0)) = 1) /=
         (to_integer(costsshift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(costsshift_search_0_5(2 downto
-        2)) = 1) /= costscolumn_pixels_first_0_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_5(1
-        downto 1)) = 1) /= costscolumn_pixels_first_0_0_count_0_value_2));
-      costscolumn_pixels_first_0_5_count_1 <= as_number(((to_integer(costsshift_search_0_5(3 downto 3)) = 1) /=
-        costscolumn_pixels_first_0_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_5(5 downto 5)) = 1)
-        /= costscolumn_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_5(4 downto 4)) =
-        1) /= costscolumn_pixels_first_0_0_count_1_value_3));
-      costscolumn_pixels_first_0_5_count_2 <= (to_integer(((to_unsigned(to_integer(costsshift_search_0_5(7 downto 0)),
-        8)) xor (to_unsigned(to_integer(costsshift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(((to_integer(costsshift_search_0_5(8 downto 8)) = 1) /= costscolumn_pixels_first_0_0_count_2_value))
-        + as_number(((to_integer(costsshift_search_0_5(6 downto 6)) = 1) /=
-        costscolumn_pixels_first_0_0_count_2_value_2));
-      costscolumn_pixels_first_0_5_count_3 <= as_number(((to_integer(costsshift_search_0_5(9 downto 9)) = 1) /=
-        costscolumn_pixels_first_0_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_5(11 downto 11)) = 1)
-        /= costscolumn_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_5(10 downto 10))
-        = 1) /= costscolumn_pixels_first_0_0_count_3_value_3));
-      costscolumn_pixels_first_0_5_count_4 <= as_number(((to_integer(costsshift_search_0_5(12 downto 12)) = 1) /=
-        costscolumn_pixels_first_0_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_5(14 downto 14)) = 1)
-        /= costscolumn_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_5(13 downto 13))
-        = 1) /= costscolumn_pixels_first_0_0_count_4_value_3));
-      costscolumn_pixels_first_0_5_count_5 <= as_number(((to_integer(costsshift_search_0_5(15 downto 15)) = 1) /=
-        costscolumn_pixels_first_0_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_5(17 downto 17)) = 1)
-        /= costscolumn_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_5(16 downto 16))
-        = 1) /= costscolumn_pixels_first_0_0_count_5_value_3));
-      costscolumn_pixels_first_0_5_count_6 <= as_number(((to_integer(costsshift_search_0_5(18 downto 18)) = 1) /=
-        costscolumn_pixels_first_0_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_5(20 downto 20)) = 1)
-        /= costscolumn_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_5(19 downto 19))
-        = 1) /= costscolumn_pixels_first_0_0_count_6_value_3));
-      costscolumn_pixels_first_0_5_count_7 <= as_number(((to_integer(costsshift_search_0_5(21 downto 21)) = 1) /=
-        costscolumn_pixels_first_0_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_5(23 downto 23)) = 1)
-        /= costscolumn_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_5(22 downto 22))
-        = 1) /= costscolumn_pixels_first_0_0_count_7_value_3));
-      costscolumn_pixels_first_0_5_count_8 <= as_number(((to_integer(costsshift_search_0_5(24 downto 24)) = 1) /=
-        costscolumn_pixels_first_0_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_5(26 downto 26)) = 1)
-        /= costscolumn_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_5(25 downto 25))
-        = 1) /= costscolumn_pixels_first_0_0_count_8_value_3));
-      costscolumn_pixels_first_0_5_count_9 <= as_number(((to_integer(costsshift_search_0_5(27 downto 27)) = 1) /=
-        costscolumn_pixels_first_0_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_5(29 downto 29)) = 1)
-        /= costscolumn_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_5(28 downto 28))
-        = 1) /= costscolumn_pixels_first_0_0_count_9_value_3));
-      costscolumn_pixels_first_0_5_count_10 <= as_number(((to_integer(costsshift_search_0_5(30 downto 30)) = 1) /=
-        costscolumn_pixels_first_0_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_5(32 downto 32)) =
-        1) /= costscolumn_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_5(31 downto
-        31)) = 1) /= costscolumn_pixels_first_0_0_count_10_value_3));
-      costscolumn_pixels_first_0_5_count_11 <= as_number(((to_integer(costsshift_search_0_5(33 downto 33)) = 1) /=
-        costscolumn_pixels_first_0_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_5(35 downto 35)) =
-        1) /= costscolumn_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_5(34 downto
-        34)) = 1) /= costscolumn_pixels_first_0_0_count_11_value_3));
-      costscolumn_pixels_first_0_5_count_12 <= as_number(((to_integer(costsshift_search_0_5(36 downto 36)) = 1) /=
-        costscolumn_pixels_first_0_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_5(38 downto 38)) =
-        1) /= costscolumn_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_5(37 downto
-        37)) = 1) /= costscolumn_pixels_first_0_0_count_12_value_3));
-      costscolumn_pixels_first_0_5_count_13 <= as_number(((to_integer(costsshift_search_0_5(39 downto 39)) = 1) /=
-        costscolumn_pixels_first_0_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_5(41 downto 41)) =
-        1) /= costscolumn_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_5(40 downto
-        40)) = 1) /= costscolumn_pixels_first_0_0_count_13_value_3));
-      costscolumn_pixels_first_0_5_count_14 <= as_number(((to_integer(costsshift_search_0_5(43 downto 43)) = 1) /=
+        2)) = 1) /= costswindow_first_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_5(1 downto 1)) =
+        1) /= costswindow_first_0_count_0_value_2));
+      costswindow_first_5_count_1 <= as_number(((to_integer(costsshift_search_0_5(3 downto 3)) = 1) /=
+        costswindow_first_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_5(4 downto 4)) = 1) /=
+        costswindow_first_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_5(5 downto 5)) = 1) /=
+        costswindow_first_0_count_1_value_3));
+      costswindow_first_5_count_2 <= as_number(((to_integer(costsshift_search_0_5(6 downto 6)) = 1) /=
+        costswindow_first_0_count_2_value)) + as_number(((to_integer(costsshift_search_0_5(7 downto 7)) = 1) /=
+        costswindow_first_0_count_2_value_2)) + as_number(((to_integer(costsshift_search_0_5(8 downto 8)) = 1) /=
+        costswindow_first_0_count_2_value_3));
+      costswindow_first_5_count_3 <= as_number(((to_integer(costsshift_search_0_5(9 downto 9)) = 1) /=
+        costswindow_first_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_5(10 downto 10)) = 1) /=
+        costswindow_first_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_5(11 downto 11)) = 1) /=
+        costswindow_first_0_count_3_value_3));
+      costswindow_first_5_count_4 <= as_number(((to_integer(costsshift_search_0_5(12 downto 12)) = 1) /=
+        costswindow_first_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_5(13 downto 13)) = 1) /=
+        costswindow_first_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_5(14 downto 14)) = 1) /=
+        costswindow_first_0_count_4_value_3));
+      costswindow_first_5_count_5 <= as_number(((to_integer(costsshift_search_0_5(15 downto 15)) = 1) /=
+        costswindow_first_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_5(16 downto 16)) = 1) /=
+        costswindow_first_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_5(17 downto 17)) = 1) /=
+        costswindow_first_0_count_5_value_3));
+      costswindow_first_5_count_6 <= as_number(((to_integer(costsshift_search_0_5(18 downto 18)) = 1) /=
+        costswindow_first_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_5(19 downto 19)) = 1) /=
+        costswindow_first_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_5(20 downto 20)) = 1) /=
+        costswindow_first_0_count_6_value_3));
+      costswindow_first_5_count_7 <= as_number(((to_integer(costsshift_search_0_5(21 downto 21)) = 1) /=
+        costswindow_first_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_5(22 downto 22)) = 1) /=
+        costswindow_first_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_5(23 downto 23)) = 1) /=
+        costswindow_first_0_count_7_value_3));
+      costswindow_first_5_count_8 <= as_number(((to_integer(costsshift_search_0_5(24 downto 24)) = 1) /=
+        costswindow_first_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_5(26 downto 26)) = 1) /=
+        costswindow_first_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_5(25 downto 25)) = 1) /=
+        costswindow_first_0_count_8_value_3));
+      costswindow_first_5_count_9 <= as_number(((to_integer(costsshift_search_0_5(27 downto 27)) = 1) /=
+        costswindow_first_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_5(28 downto 28)) = 1) /=
+        costswindow_first_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_5(29 downto 29)) = 1) /=
+        costswindow_first_0_count_9_value_3));
+      costswindow_first_5_count_10 <= as_number(((to_integer(costsshift_search_0_5(30 downto 30)) = 1) /=
+        costswindow_first_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_5(31 downto 31)) = 1) /=
+        costswindow_first_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_5(32 downto 32)) = 1) /=
+        costswindow_first_0_count_10_value_3));
+      costswindow_first_5_count_11 <= as_number(((to_integer(costsshift_search_0_5(33 downto 33)) = 1) /=
+        costswindow_first_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_5(34 downto 34)) = 1) /=
+        costswindow_first_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_5(35 downto 35)) = 1) /=
+        costswindow_first_0_count_11_value_3));
+      costswindow_first_5_count_12 <= as_number(((to_integer(costsshift_search_0_5(36 downto 36)) = 1) /=
+        costswindow_first_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_5(37 downto 37)) = 1) /=
+        costswindow_first_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_5(38 downto 38)) = 1) /=
+        costswindow_first_0_count_12_value_3));
+      costswindow_first_5_count_13 <= as_number(((to_integer(costsshift_search_0_5(39 downto 39)) = 1) /=
+        costswindow_first_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_5(40 downto 40)) = 1) /=
+        costswindow_first_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_5(41 downto 41)) = 1) /=
+        costswindow_first_0_count_13_value_3));
+      costswindow_first_5_count_14 <= as_number(((to_integer(costsshift_search_0_5(43 downto 43)) = 1) /=
         (to_integer(costsshift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(costsshift_search_0_5(42
-        downto 42)) = 1) /= costscolumn_pixels_first_0_0_count_14_value));
-      costscolumn_pixels_first_0_6_count_0 <= as_number(((to_integer(costsshift_search_0_6(0 downto 0)) = 1) /=
+        downto 42)) = 1) /= costswindow_first_0_count_14_value));
+      costswindow_first_6_count_0 <= as_number(((to_integer(costsshift_search_0_6(0 downto 0)) = 1) /=
         (to_integer(costsshift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(costsshift_search_0_6(2 downto
-        2)) = 1) /= costscolumn_pixels_first_0_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_6(1
-        downto 1)) = 1) /= costscolumn_pixels_first_0_0_count_0_value_2));
-      costscolumn_pixels_first_0_6_count_1 <= as_number(((to_integer(costsshift_search_0_6(3 downto 3)) = 1) /=
-        costscolumn_pixels_first_0_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_6(5 downto 5)) = 1)
-        /= costscolumn_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_6(4 downto 4)) =
-        1) /= costscolumn_pixels_first_0_0_count_1_value_3));
-      costscolumn_pixels_first_0_6_count_2 <= (to_integer(((to_unsigned(to_integer(costsshift_search_0_6(7 downto 0)),
-        8)) xor (to_unsigned(to_integer(costsshift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(((to_integer(costsshift_search_0_6(8 downto 8)) = 1) /= costscolumn_pixels_first_0_0_count_2_value))
-        + as_number(((to_integer(costsshift_search_0_6(6 downto 6)) = 1) /=
-        costscolumn_pixels_first_0_0_count_2_value_2));
-      costscolumn_pixels_first_0_6_count_3 <= as_number(((to_integer(costsshift_search_0_6(9 downto 9)) = 1) /=
-        costscolumn_pixels_first_0_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_6(11 downto 11)) = 1)
-        /= costscolumn_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_6(10 downto 10))
-        = 1) /= costscolumn_pixels_first_0_0_count_3_value_3));
-      costscolumn_pixels_first_0_6_count_4 <= as_number(((to_integer(costsshift_search_0_6(12 downto 12)) = 1) /=
-        costscolumn_pixels_first_0_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_6(14 downto 14)) = 1)
-        /= costscolumn_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_6(13 downto 13))
-        = 1) /= costscolumn_pixels_first_0_0_count_4_value_3));
-      costscolumn_pixels_first_0_6_count_5 <= as_number(((to_integer(costsshift_search_0_6(15 downto 15)) = 1) /=
-        costscolumn_pixels_first_0_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_6(17 downto 17)) = 1)
-        /= costscolumn_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_6(16 downto 16))
-        = 1) /= costscolumn_pixels_first_0_0_count_5_value_3));
-      costscolumn_pixels_first_0_6_count_6 <= as_number(((to_integer(costsshift_search_0_6(18 downto 18)) = 1) /=
-        costscolumn_pixels_first_0_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_6(20 downto 20)) = 1)
-        /= costscolumn_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_6(19 downto 19))
-        = 1) /= costscolumn_pixels_first_0_0_count_6_value_3));
-      costscolumn_pixels_first_0_6_count_7 <= as_number(((to_integer(costsshift_search_0_6(21 downto 21)) = 1) /=
-        costscolumn_pixels_first_0_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_6(23 downto 23)) = 1)
-        /= costscolumn_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_6(22 downto 22))
-        = 1) /= costscolumn_pixels_first_0_0_count_7_value_3));
-      costscolumn_pixels_first_0_6_count_8 <= as_number(((to_integer(costsshift_search_0_6(24 downto 24)) = 1) /=
-        costscolumn_pixels_first_0_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_6(26 downto 26)) = 1)
-        /= costscolumn_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_6(25 downto 25))
-        = 1) /= costscolumn_pixels_first_0_0_count_8_value_3));
-      costscolumn_pixels_first_0_6_count_9 <= as_number(((to_integer(costsshift_search_0_6(27 downto 27)) = 1) /=
-        costscolumn_pixels_first_0_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_6(29 downto 29)) = 1)
-        /= costscolumn_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_6(28 downto 28))
-        = 1) /= costscolumn_pixels_first_0_0_count_9_value_3));
-      costscolumn_pixels_first_0_6_count_10 <= as_number(((to_integer(costsshift_search_0_6(30 downto 30)) = 1) /=
-        costscolumn_pixels_first_0_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_6(32 downto 32)) =
-        1) /= costscolumn_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_6(31 downto
-        31)) = 1) /= costscolumn_pixels_first_0_0_count_10_value_3));
-      costscolumn_pixels_first_0_6_count_11 <= as_number(((to_integer(costsshift_search_0_6(33 downto 33)) = 1) /=
-        costscolumn_pixels_first_0_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_6(35 downto 35)) =
-        1) /= costscolumn_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_6(34 downto
-        34)) = 1) /= costscolumn_pixels_first_0_0_count_11_value_3));
-      costscolumn_pixels_first_0_6_count_12 <= as_number(((to_integer(costsshift_search_0_6(36 downto 36)) = 1) /=
-        costscolumn_pixels_first_0_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_6(38 downto 38)) =
-        1) /= costscolumn_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_6(37 downto
-        37)) = 1) /= costscolumn_pixels_first_0_0_count_12_value_3));
-      costscolumn_pixels_first_0_6_count_13 <= as_number(((to_integer(costsshift_search_0_6(39 downto 39)) = 1) /=
-        costscolumn_pixels_first_0_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_6(41 downto 41)) =
-        1) /= costscolumn_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_6(40 downto
-        40)) = 1) /= costscolumn_pixels_first_0_0_count_13_value_3));
-      costscolumn_pixels_first_0_6_count_14 <= as_number(((to_integer(costsshift_search_0_6(43 downto 43)) = 1) /=
+        2)) = 1) /= costswindow_first_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_6(1 downto 1)) =
+        1) /= costswindow_first_0_count_0_value_2));
+      costswindow_first_6_count_1 <= as_number(((to_integer(costsshift_search_0_6(3 downto 3)) = 1) /=
+        costswindow_first_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_6(4 downto 4)) = 1) /=
+        costswindow_first_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_6(5 downto 5)) = 1) /=
+        costswindow_first_0_count_1_value_3));
+      costswindow_first_6_count_2 <= as_number(((to_integer(costsshift_search_0_6(6 downto 6)) = 1) /=
+        costswindow_first_0_count_2_value)) + as_number(((to_integer(costsshift_search_0_6(7 downto 7)) = 1) /=
+        costswindow_first_0_count_2_value_2)) + as_number(((to_integer(costsshift_search_0_6(8 downto 8)) = 1) /=
+        costswindow_first_0_count_2_value_3));
+      costswindow_first_6_count_3 <= as_number(((to_integer(costsshift_search_0_6(9 downto 9)) = 1) /=
+        costswindow_first_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_6(10 downto 10)) = 1) /=
+        costswindow_first_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_6(11 downto 11)) = 1) /=
+        costswindow_first_0_count_3_value_3));
+      costswindow_first_6_count_4 <= as_number(((to_integer(costsshift_search_0_6(12 downto 12)) = 1) /=
+        costswindow_first_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_6(13 downto 13)) = 1) /=
+        costswindow_first_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_6(14 downto 14)) = 1) /=
+        costswindow_first_0_count_4_value_3));
+      costswindow_first_6_count_5 <= as_number(((to_integer(costsshift_search_0_6(15 downto 15)) = 1) /=
+        costswindow_first_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_6(16 downto 16)) = 1) /=
+        costswindow_first_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_6(17 downto 17)) = 1) /=
+        costswindow_first_0_count_5_value_3));
+      costswindow_first_6_count_6 <= as_number(((to_integer(costsshift_search_0_6(18 downto 18)) = 1) /=
+        costswindow_first_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_6(19 downto 19)) = 1) /=
+        costswindow_first_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_6(20 downto 20)) = 1) /=
+        costswindow_first_0_count_6_value_3));
+      costswindow_first_6_count_7 <= as_number(((to_integer(costsshift_search_0_6(21 downto 21)) = 1) /=
+        costswindow_first_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_6(22 downto 22)) = 1) /=
+        costswindow_first_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_6(23 downto 23)) = 1) /=
+        costswindow_first_0_count_7_value_3));
+      costswindow_first_6_count_8 <= as_number(((to_integer(costsshift_search_0_6(24 downto 24)) = 1) /=
+        costswindow_first_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_6(26 downto 26)) = 1) /=
+        costswindow_first_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_6(25 downto 25)) = 1) /=
+        costswindow_first_0_count_8_value_3));
+      costswindow_first_6_count_9 <= as_number(((to_integer(costsshift_search_0_6(27 downto 27)) = 1) /=
+        costswindow_first_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_6(28 downto 28)) = 1) /=
+        costswindow_first_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_6(29 downto 29)) = 1) /=
+        costswindow_first_0_count_9_value_3));
+      costswindow_first_6_count_10 <= as_number(((to_integer(costsshift_search_0_6(30 downto 30)) = 1) /=
+        costswindow_first_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_6(31 downto 31)) = 1) /=
+        costswindow_first_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_6(32 downto 32)) = 1) /=
+        costswindow_first_0_count_10_value_3));
+      costswindow_first_6_count_11 <= as_number(((to_integer(costsshift_search_0_6(33 downto 33)) = 1) /=
+        costswindow_first_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_6(34 downto 34)) = 1) /=
+        costswindow_first_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_6(35 downto 35)) = 1) /=
+        costswindow_first_0_count_11_value_3));
+      costswindow_first_6_count_12 <= as_number(((to_integer(costsshift_search_0_6(36 downto 36)) = 1) /=
+        costswindow_first_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_6(37 downto 37)) = 1) /=
+        costswindow_first_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_6(38 downto 38)) = 1) /=
+        costswindow_first_0_count_12_value_3));
+      costswindow_first_6_count_13 <= as_number(((to_integer(costsshift_search_0_6(39 downto 39)) = 1) /=
+        costswindow_first_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_6(40 downto 40)) = 1) /=
+        costswindow_first_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_6(41 downto 41)) = 1) /=
+        costswindow_first_0_count_13_value_3));
+      costswindow_first_6_count_14 <= as_number(((to_integer(costsshift_search_0_6(43 downto 43)) = 1) /=
         (to_integer(costsshift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(costsshift_search_0_6(42
-        downto 42)) = 1) /= costscolumn_pixels_first_0_0_count_14_value));
-      costscolumn_pixels_first_0_7_count_0 <= as_number(((to_integer(costsshift_search_0_7(0 downto 0)) = 1) /=
+        downto 42)) = 1) /= costswindow_first_0_count_14_value));
+      costswindow_first_7_count_0 <= as_number(((to_integer(costsshift_search_0_7(0 downto 0)) = 1) /=
         (to_integer(costsshift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(costsshift_search_0_7(2 downto
-        2)) = 1) /= costscolumn_pixels_first_0_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_7(1
-        downto 1)) = 1) /= costscolumn_pixels_first_0_0_count_0_value_2));
-      costscolumn_pixels_first_0_7_count_1 <= as_number(((to_integer(costsshift_search_0_7(3 downto 3)) = 1) /=
-        costscolumn_pixels_first_0_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_7(5 downto 5)) = 1)
-        /= costscolumn_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_7(4 downto 4)) =
-        1) /= costscolumn_pixels_first_0_0_count_1_value_3));
-      costscolumn_pixels_first_0_7_count_2 <= (to_integer(((to_unsigned(to_integer(costsshift_search_0_7(7 downto 0)),
-        8)) xor (to_unsigned(to_integer(costsshift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(((to_integer(costsshift_search_0_7(8 downto 8)) = 1) /= costscolumn_pixels_first_0_0_count_2_value))
-        + as_number(((to_integer(costsshift_search_0_7(6 downto 6)) = 1) /=
-        costscolumn_pixels_first_0_0_count_2_value_2));
-      costscolumn_pixels_first_0_7_count_3 <= as_number(((to_integer(costsshift_search_0_7(9 downto 9)) = 1) /=
-        costscolumn_pixels_first_0_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_7(11 downto 11)) = 1)
-        /= costscolumn_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_7(10 downto 10))
-        = 1) /= costscolumn_pixels_first_0_0_count_3_value_3));
-      costscolumn_pixels_first_0_7_count_4 <= as_number(((to_integer(costsshift_search_0_7(12 downto 12)) = 1) /=
-        costscolumn_pixels_first_0_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_7(14 downto 14)) = 1)
-        /= costscolumn_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_7(13 downto 13))
-        = 1) /= costscolumn_pixels_first_0_0_count_4_value_3));
-      costscolumn_pixels_first_0_7_count_5 <= as_number(((to_integer(costsshift_search_0_7(15 downto 15)) = 1) /=
-        costscolumn_pixels_first_0_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_7(17 downto 17)) = 1)
-        /= costscolumn_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_7(16 downto 16))
-        = 1) /= costscolumn_pixels_first_0_0_count_5_value_3));
-      costscolumn_pixels_first_0_7_count_6 <= as_number(((to_integer(costsshift_search_0_7(18 downto 18)) = 1) /=
-        costscolumn_pixels_first_0_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_7(20 downto 20)) = 1)
-        /= costscolumn_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_7(19 downto 19))
-        = 1) /= costscolumn_pixels_first_0_0_count_6_value_3));
-      costscolumn_pixels_first_0_7_count_7 <= as_number(((to_integer(costsshift_search_0_7(21 downto 21)) = 1) /=
-        costscolumn_pixels_first_0_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_7(23 downto 23)) = 1)
-        /= costscolumn_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_7(22 downto 22))
-        = 1) /= costscolumn_pixels_first_0_0_count_7_value_3));
-      costscolumn_pixels_first_0_7_count_8 <= as_number(((to_integer(costsshift_search_0_7(24 downto 24)) = 1) /=
-        costscolumn_pixels_first_0_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_7(26 downto 26)) = 1)
-        /= costscolumn_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_7(25 downto 25))
-        = 1) /= costscolumn_pixels_first_0_0_count_8_value_3));
-      costscolumn_pixels_first_0_7_count_9 <= as_number(((to_integer(costsshift_search_0_7(27 downto 27)) = 1) /=
-        costscolumn_pixels_first_0_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_7(29 downto 29)) = 1)
-        /= costscolumn_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_7(28 downto 28))
-        = 1) /= costscolumn_pixels_first_0_0_count_9_value_3));
-      costscolumn_pixels_first_0_7_count_10 <= as_number(((to_integer(costsshift_search_0_7(30 downto 30)) = 1) /=
-        costscolumn_pixels_first_0_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_7(32 downto 32)) =
-        1) /= costscolumn_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_7(31 downto
-        31)) = 1) /= costscolumn_pixels_first_0_0_count_10_value_3));
-      costscolumn_pixels_first_0_7_count_11 <= as_number(((to_integer(costsshift_search_0_7(33 downto 33)) = 1) /=
-        costscolumn_pixels_first_0_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_7(35 downto 35)) =
-        1) /= costscolumn_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_7(34 downto
-        34)) = 1) /= costscolumn_pixels_first_0_0_count_11_value_3));
-      costscolumn_pixels_first_0_7_count_12 <= as_number(((to_integer(costsshift_search_0_7(36 downto 36)) = 1) /=
-        costscolumn_pixels_first_0_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_7(38 downto 38)) =
-        1) /= costscolumn_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_7(37 downto
-        37)) = 1) /= costscolumn_pixels_first_0_0_count_12_value_3));
-      costscolumn_pixels_first_0_7_count_13 <= as_number(((to_integer(costsshift_search_0_7(39 downto 39)) = 1) /=
-        costscolumn_pixels_first_0_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_7(41 downto 41)) =
-        1) /= costscolumn_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_7(40 downto
-        40)) = 1) /= costscolumn_pixels_first_0_0_count_13_value_3));
-      costscolumn_pixels_first_0_7_count_14 <= as_number(((to_integer(costsshift_search_0_7(43 downto 43)) = 1) /=
+        2)) = 1) /= costswindow_first_0_count_0_value)) + as_number(((to_integer(costsshift_search_0_7(1 downto 1)) =
+        1) /= costswindow_first_0_count_0_value_2));
+      costswindow_first_7_count_1 <= as_number(((to_integer(costsshift_search_0_7(3 downto 3)) = 1) /=
+        costswindow_first_0_count_1_value)) + as_number(((to_integer(costsshift_search_0_7(4 downto 4)) = 1) /=
+        costswindow_first_0_count_1_value_2)) + as_number(((to_integer(costsshift_search_0_7(5 downto 5)) = 1) /=
+        costswindow_first_0_count_1_value_3));
+      costswindow_first_7_count_2 <= as_number(((to_integer(costsshift_search_0_7(6 downto 6)) = 1) /=
+        costswindow_first_0_count_2_value)) + as_number(((to_integer(costsshift_search_0_7(7 downto 7)) = 1) /=
+        costswindow_first_0_count_2_value_2)) + as_number(((to_integer(costsshift_search_0_7(8 downto 8)) = 1) /=
+        costswindow_first_0_count_2_value_3));
+      costswindow_first_7_count_3 <= as_number(((to_integer(costsshift_search_0_7(9 downto 9)) = 1) /=
+        costswindow_first_0_count_3_value)) + as_number(((to_integer(costsshift_search_0_7(10 downto 10)) = 1) /=
+        costswindow_first_0_count_3_value_2)) + as_number(((to_integer(costsshift_search_0_7(11 downto 11)) = 1) /=
+        costswindow_first_0_count_3_value_3));
+      costswindow_first_7_count_4 <= as_number(((to_integer(costsshift_search_0_7(12 downto 12)) = 1) /=
+        costswindow_first_0_count_4_value)) + as_number(((to_integer(costsshift_search_0_7(13 downto 13)) = 1) /=
+        costswindow_first_0_count_4_value_2)) + as_number(((to_integer(costsshift_search_0_7(14 downto 14)) = 1) /=
+        costswindow_first_0_count_4_value_3));
+      costswindow_first_7_count_5 <= as_number(((to_integer(costsshift_search_0_7(15 downto 15)) = 1) /=
+        costswindow_first_0_count_5_value)) + as_number(((to_integer(costsshift_search_0_7(16 downto 16)) = 1) /=
+        costswindow_first_0_count_5_value_2)) + as_number(((to_integer(costsshift_search_0_7(17 downto 17)) = 1) /=
+        costswindow_first_0_count_5_value_3));
+      costswindow_first_7_count_6 <= as_number(((to_integer(costsshift_search_0_7(18 downto 18)) = 1) /=
+        costswindow_first_0_count_6_value)) + as_number(((to_integer(costsshift_search_0_7(19 downto 19)) = 1) /=
+        costswindow_first_0_count_6_value_2)) + as_number(((to_integer(costsshift_search_0_7(20 downto 20)) = 1) /=
+        costswindow_first_0_count_6_value_3));
+      costswindow_first_7_count_7 <= as_number(((to_integer(costsshift_search_0_7(21 downto 21)) = 1) /=
+        costswindow_first_0_count_7_value)) + as_number(((to_integer(costsshift_search_0_7(22 downto 22)) = 1) /=
+        costswindow_first_0_count_7_value_2)) + as_number(((to_integer(costsshift_search_0_7(23 downto 23)) = 1) /=
+        costswindow_first_0_count_7_value_3));
+      costswindow_first_7_count_8 <= as_number(((to_integer(costsshift_search_0_7(24 downto 24)) = 1) /=
+        costswindow_first_0_count_8_value)) + as_number(((to_integer(costsshift_search_0_7(26 downto 26)) = 1) /=
+        costswindow_first_0_count_8_value_2)) + as_number(((to_integer(costsshift_search_0_7(25 downto 25)) = 1) /=
+        costswindow_first_0_count_8_value_3));
+      costswindow_first_7_count_9 <= as_number(((to_integer(costsshift_search_0_7(27 downto 27)) = 1) /=
+        costswindow_first_0_count_9_value)) + as_number(((to_integer(costsshift_search_0_7(28 downto 28)) = 1) /=
+        costswindow_first_0_count_9_value_2)) + as_number(((to_integer(costsshift_search_0_7(29 downto 29)) = 1) /=
+        costswindow_first_0_count_9_value_3));
+      costswindow_first_7_count_10 <= as_number(((to_integer(costsshift_search_0_7(30 downto 30)) = 1) /=
+        costswindow_first_0_count_10_value)) + as_number(((to_integer(costsshift_search_0_7(31 downto 31)) = 1) /=
+        costswindow_first_0_count_10_value_2)) + as_number(((to_integer(costsshift_search_0_7(32 downto 32)) = 1) /=
+        costswindow_first_0_count_10_value_3));
+      costswindow_first_7_count_11 <= as_number(((to_integer(costsshift_search_0_7(33 downto 33)) = 1) /=
+        costswindow_first_0_count_11_value)) + as_number(((to_integer(costsshift_search_0_7(34 downto 34)) = 1) /=
+        costswindow_first_0_count_11_value_2)) + as_number(((to_integer(costsshift_search_0_7(35 downto 35)) = 1) /=
+        costswindow_first_0_count_11_value_3));
+      costswindow_first_7_count_12 <= as_number(((to_integer(costsshift_search_0_7(36 downto 36)) = 1) /=
+        costswindow_first_0_count_12_value)) + as_number(((to_integer(costsshift_search_0_7(37 downto 37)) = 1) /=
+        costswindow_first_0_count_12_value_2)) + as_number(((to_integer(costsshift_search_0_7(38 downto 38)) = 1) /=
+        costswindow_first_0_count_12_value_3));
+      costswindow_first_7_count_13 <= as_number(((to_integer(costsshift_search_0_7(39 downto 39)) = 1) /=
+        costswindow_first_0_count_13_value)) + as_number(((to_integer(costsshift_search_0_7(40 downto 40)) = 1) /=
+        costswindow_first_0_count_13_value_2)) + as_number(((to_integer(costsshift_search_0_7(41 downto 41)) = 1) /=
+        costswindow_first_0_count_13_value_3));
+      costswindow_first_7_count_14 <= as_number(((to_integer(costsshift_search_0_7(43 downto 43)) = 1) /=
         (to_integer(costsshift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(costsshift_search_0_7(42
-        downto 42)) = 1) /= costscolumn_pixels_first_0_0_count_14_value));
-      costscolumn_pixels_first_tag_border_column <= costsshift_tag_border_column;
-      costscolumn_pixels_cost_0_0 <= costscolumn_pixels_first_0_0_count_3 + costscolumn_pixels_first_0_0_count_7 +
-        costscolumn_pixels_first_0_0_count_12 + costscolumn_pixels_first_0_0_count_6 +
-        costscolumn_pixels_first_0_0_count_9 + costscolumn_pixels_first_0_0_count_14 +
-        costscolumn_pixels_first_0_0_count_11 + costscolumn_pixels_first_0_0_count_2 +
-        costscolumn_pixels_first_0_0_count_10 + costscolumn_pixels_first_0_0_count_4 +
-        costscolumn_pixels_first_0_0_count_8 + costscolumn_pixels_first_0_0_count_1 +
-        costscolumn_pixels_first_0_0_count_5 + costscolumn_pixels_first_0_0_count_0 +
-        costscolumn_pixels_first_0_0_count_13;
-      costscolumn_pixels_cost_0_1 <= costscolumn_pixels_first_0_1_count_3 + costscolumn_pixels_first_0_1_count_7 +
-        costscolumn_pixels_first_0_1_count_12 + costscolumn_pixels_first_0_1_count_6 +
-        costscolumn_pixels_first_0_1_count_9 + costscolumn_pixels_first_0_1_count_14 +
-        costscolumn_pixels_first_0_1_count_11 + costscolumn_pixels_first_0_1_count_2 +
-        costscolumn_pixels_first_0_1_count_10 + costscolumn_pixels_first_0_1_count_4 +
-        costscolumn_pixels_first_0_1_count_8 + costscolumn_pixels_first_0_1_count_1 +
-        costscolumn_pixels_first_0_1_count_5 + costscolumn_pixels_first_0_1_count_0 +
-        costscolumn_pixels_first_0_1_count_13;
-      costscolumn_pixels_cost_0_2 <= costscolumn_pixels_first_0_2_count_3 + costscolumn_pixels_first_0_2_count_7 +
-        costscolumn_pixels_first_0_2_count_12 + costscolumn_pixels_first_0_2_count_6 +
-        costscolumn_pixels_first_0_2_count_9 + costscolumn_pixels_first_0_2_count_14 +
-        costscolumn_pixels_first_0_2_count_11 + costscolumn_pixels_first_0_2_count_2 +
-        costscolumn_pixels_first_0_2_count_10 + costscolumn_pixels_first_0_2_count_4 +
-        costscolumn_pixels_first_0_2_count_8 + costscolumn_pixels_first_0_2_count_1 +
-        costscolumn_pixels_first_0_2_count_5 + costscolumn_pixels_first_0_2_count_0 +
-        costscolumn_pixels_first_0_2_count_13;
-      costscolumn_pixels_cost_0_3 <= costscolumn_pixels_first_0_3_count_3 + costscolumn_pixels_first_0_3_count_7 +
-        costscolumn_pixels_first_0_3_count_12 + costscolumn_pixels_first_0_3_count_6 +
-        costscolumn_pixels_first_0_3_count_9 + costscolumn_pixels_first_0_3_count_14 +
-        costscolumn_pixels_first_0_3_count_11 + costscolumn_pixels_first_0_3_count_2 +
-        costscolumn_pixels_first_0_3_count_10 + costscolumn_pixels_first_0_3_count_4 +
-        costscolumn_pixels_first_0_3_count_8 + costscolumn_pixels_first_0_3_count_1 +
-        costscolumn_pixels_first_0_3_count_5 + costscolumn_pixels_first_0_3_count_0 +
-        costscolumn_pixels_first_0_3_count_13;
-      costscolumn_pixels_cost_0_4 <= costscolumn_pixels_first_0_4_count_3 + costscolumn_pixels_first_0_4_count_7 +
-        costscolumn_pixels_first_0_4_count_12 + costscolumn_pixels_first_0_4_count_6 +
-        costscolumn_pixels_first_0_4_count_9 + costscolumn_pixels_first_0_4_count_14 +
-        costscolumn_pixels_first_0_4_count_11 + costscolumn_pixels_first_0_4_count_2 +
-        costscolumn_pixels_first_0_4_count_10 + costscolumn_pixels_first_0_4_count_4 +
-        costscolumn_pixels_first_0_4_count_8 + costscolumn_pixels_first_0_4_count_1 +
-        costscolumn_pixels_first_0_4_count_5 + costscolumn_pixels_first_0_4_count_0 +
-        costscolumn_pixels_first_0_4_count_13;
-      costscolumn_pixels_cost_0_5 <= costscolumn_pixels_first_0_5_count_3 + costscolumn_pixels_first_0_5_count_7 +
-        costscolumn_pixels_first_0_5_count_12 + costscolumn_pixels_first_0_5_count_6 +
-        costscolumn_pixels_first_0_5_count_9 + costscolumn_pixels_first_0_5_count_14 +
-        costscolumn_pixels_first_0_5_count_11 + costscolumn_pixels_first_0_5_count_2 +
-        costscolumn_pixels_first_0_5_count_10 + costscolumn_pixels_first_0_5_count_4 +
-        costscolumn_pixels_first_0_5_count_8 + costscolumn_pixels_first_0_5_count_1 +
-        costscolumn_pixels_first_0_5_count_5 + costscolumn_pixels_first_0_5_count_0 +
-        costscolumn_pixels_first_0_5_count_13;
-      costscolumn_pixels_cost_0_6 <= costscolumn_pixels_first_0_6_count_3 + costscolumn_pixels_first_0_6_count_7 +
-        costscolumn_pixels_first_0_6_count_12 + costscolumn_pixels_first_0_6_count_6 +
-        costscolumn_pixels_first_0_6_count_9 + costscolumn_pixels_first_0_6_count_14 +
-        costscolumn_pixels_first_0_6_count_11 + costscolumn_pixels_first_0_6_count_2 +
-        costscolumn_pixels_first_0_6_count_10 + costscolumn_pixels_first_0_6_count_4 +
-        costscolumn_pixels_first_0_6_count_8 + costscolumn_pixels_first_0_6_count_1 +
-        costscolumn_pixels_first_0_6_count_5 + costscolumn_pixels_first_0_6_count_0 +
-        costscolumn_pixels_first_0_6_count_13;
-      costscolumn_pixels_cost_0_7 <= costscolumn_pixels_first_0_7_count_3 + costscolumn_pixels_first_0_7_count_7 +
-        costscolumn_pixels_first_0_7_count_12 + costscolumn_pixels_first_0_7_count_6 +
-        costscolumn_pixels_first_0_7_count_9 + costscolumn_pixels_first_0_7_count_14 +
-        costscolumn_pixels_first_0_7_count_11 + costscolumn_pixels_first_0_7_count_2 +
-        costscolumn_pixels_first_0_7_count_10 + costscolumn_pixels_first_0_7_count_4 +
-        costscolumn_pixels_first_0_7_count_8 + costscolumn_pixels_first_0_7_count_1 +
-        costscolumn_pixels_first_0_7_count_5 + costscolumn_pixels_first_0_7_count_0 +
-        costscolumn_pixels_first_0_7_count_13;
-      costscolumn_pixels_tag_border_column <= costscolumn_pixels_first_tag_border_column;
-      costscolumn_single_0_0 <= costscolumn_pixels_cost_0_0;
-      costscolumn_single_0_1 <= costscolumn_pixels_cost_0_1;
-      costscolumn_single_0_2 <= costscolumn_pixels_cost_0_2;
-      costscolumn_single_0_3 <= costscolumn_pixels_cost_0_3;
-      costscolumn_single_0_4 <= costscolumn_pixels_cost_0_4;
-      costscolumn_single_0_5 <= costscolumn_pixels_cost_0_5;
-      costscolumn_single_0_6 <= costscolumn_pixels_cost_0_6;
-      costscolumn_single_0_7 <= costscolumn_pixels_cost_0_7;
-      costscolumn_pair_tag_border_column <= costscolumn_pixels_tag_border_column;
+        downto 42)) = 1) /= costswindow_first_0_count_14_value));
+      costswindow_sum_0_0 <= ((other_10 / 65536) mod 16) + ((other_10 / 256) mod 16) + (other_10 / 16777216) +
+        (other_10 mod 16);
+      costswindow_sum_0_1 <= ((other_9 / 65536) mod 16) + ((other_9 / 256) mod 16) + (other_9 / 16777216) + (other_9
+        mod 16);
+      costswindow_sum_0_2 <= ((other_8 / 65536) mod 16) + ((other_8 / 256) mod 16) + (other_8 / 16777216) + (other_8
+        mod 16);
+      costswindow_sum_0_3 <= ((other_7 / 65536) mod 16) + ((other_7 / 256) mod 16) + (other_7 / 16777216) + (other_7
+        mod 16);
+      costswindow_sum_0_4 <= ((other_6 / 65536) mod 16) + ((other_6 / 256) mod 16) + (other_6 / 16777216) + (other_6
+        mod 16);
+      costswindow_sum_0_5 <= ((other_5 / 65536) mod 16) + ((other_5 / 256) mod 16) + (other_5 / 16777216) + (other_5
+        mod 16);
+      costswindow_sum_0_6 <= ((other_4 / 65536) mod 16) + ((other_4 / 256) mod 16) + (other_4 / 16777216) + (other_4
+        mod 16);
+      costswindow_sum_0_7 <= ((other_3 / 65536) mod 16) + ((other_3 / 256) mod 16) + (other_3 / 16777216) + (other_3
+        mod 16);
       -- costs
-      costs_cost_0 <= other_17 / 4;
-      costs_cost_1 <= other_15 / 4;
-      costs_cost_2 <= other_13 / 4;
-      costs_cost_3 <= other_11 / 4;
-      costs_cost_4 <= other_9 / 4;
-      costs_cost_5 <= other_7 / 4;
-      costs_cost_6 <= other_5 / 4;
-      costs_cost_7 <= other_3 / 4;
+      costs_cost_0 <= costswindow_sum_0_0 / 4;
+      costs_cost_1 <= costswindow_sum_0_1 / 4;
+      costs_cost_2 <= costswindow_sum_0_2 / 4;
+      costs_cost_3 <= costswindow_sum_0_3 / 4;
+      costs_cost_4 <= costswindow_sum_0_4 / 4;
+      costs_cost_5 <= costswindow_sum_0_5 / 4;
+      costs_cost_6 <= costswindow_sum_0_6 / 4;
+      costs_cost_7 <= costswindow_sum_0_7 / 4;
       -- paths
-      if line_comes_11 then
+      if line_comes_9 then
         paths_smallest_cost_choice := 15;
       else
         paths_smallest_cost_choice := paths_smallest_cost;
@@ -7918,7 +7793,7 @@ begin
         paths_cost_delay_ring_read_address <= (paths_cost_delay_ring_read_address + 1) mod 16;
       end if;
       -- pathsleft
-      if line_starts_phases_14 then
+      if line_starts_phases_12 then
         pathsleft_low_address <= (pathsleft_low_address + 1) mod 16;
       end if;
       pathsleft_read_count_phase_is_equal := pathsleft_read_count_phase = 7;
@@ -8022,7 +7897,7 @@ begin
       else
         pathsleft_step_6_choice := to_integer(pathsleft_read_words_1(5 downto 0));
       end if;
-      if other_19 then
+      if other_11 then
         pathsleft_step_7_choice := pathsleft_stay_6_value;
       else
         pathsleft_step_7_choice := to_integer(pathsleft_read_neighbour_0);
@@ -8043,7 +7918,7 @@ begin
       else
         pathsleft_write_count_phase_choice := (pathsleft_write_count_phase + 1) mod 8;
       end if;
-      if line_comes_25 then
+      if line_comes_23 then
         pathsleft_low_0_choice := 63;
       else
         pathsleft_low_0_choice := pathsleft_low_0;
@@ -8070,12 +7945,12 @@ begin
       pathsleft_step_change_5 <= (pathsleft_stay_change_5_value - pathsleft_g_less) mod 64;
       pathsleft_step_change_6 <= (pathsleft_stay_change_6_value - pathsleft_g_less) mod 64;
       pathsleft_step_change_7 <= (to_integer(paths_cost_delay_held_0(31 downto 28)) - pathsleft_g_less) mod 64;
-      if line_starts_phases_18 then
+      if line_starts_phases_16 then
         pathsleft_read_count_phase <= 0;
       else
         pathsleft_read_count_phase <= pathsleft_read_count_phase_choice;
       end if;
-      if line_starts_phases_17 then
+      if line_starts_phases_15 then
         pathsleft_ahead_count_phase <= 0;
       else
         pathsleft_ahead_count_phase <= pathsleft_ahead_count_phase_choice;
@@ -8139,7 +8014,7 @@ begin
         pathsleft_step_6 <= pathsleft_step_6_choice;
         pathsleft_step_7 <= pathsleft_step_7_choice_2;
       end if;
-      if line_starts_phases_21 then
+      if line_starts_phases_19 then
         pathsleft_write_count_phase <= 0;
       else
         pathsleft_write_count_phase <= pathsleft_write_count_phase_choice;
@@ -8199,8 +8074,8 @@ begin
       else
         pathsleft_room_left_choice := pathsleft_room;
       end if;
-      if line_starts_phases_17 then
-        if line_places_2_first_column then
+      if line_starts_phases_15 then
+        if line_places_1_first_column then
           pathsleft_q <= 24;
         else
           pathsleft_q <= pathsleft_q_choice_2;
@@ -8211,10 +8086,10 @@ begin
           pathsleft_room_left <= pathsleft_room_left_choice;
         end if;
       end if;
-      if line_starts_phases_18 then
+      if line_starts_phases_16 then
         pathsleft_q_now <= pathsleft_q;
         pathsleft_q_less <= ((((pathsleft_q / 4) + 15) mod 16) * 4) + (pathsleft_q mod 4);
-        if line_places_2_first_column then
+        if line_places_1_first_column then
           pathsleft_room <= 0;
           pathsleft_start_cost_1 <= 0;
           pathsleft_start_cost_2 <= 0;
@@ -8236,13 +8111,13 @@ begin
           pathsleft_start_cost_8 <= pathsleft_start_cost_7;
         end if;
       end if;
-      if line_starts_phases_19 then
+      if line_starts_phases_17 then
         pathsleft_first <= line_places_2_first_column;
         pathsleft_g <= paths_smallest_cost + pathsleft_q_now;
         pathsleft_g_less <= (paths_smallest_cost + pathsleft_q_less) mod 64;
       end if;
       pathsleft_cost_0_any := (not ((pathsleft_write_count_phase / 4) = 1)) or (not (((pathsleft_write_count_phase / 2)
-        mod 2) = 1)) or (not ((pathsleft_write_count_phase mod 2) = 1)) or line_starts_phases_21;
+        mod 2) = 1)) or (not ((pathsleft_write_count_phase mod 2) = 1)) or line_starts_phases_19;
       if pathsleft_cost_0_any then
         pathsleft_cost_0 <= (pathsleft_stay_0 + pathsleft_stay_change_0) mod 64;
         pathsleft_cost_1 <= (pathsleft_stay_1 + pathsleft_stay_change_1) mod 64;
@@ -8261,7 +8136,7 @@ begin
         pathsleft_arrived_6 <= (pathsleft_step_6 + pathsleft_step_change_6) mod 64;
         pathsleft_arrived_7 <= (pathsleft_step_7 + pathsleft_step_change_7) mod 64;
       end if;
-      if line_starts_phases_33 then
+      if line_starts_phases_31 then
         pathsleft_low_write_address <= (pathsleft_low_write_address + 1) mod 16;
       end if;
       -- pathsabove
@@ -8284,7 +8159,7 @@ begin
       else
         pathsabove_memory_bank_choice := pathsabove_memory_read_address_0_sum mod 8192;
       end if;
-      if line_starts_phases_4 then
+      if line_starts_phases_2 then
         pathsabove_memory_bank_choice_2 := pathsabove_memory_bank_choice;
       else
         pathsabove_memory_bank_choice_2 := pathsabove_memory_read_address_0_sum_2 mod 8192;
@@ -8294,12 +8169,12 @@ begin
       else
         pathsabove_read_address_count_phase_choice := (pathsabove_read_address_count_phase + 1) mod 8;
       end if;
-      if line_starts_phases_7 then
+      if line_starts_phases_5 then
         pathsabove_ready_top_choice := line_places_0_first_column or pathsabove_ready_top;
       else
         pathsabove_ready_top_choice := pathsabove_ready_top;
       end if;
-      if line_starts_phases_7 then
+      if line_starts_phases_5 then
         pathsabove_ready_top_choice_2 := (not line_places_0_first_column) and pathsabove_ready_top;
       else
         pathsabove_ready_top_choice_2 := pathsabove_ready_top;
@@ -8346,7 +8221,7 @@ begin
       else
         pathsabove_total_7_choice := pathsabove_memory_ready_words_2 / 8;
       end if;
-      if line_comes_12 then
+      if line_comes_10 then
         pathsabove_smallest_total_choice := 63;
       else
         pathsabove_smallest_total_choice := pathsabove_smallest_total;
@@ -8427,10 +8302,10 @@ begin
       pathsabove_step_5 <= (((pathsabove_beside_5 / 4) + 1) * 4) + (pathsabove_beside_5 mod 4);
       pathsabove_step_6 <= (((pathsabove_beside_6 / 4) + 1) * 4) + (pathsabove_beside_6 mod 4);
       pathsabove_step_7 <= (((pathsabove_beside_7 / 4) + 1) * 4) + (pathsabove_beside_7 mod 4);
-      pathsabove_write_address_is_here <= line_starts_phases_24 or (not ((pathsabove_write_address_count_phase / 4) =
+      pathsabove_write_address_is_here <= line_starts_phases_22 or (not ((pathsabove_write_address_count_phase / 4) =
         1)) or (not (((pathsabove_write_address_count_phase / 2) mod 2) = 1)) or (not
         ((pathsabove_write_address_count_phase mod 2) = 1));
-      if line_starts_phases_4 then
+      if line_starts_phases_2 then
         pathsabove_memory_read_address_0 <= pathsabove_memory_read_address_0_choice;
         pathsabove_memory_read_address_1 <= pathsabove_memory_read_address_1_choice;
         pathsabove_read_address_count_phase <= 0;
@@ -8493,7 +8368,7 @@ begin
       else
         pathsabove_smallest_total <= pathsabove_smallest_total_choice;
       end if;
-      if line_starts_phases_22 then
+      if line_starts_phases_20 then
         pathsabove_count_phase <= 0;
       else
         pathsabove_count_phase <= pathsabove_count_phase_choice;
@@ -8578,7 +8453,7 @@ begin
       else
         pathsabove_stay_7 <= 24;
       end if;
-      if line_starts_phases_24 then
+      if line_starts_phases_22 then
         pathsabove_write_address_address <= pathsabove_write_address_address_choice;
         pathsabove_write_address_count_phase <= 0;
       else
@@ -8663,14 +8538,14 @@ begin
         pathsabove_memory_write_words_1_2 <= pathsabove_memory_write_words_0_2_sum;
         pathsabove_memory_write_address_1 <= pathsabove_write_address_address mod 1024;
       end if;
-      if line_comes_20 then
+      if line_comes_18 then
         pathsabove_smallest <= pathsabove_smallest_total;
       end if;
       -- pathsturn
       pathsturn_cost_memory_read_address_0_sum := pathsturn_read_address_address + as_number(((not
         ((pathsturn_read_address_count_phase / 4) = 1)) or (not (((pathsturn_read_address_count_phase / 2) mod 2) = 1))
         or (not ((pathsturn_read_address_count_phase mod 2) = 1))));
-      if line_starts_phases_16 then
+      if line_starts_phases_14 then
         pathsturn_cost_memory_bank_choice := line_places_1_address * 8;
       else
         pathsturn_cost_memory_bank_choice := pathsturn_cost_memory_read_address_0_sum mod 8192;
@@ -8709,7 +8584,7 @@ begin
       pathsturn_read_address_address <= pathsturn_cost_memory_bank_choice;
       pathsturn_sum_read_address <= pathsturn_read_address_address;
       pathsturn_write_smallest_0 <= paths_smallest_cost;
-      pathsturn_write_address_is_here <= line_starts_phases_19 or (not ((pathsturn_write_address_count_phase / 4) = 1))
+      pathsturn_write_address_is_here <= line_starts_phases_17 or (not ((pathsturn_write_address_count_phase / 4) = 1))
         or (not (((pathsturn_write_address_count_phase / 2) mod 2) = 1)) or (not ((pathsturn_write_address_count_phase
         mod 2) = 1));
       pathsturn_sum_write_address_0 <= pathsturn_write_address_address;
@@ -8727,7 +8602,7 @@ begin
         pathsturn_sum_memory_ready_words_2 <= pathsturn_sum_memory_held_words_0_2;
         pathsturn_sum_memory_ready_words_3 <= pathsturn_sum_memory_held_words_0_3;
       end if;
-      if line_starts_phases_16 then
+      if line_starts_phases_14 then
         pathsturn_cost_memory_read_address_0 <= (line_places_1_address mod 512) * 8;
         pathsturn_cost_memory_read_address_1 <= (line_places_1_address mod 128) * 8;
         pathsturn_read_address_count_phase <= 0;
@@ -8743,9 +8618,9 @@ begin
         pathsturn_cost_memory_ready_words_0 <= pathsturn_cost_memory_held_words_0_0;
         pathsturn_cost_memory_ready_words_1 <= pathsturn_cost_memory_held_words_0_1;
       end if;
-      if line_starts_phases_19 then
-        pathsturn_write_smallest_address <= pathsturn_smallest_address;
-        pathsturn_write_address_address <= pathsturn_smallest_address * 8;
+      if line_starts_phases_17 then
+        pathsturn_write_smallest_address <= line_places_2_address;
+        pathsturn_write_address_address <= line_places_2_address * 8;
         pathsturn_write_address_count_phase <= 0;
       else
         pathsturn_write_smallest_address <= 577;
@@ -8796,7 +8671,7 @@ begin
         pathsturn_cost_memory_write_words_1_1 <= to_integer(paths_cost_delay_held_0(31 downto 16));
         pathsturn_cost_memory_write_address_1 <= pathsturn_write_address_address mod 1024;
       end if;
-      if line_comes_16 then
+      if line_starts_phases_14 then
         pathsturn_smallest_address <= line_places_1_address;
       end if;
       -- pathsright
@@ -8889,7 +8764,7 @@ begin
       else
         pathsright_step_6_choice := to_integer(pathsright_read_words_1(5 downto 0));
       end if;
-      if other_19 then
+      if other_11 then
         pathsright_step_7_choice := pathsright_stay_6_value;
       else
         pathsright_step_7_choice := to_integer(pathsright_read_neighbour_0);
@@ -8903,7 +8778,7 @@ begin
       pathsright_stay_change_2_value := (pathsturn_cost_memory_ready_words_0 / 256) mod 16;
       pathsright_stay_change_5_value := (pathsturn_cost_memory_ready_words_1 mod 256) / 16;
       pathsright_stay_change_6_value := (pathsturn_cost_memory_ready_words_1 / 256) mod 16;
-      if line_comes_25 then
+      if line_comes_23 then
         pathsright_low_0_choice := 63;
       else
         pathsright_low_0_choice := pathsright_low_0;
@@ -9043,8 +8918,8 @@ begin
       else
         pathsright_room_left_choice := pathsright_room;
       end if;
-      if line_starts_phases_17 then
-        if line_places_2_first_column then
+      if line_starts_phases_15 then
+        if line_places_1_first_column then
           pathsright_q <= 24;
         else
           pathsright_q <= pathsright_q_choice_2;
@@ -9055,10 +8930,10 @@ begin
           pathsright_room_left <= pathsright_room_left_choice;
         end if;
       end if;
-      if line_starts_phases_18 then
+      if line_starts_phases_16 then
         pathsright_q_now <= pathsright_q;
         pathsright_q_less <= ((((pathsright_q / 4) + 15) mod 16) * 4) + (pathsright_q mod 4);
-        if line_places_2_first_column then
+        if line_places_1_first_column then
           pathsright_room <= 0;
           pathsright_start_cost_1 <= 0;
           pathsright_start_cost_2 <= 0;
@@ -9080,7 +8955,7 @@ begin
           pathsright_start_cost_8 <= pathsright_start_cost_7;
         end if;
       end if;
-      if line_starts_phases_19 then
+      if line_starts_phases_17 then
         pathsright_g <= pathsturn_ready_smallest_0 + pathsright_q_now;
         pathsright_g_less <= (pathsturn_ready_smallest_0 + pathsright_q_less) mod 64;
       end if;
@@ -9625,72 +9500,72 @@ begin
         winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_0;
       end if;
       -- winners
-      if line_comes_27 then
+      if line_comes_25 then
         winners_best_cost_0_0_choice := 255;
       else
         winners_best_cost_0_0_choice := winners_best_cost_0_0;
       end if;
       winners_best_index_0_0_value := ((winners_best_cost_0_0 / 2) mod 2) = 1;
-      if (not ((winnerswinner2_best_cost_0_0 mod 2) = 1)) and (((winners_best_cost_0_0 mod 2) = 1) or line_comes_27)
+      if (not ((winnerswinner2_best_cost_0_0 mod 2) = 1)) and (((winners_best_cost_0_0 mod 2) = 1) or line_comes_25)
         then
         winners_best_index_0_0_choice := (not (((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1)) or
-          winners_best_index_0_0_value or line_comes_27;
+          winners_best_index_0_0_value or line_comes_25;
       else
         winners_best_index_0_0_choice := (not (((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1)) and
-          (winners_best_index_0_0_value or line_comes_27);
+          (winners_best_index_0_0_value or line_comes_25);
       end if;
       winners_best_index_0_0_value_2 := ((winners_best_cost_0_0 / 4) mod 2) = 1;
       if winners_best_index_0_0_choice then
         winners_best_index_0_0_choice_2 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) or
-          winners_best_index_0_0_value_2 or line_comes_27;
+          winners_best_index_0_0_value_2 or line_comes_25;
       else
         winners_best_index_0_0_choice_2 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) and
-          (winners_best_index_0_0_value_2 or line_comes_27);
+          (winners_best_index_0_0_value_2 or line_comes_25);
       end if;
       winners_best_index_0_0_value_3 := ((winners_best_cost_0_0 / 8) mod 2) = 1;
       if winners_best_index_0_0_choice_2 then
         winners_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) or
-          winners_best_index_0_0_value_3 or line_comes_27;
+          winners_best_index_0_0_value_3 or line_comes_25;
       else
         winners_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) and
-          (winners_best_index_0_0_value_3 or line_comes_27);
+          (winners_best_index_0_0_value_3 or line_comes_25);
       end if;
       winners_best_index_0_0_value_4 := ((winners_best_cost_0_0 / 16) mod 2) = 1;
       if winners_best_index_0_0_choice_3 then
         winners_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) or
-          winners_best_index_0_0_value_4 or line_comes_27;
+          winners_best_index_0_0_value_4 or line_comes_25;
       else
         winners_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) and
-          (winners_best_index_0_0_value_4 or line_comes_27);
+          (winners_best_index_0_0_value_4 or line_comes_25);
       end if;
       winners_best_index_0_0_value_5 := ((winners_best_cost_0_0 / 32) mod 2) = 1;
       if winners_best_index_0_0_choice_4 then
         winners_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) or
-          winners_best_index_0_0_value_5 or line_comes_27;
+          winners_best_index_0_0_value_5 or line_comes_25;
       else
         winners_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) and
-          (winners_best_index_0_0_value_5 or line_comes_27);
+          (winners_best_index_0_0_value_5 or line_comes_25);
       end if;
       winners_best_index_0_0_value_6 := ((winners_best_cost_0_0 / 64) mod 2) = 1;
       if winners_best_index_0_0_choice_5 then
         winners_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) or
-          winners_best_index_0_0_value_6 or line_comes_27;
+          winners_best_index_0_0_value_6 or line_comes_25;
       else
         winners_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) and
-          (winners_best_index_0_0_value_6 or line_comes_27);
+          (winners_best_index_0_0_value_6 or line_comes_25);
       end if;
       if winners_best_index_0_0_choice_6 then
         winners_best_index_0_0_choice_7 := (not ((winnerswinner2_best_cost_0_0 / 128) = 1)) or ((winners_best_cost_0_0
-          / 128) = 1) or line_comes_27;
+          / 128) = 1) or line_comes_25;
       else
         winners_best_index_0_0_choice_7 := (not ((winnerswinner2_best_cost_0_0 / 128) = 1)) and
-          (((winners_best_cost_0_0 / 128) = 1) or line_comes_27);
+          (((winners_best_cost_0_0 / 128) = 1) or line_comes_25);
       end if;
-      winners_best_tag_valid <= line_comes_34;
-      winners_best_tag_map_column <= line_places_4_map_column;
-      winners_best_tag_output_column <= line_places_4_shown_output_column;
-      winners_best_tag_start_of_frame <= line_places_4_shown_start_of_frame;
-      winners_best_tag_end_of_line <= line_places_4_shown_end_of_line;
+      winners_best_tag_valid <= line_comes_32;
+      winners_best_tag_map_column <= line_places_3_map_column;
+      winners_best_tag_output_column <= line_places_3_shown_output_column;
+      winners_best_tag_start_of_frame <= line_places_3_shown_start_of_frame;
+      winners_best_tag_end_of_line <= line_places_3_shown_end_of_line;
       if (winnerswinner2_best_cost_0_0 - winners_best_cost_0_0_choice) < 0 then
         winners_best_cost_0_0 <= winnerswinner2_best_cost_0_0;
       else
@@ -10913,69 +10788,53 @@ begin
         map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      if costscolumn_pair_tag_border_column then
-        other_4_choice := 0;
-      else
-        other_4_choice := costscolumn_single_0_7 / 4;
-      end if;
-      if costscolumn_pair_tag_border_column then
-        other_6_choice := 0;
-      else
-        other_6_choice := costscolumn_single_0_6 / 4;
-      end if;
-      if costscolumn_pair_tag_border_column then
-        other_8_choice := 0;
-      else
-        other_8_choice := costscolumn_single_0_5 / 4;
-      end if;
-      if costscolumn_pair_tag_border_column then
-        other_10_choice := 0;
-      else
-        other_10_choice := costscolumn_single_0_4 / 4;
-      end if;
-      if costscolumn_pair_tag_border_column then
-        other_12_choice := 0;
-      else
-        other_12_choice := costscolumn_single_0_3 / 4;
-      end if;
-      if costscolumn_pair_tag_border_column then
-        other_14_choice := 0;
-      else
-        other_14_choice := costscolumn_single_0_2 / 4;
-      end if;
-      if costscolumn_pair_tag_border_column then
-        other_16_choice := 0;
-      else
-        other_16_choice := costscolumn_single_0_1 / 4;
-      end if;
-      if costscolumn_pair_tag_border_column then
-        other_18_choice := 0;
-      else
-        other_18_choice := costscolumn_single_0_0 / 4;
-      end if;
       other_0 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 481))), 1) &
         to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
       other_1 <= other_0;
       other_2 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
-      other_3 <= other_4;
-      other_4 <= other_4_choice * 4;
-      other_5 <= other_6;
-      other_6 <= other_6_choice * 4;
-      other_7 <= other_8;
-      other_8 <= other_8_choice * 4;
-      other_9 <= other_10;
-      other_10 <= other_10_choice * 4;
-      other_11 <= other_12;
-      other_12 <= other_12_choice * 4;
-      other_13 <= other_14;
-      other_14 <= other_14_choice * 4;
-      other_15 <= other_16;
-      other_16 <= other_16_choice * 4;
-      other_17 <= other_18;
-      other_18 <= other_18_choice * 4;
-      other_19 <= pathsleft_read_count_phase_is_equal;
+      other_3 <= ((costswindow_first_7_count_5 + costswindow_first_7_count_6 + costswindow_first_7_count_4 +
+        costswindow_first_7_count_7) * 256) + ((costswindow_first_7_count_9 + costswindow_first_7_count_10 +
+        costswindow_first_7_count_8 + costswindow_first_7_count_11) * 65536) + ((costswindow_first_7_count_14 +
+        costswindow_first_7_count_12 + costswindow_first_7_count_13) * 16777216) + costswindow_first_7_count_1 +
+        costswindow_first_7_count_2 + costswindow_first_7_count_0 + costswindow_first_7_count_3;
+      other_4 <= ((costswindow_first_6_count_5 + costswindow_first_6_count_6 + costswindow_first_6_count_4 +
+        costswindow_first_6_count_7) * 256) + ((costswindow_first_6_count_9 + costswindow_first_6_count_10 +
+        costswindow_first_6_count_8 + costswindow_first_6_count_11) * 65536) + ((costswindow_first_6_count_14 +
+        costswindow_first_6_count_12 + costswindow_first_6_count_13) * 16777216) + costswindow_first_6_count_1 +
+        costswindow_first_6_count_2 + costswindow_first_6_count_0 + costswindow_first_6_count_3;
+      other_5 <= ((costswindow_first_5_count_5 + costswindow_first_5_count_6 + costswindow_first_5_count_4 +
+        costswindow_first_5_count_7) * 256) + ((costswindow_first_5_count_9 + costswindow_first_5_count_10 +
+        costswindow_first_5_count_8 + costswindow_first_5_count_11) * 65536) + ((costswindow_first_5_count_14 +
+        costswindow_first_5_count_12 + costswindow_first_5_count_13) * 16777216) + costswindow_first_5_count_1 +
+        costswindow_first_5_count_2 + costswindow_first_5_count_0 + costswindow_first_5_count_3;
+      other_6 <= ((costswindow_first_4_count_5 + costswindow_first_4_count_6 + costswindow_first_4_count_4 +
+        costswindow_first_4_count_7) * 256) + ((costswindow_first_4_count_9 + costswindow_first_4_count_10 +
+        costswindow_first_4_count_8 + costswindow_first_4_count_11) * 65536) + ((costswindow_first_4_count_14 +
+        costswindow_first_4_count_12 + costswindow_first_4_count_13) * 16777216) + costswindow_first_4_count_1 +
+        costswindow_first_4_count_2 + costswindow_first_4_count_0 + costswindow_first_4_count_3;
+      other_7 <= ((costswindow_first_3_count_5 + costswindow_first_3_count_6 + costswindow_first_3_count_4 +
+        costswindow_first_3_count_7) * 256) + ((costswindow_first_3_count_9 + costswindow_first_3_count_10 +
+        costswindow_first_3_count_8 + costswindow_first_3_count_11) * 65536) + ((costswindow_first_3_count_14 +
+        costswindow_first_3_count_12 + costswindow_first_3_count_13) * 16777216) + costswindow_first_3_count_1 +
+        costswindow_first_3_count_2 + costswindow_first_3_count_0 + costswindow_first_3_count_3;
+      other_8 <= ((costswindow_first_2_count_5 + costswindow_first_2_count_6 + costswindow_first_2_count_4 +
+        costswindow_first_2_count_7) * 256) + ((costswindow_first_2_count_9 + costswindow_first_2_count_10 +
+        costswindow_first_2_count_8 + costswindow_first_2_count_11) * 65536) + ((costswindow_first_2_count_14 +
+        costswindow_first_2_count_12 + costswindow_first_2_count_13) * 16777216) + costswindow_first_2_count_1 +
+        costswindow_first_2_count_2 + costswindow_first_2_count_0 + costswindow_first_2_count_3;
+      other_9 <= ((costswindow_first_1_count_5 + costswindow_first_1_count_6 + costswindow_first_1_count_4 +
+        costswindow_first_1_count_7) * 256) + ((costswindow_first_1_count_9 + costswindow_first_1_count_10 +
+        costswindow_first_1_count_8 + costswindow_first_1_count_11) * 65536) + ((costswindow_first_1_count_14 +
+        costswindow_first_1_count_12 + costswindow_first_1_count_13) * 16777216) + costswindow_first_1_count_1 +
+        costswindow_first_1_count_2 + costswindow_first_1_count_0 + costswindow_first_1_count_3;
+      other_10 <= ((costswindow_first_0_count_5 + costswindow_first_0_count_6 + costswindow_first_0_count_4 +
+        costswindow_first_0_count_7) * 256) + ((costswindow_first_0_count_9 + costswindow_first_0_count_10 +
+        costswindow_first_0_count_8 + costswindow_first_0_count_11) * 65536) + ((costswindow_first_0_count_14 +
+        costswindow_first_0_count_12 + costswindow_first_0_count_13) * 16777216) + costswindow_first_0_count_1 +
+        costswindow_first_0_count_2 + costswindow_first_0_count_0 + costswindow_first_0_count_3;
+      other_11 <= pathsleft_read_count_phase_is_equal;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -11054,8 +10913,6 @@ begin
         line_comes_30 <= false;
         line_comes_31 <= false;
         line_comes_32 <= false;
-        line_comes_33 <= false;
-        line_comes_34 <= false;
         line_starts_phases_1 <= false;
         line_starts_phases_2 <= false;
         line_starts_phases_3 <= false;
@@ -11087,8 +10944,6 @@ begin
         line_starts_phases_29 <= false;
         line_starts_phases_30 <= false;
         line_starts_phases_31 <= false;
-        line_starts_phases_32 <= false;
-        line_starts_phases_33 <= false;
         line_places_0_map_column <= false;
         line_places_0_first_column <= false;
         line_places_0_address <= 0;
@@ -11111,10 +10966,6 @@ begin
         line_places_3_shown_output_column <= false;
         line_places_3_shown_start_of_frame <= false;
         line_places_3_shown_end_of_line <= false;
-        line_places_4_map_column <= false;
-        line_places_4_shown_output_column <= false;
-        line_places_4_shown_start_of_frame <= false;
-        line_places_4_shown_end_of_line <= false;
         costsshift_new_tag_valid <= false;
         costsshift_count_phase <= 7;
         costsshift_read_tag_valid <= false;
