@@ -60,7 +60,7 @@ struct PhaseRowPath {
    // a clock before the costs
    PhaseCount<kPhases> read_count, ahead_count;  ///< the latter is at the phase behind, if there is one
    // beside the costs
-   PhaseCount<kPhases> count;
+   bool is_first, is_last;  ///< the phase
    Word read_words[Pack::kWords];
    Value read_neighbour[1];
    bool passes_by;
@@ -107,7 +107,8 @@ struct PhaseRowPath {
       visit("g_less", g_less);
       visit("read_count", read_count);
       visit("ahead_count", ahead_count);
-      visit("count", count);
+      visit("is_first", is_first);
+      visit("is_last", is_last, true);
       visit("read_words", read_words);
       visit("read_neighbour", read_neighbour);
       if constexpr (kPassesBy) visit("passes_by", passes_by);
@@ -148,7 +149,8 @@ struct PhaseRowPath {
       HLS_UNROLL
       for (int w = 0; w < Pack::kWords; ++w) read_words[w] = stored[w];
       read_neighbour[0] = neighbour[0];
-      count = read_count;
+      is_first = read_count.is_first();
+      is_last = read_count.is_last();
       read_count.clock(line.template starts<At::kPaths - 2>());
       ahead_count.clock(line.template starts<At::kPaths - 3>());
 
@@ -225,11 +227,11 @@ struct PhaseRowPath {
    /// K beside lane l; at an end of the disparity range that on the other side.
    HLS_INLINE Value lower(int l) const {
       if (l > 0) return Value(Pack::lane(read_words, l > 0 ? l - 1 : 0));
-      return select<Value>(count.is_first(), Value(Pack::lane(read_words, 1)), lower_neighbour);
+      return select<Value>(is_first, Value(Pack::lane(read_words, 1)), lower_neighbour);
    }
    HLS_INLINE Value upper(int l) const {
       if (l < kLanes - 1) return Value(Pack::lane(read_words, l < kLanes - 1 ? l + 1 : 0));
-      return select<Value>(count.is_last(), Value(Pack::lane(read_words, kLanes - 2)), upper_neighbour());
+      return select<Value>(is_last, Value(Pack::lane(read_words, kLanes - 2)), upper_neighbour());
    }
 
    /// Until a column of this row is read, `room` is 0, and so is q.

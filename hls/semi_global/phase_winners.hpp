@@ -30,7 +30,8 @@ struct PhaseWinners {
    using Candidate = WindowCandidate<kSumConfig<C>>;
    using Others = WindowLosers<kSumConfig<C>>;
    using Value = WindowCost<kSumConfig<C>>;
-   using Tree = WinnerBlock<At::kIsGated, Candidate, NoTag, 1, C.winner_group, kLanes, At::kWinnerLevels>;
+   /// Few lanes: a GatedTree saves little, and the resets of its registers come late.
+   using Tree = WinnerTree<Candidate, NoTag, 1, C.winner_group, kLanes, At::kWinnerLevels>;
    /// As in PathWinners.
    static constexpr bool kHides = PathWinners<C>::kHides;
    static constexpr bool kHasMask = PathWinners<C>::kHasMask;

@@ -5,7 +5,7 @@
 
 #include "semi_global/config.hpp"
 #include "support/minimum_tree.hpp"
-#include "winner/gated_tree.hpp"
+#include "winner/winner_tree.hpp"
 
 namespace stereo::semi_global {
 
@@ -21,9 +21,7 @@ struct Stages {
    static constexpr int kPaths = kPhases + kLevels + 1;
    static constexpr int kPathCosts = kPaths + 2;  ///< K of all paths
    static constexpr int kSums = kPathCosts + 1;
-   using Candidate = WindowCandidate<kSumConfig<C>>;
-   static constexpr bool kIsGated = can_be_gated<Candidate>(kLanes, C.winner_group);
-   static constexpr int kWinnerLevels = winner_clocks(kIsGated, kLanes, C.winner_group);
+   static constexpr int kWinnerLevels = winner_levels(kLanes, C.winner_group);
    static constexpr int kWinners = kSums + kWinnerLevels;  ///< the best of a phase
    static constexpr int kBest = kWinners + kPhases;        ///< that of all phases is there for one clock
    /// The smallest K of all phases: later than the best where the winners' tree has fewer levels than that of the

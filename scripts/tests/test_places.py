@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from conftest import need
 from flow.base import committed, facts, places
 from flow.base.errors import FlowError
 from flow.base.tools import ROOT, find_stereo_hls
@@ -121,6 +122,7 @@ def test_the_folder_in_the_cache(tmp_path, monkeypatch):
 
 
 def test_a_checkout_of_another_owner_says_why_there_is_no_commit(program, ghdl, as_nobody, open_folder):
+    need("git")
     before = [*as_nobody, python_of(as_nobody, program)]
     folder = tree(open_folder / "tree")
     for words in (["init", "-q"], ["add", "scripts/cosim.py"]):

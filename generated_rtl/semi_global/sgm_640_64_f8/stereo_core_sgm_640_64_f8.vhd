@@ -18,7 +18,7 @@ entity stereo_core_sgm_640_64_f8 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 577;
-    latency_clocks : positive := 57;
+    latency_clocks : positive := 56;
     flush_groups : positive := 3205;
     gap_groups : natural := 0
   );
@@ -42,7 +42,7 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_sgm_640_64_f8: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_sgm_640_64_f8: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 577 report "stereo_core_sgm_640_64_f8: output_width_px is " & integer'image(output_width_px) & " but this core has 577" severity failure;
-  assert latency_clocks = 57 report "stereo_core_sgm_640_64_f8: latency_clocks is " & integer'image(latency_clocks) & " but this core has 57" severity failure;
+  assert latency_clocks = 56 report "stereo_core_sgm_640_64_f8: latency_clocks is " & integer'image(latency_clocks) & " but this core has 56" severity failure;
   assert flush_groups = 3205 report "stereo_core_sgm_640_64_f8: flush_groups is " & integer'image(flush_groups) & " but this core has 3205" severity failure;
   assert gap_groups = 0 report "stereo_core_sgm_640_64_f8: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
@@ -196,7 +196,7 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal line_comes_10, line_comes_11, line_comes_12, line_comes_13, line_comes_14, line_comes_15 : boolean;
   signal line_comes_16, line_comes_17, line_comes_18, line_comes_19, line_comes_20, line_comes_21 : boolean;
   signal line_comes_22, line_comes_23, line_comes_24, line_comes_25, line_comes_26, line_comes_27 : boolean;
-  signal line_comes_28, line_comes_29, line_comes_30, line_comes_31, line_comes_32, line_starts_phases_1 : boolean;
+  signal line_comes_28, line_comes_29, line_comes_30, line_comes_31, line_starts_phases_1 : boolean;
   signal line_starts_phases_2, line_starts_phases_3, line_starts_phases_4, line_starts_phases_5 : boolean;
   signal line_starts_phases_6, line_starts_phases_7, line_starts_phases_8, line_starts_phases_9 : boolean;
   signal line_starts_phases_10, line_starts_phases_11, line_starts_phases_12, line_starts_phases_13 : boolean;
@@ -286,7 +286,7 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   -- pathsleft
   signal pathsleft_low_address, pathsleft_low_write_address : natural range 0 to 15;
   signal pathsleft_lowest_0, pathsleft_read_words_3, pathsleft_read_neighbour_0 : unsigned(5 downto 0);
-  signal pathsleft_lost, pathsleft_short_of, pathsleft_first : boolean;
+  signal pathsleft_lost, pathsleft_short_of, pathsleft_first, pathsleft_is_first, pathsleft_is_last : boolean;
   signal pathsleft_missing, pathsleft_below, pathsleft_q, pathsleft_room_left, pathsleft_q_now : natural range 0 to 31;
   signal pathsleft_room, pathsleft_start_cost_1, pathsleft_start_cost_2, pathsleft_start_cost_3 : natural range 0 to 31;
   signal pathsleft_start_cost_4, pathsleft_start_cost_5, pathsleft_start_cost_6 : natural range 0 to 31;
@@ -309,8 +309,7 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsleft_tree_smallest_3, pathsleft_tree_next_smallest_0 : natural range 0 to 63;
   signal pathsleft_tree_next_smallest_1, pathsleft_tree_next_next_smallest_0, pathsleft_low_0 : natural range 0 to 63;
   signal pathsleft_g : natural range 0 to 46;
-  signal pathsleft_read_count_phase, pathsleft_ahead_count_phase, pathsleft_count_phase : natural range 0 to 7;
-  signal pathsleft_write_count_phase : natural range 0 to 7;
+  signal pathsleft_read_count_phase, pathsleft_ahead_count_phase, pathsleft_write_count_phase : natural range 0 to 7;
   signal pathsleft_read_words_0, pathsleft_read_words_1, pathsleft_read_words_2 : unsigned(29 downto 0);
   -- pathsabove
   signal pathsabove_memory_read_address_0, pathsabove_memory_write_address_0 : natural range 0 to 4095;
@@ -416,22 +415,19 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal pathsright_g : natural range 0 to 46;
   signal pathsright_read_words_0, pathsright_read_words_1, pathsright_read_words_2 : unsigned(29 downto 0);
   -- winnerswinner1
-  signal winnerswinner1_of_pair_0_0, winnerswinner1_of_pair_0_1, winnerswinner1_of_pair_0_2 : natural range 0 to 190;
-  signal winnerswinner1_of_pair_0_3, winnerswinner1_of_pair_0_4, winnerswinner1_of_pair_0_5 : natural range 0 to 190;
-  signal winnerswinner1_of_pair_0_6, winnerswinner1_of_pair_0_7, winnerswinner1_of_four_0_0 : natural range 0 to 190;
-  signal winnerswinner1_of_four_0_1, winnerswinner1_of_four_0_2, winnerswinner1_of_four_0_3 : natural range 0 to 190;
-  signal winnerswinner1_of_four_0_4, winnerswinner1_of_four_0_5, winnerswinner1_of_four_0_6 : natural range 0 to 190;
-  signal winnerswinner1_of_four_0_7 : natural range 0 to 190;
-  signal winnerswinner1_pair_index_0_0 : boolean;
-  signal winnerswinner1_pair_index_0_1, winnerswinner1_four_index_0_0 : natural range 0 to 3;
-  signal winnerswinner1_best_index_0_0 : natural range 0 to 3;
-  signal winnerswinner1_pair_index_0_2 : natural range 0 to 5;
-  signal winnerswinner1_pair_index_0_3, winnerswinner1_four_index_0_1 : natural range 0 to 7;
-  signal winnerswinner1_best_index_0_1 : natural range 0 to 7;
-  signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 255;
+  signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 190;
+  signal winnerswinner1_best_cost_0_2, winnerswinner1_best_cost_0_3 : natural range 0 to 190;
+  signal winnerswinner1_best_index_0_0 : boolean;
+  signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
+  signal winnerswinner1_best_index_0_2 : natural range 0 to 5;
+  signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
   -- winnerswinner2
-  signal winnerswinner2_best_cost_0_0 : natural range 0 to 255;
-  signal winnerswinner2_best_index_0_0 : natural range 0 to 7;
+  signal winnerswinner2_best_cost_0_0, winnerswinner2_best_cost_0_1 : natural range 0 to 190;
+  signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
+  signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
+  -- winnerswinner3
+  signal winnerswinner3_best_cost_0_0 : natural range 0 to 190;
+  signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
   -- winners
   signal winners_best_cost_0_0, winners_best_index_0_0 : natural range 0 to 255;
   signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
@@ -474,10 +470,9 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   signal map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0 : natural range 0 to 255;
   signal map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 255;
   -- other
-  signal other_0, other_1 : unsigned(48 downto 0);
-  signal other_2 : natural range 0 to 510;
-  signal other_3, other_4, other_5, other_6, other_7, other_8, other_9, other_10 : natural range 0 to 135007244;
-  signal other_11 : boolean;
+  signal other_0, other_3 : unsigned(48 downto 0);
+  signal other_1, other_2, other_4, other_5, other_6, other_7, other_8, other_9 : natural range 0 to 135007244;
+  signal other_10 : natural range 0 to 510;
   signal transform_left_rows_read_words_0_memory_read_enable : boolean;
   signal transform_left_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
   signal transform_left_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
@@ -1575,112 +1570,103 @@ begin
     variable costswindow_first_0_count_12_value, costswindow_first_0_count_12_value_2 : boolean;
     variable costswindow_first_0_count_12_value_3, costswindow_first_0_count_13_value : boolean;
     variable costswindow_first_0_count_13_value_2, costswindow_first_0_count_13_value_3 : boolean;
-    variable costswindow_first_0_count_14_value, pathsleft_read_count_phase_is_equal : boolean;
-    variable pathsleft_step_0_is_equal, pathsleft_cost_0_any, pathsabove_ready_top_choice : boolean;
-    variable pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
+    variable costswindow_first_0_count_14_value, pathsleft_read_count_phase_is_equal, pathsleft_cost_0_any : boolean;
+    variable pathsabove_ready_top_choice, pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
     variable pathsabove_memory_write_words_0_0_is_less, pathsabove_memory_write_words_0_0_choice_4 : boolean;
     variable pathsabove_memory_write_words_0_1_is_less, pathsabove_memory_write_words_0_0_all : boolean;
     variable pathsabove_memory_write_words_1_0_all, pathsturn_sum_memory_write_words_0_0_all : boolean;
     variable pathsturn_sum_memory_write_words_1_0_all, pathsturn_cost_memory_write_words_0_0_all : boolean;
-    variable pathsturn_cost_memory_write_words_1_0_all, winnerswinner1_of_pair_0_0_choice : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_2, winnerswinner1_of_pair_0_0_value : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_3, winnerswinner1_of_pair_0_0_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_4, winnerswinner1_of_pair_0_0_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_5, winnerswinner1_of_pair_0_0_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_6, winnerswinner1_of_pair_0_0_value_5 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_7, winnerswinner1_of_pair_0_0_choice_8 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice, winnerswinner1_of_pair_0_2_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_2_value, winnerswinner1_of_pair_0_2_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_2, winnerswinner1_of_pair_0_2_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_3, winnerswinner1_of_pair_0_2_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_4, winnerswinner1_of_pair_0_2_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_5, winnerswinner1_of_pair_0_2_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_8, winnerswinner1_of_pair_0_4_choice : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_2, winnerswinner1_of_pair_0_4_value : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_3, winnerswinner1_of_pair_0_4_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_4, winnerswinner1_of_pair_0_4_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_5, winnerswinner1_of_pair_0_4_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_6, winnerswinner1_of_pair_0_4_value_5 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_7, winnerswinner1_of_pair_0_4_choice_8 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice, winnerswinner1_of_pair_0_6_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_6_value, winnerswinner1_of_pair_0_6_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_2, winnerswinner1_of_pair_0_6_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_3, winnerswinner1_of_pair_0_6_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_4, winnerswinner1_of_pair_0_6_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_5, winnerswinner1_of_pair_0_6_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_8, winnerswinner1_of_four_0_0_choice : boolean;
-    variable winnerswinner1_of_four_0_0_value, winnerswinner1_of_four_0_0_value_2 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_2, winnerswinner1_of_four_0_0_value_3 : boolean;
-    variable winnerswinner1_of_four_0_0_value_4, winnerswinner1_of_four_0_0_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_0_value_5, winnerswinner1_of_four_0_0_value_6 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_4, winnerswinner1_of_four_0_0_value_7 : boolean;
-    variable winnerswinner1_of_four_0_0_value_8, winnerswinner1_of_four_0_0_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_0_value_9, winnerswinner1_of_four_0_0_value_10 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_6, winnerswinner1_of_four_0_0_value_11 : boolean;
-    variable winnerswinner1_of_four_0_0_value_12, winnerswinner1_of_four_0_0_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_8, winnerswinner1_of_four_0_4_choice : boolean;
-    variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_3 : boolean;
-    variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_4_value_5, winnerswinner1_of_four_0_4_value_6 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_7 : boolean;
-    variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_4_value_9, winnerswinner1_of_four_0_4_value_10 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_4_value_11 : boolean;
-    variable winnerswinner1_of_four_0_4_value_12, winnerswinner1_of_four_0_4_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_8, winnerswinner2_best_index_0_0_choice : boolean;
-    variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
-    variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_value_5 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_7, winnerswinner2_best_index_0_0_choice_8 : boolean;
-    variable winners_best_index_0_0_value, winners_best_index_0_0_choice, winners_best_index_0_0_value_2 : boolean;
-    variable winners_best_index_0_0_choice_2, winners_best_index_0_0_value_3, winners_best_index_0_0_choice_3 : boolean;
-    variable winners_best_index_0_0_value_4, winners_best_index_0_0_choice_4, winners_best_index_0_0_value_5 : boolean;
-    variable winners_best_index_0_0_choice_5, winners_best_index_0_0_value_6, winners_best_index_0_0_choice_6 : boolean;
-    variable winners_best_index_0_0_choice_7, turn_order_address_any, turn_order_address_any_2 : boolean;
-    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_differs : boolean;
-    variable turn_ready_tag_row_start_is_equal, turn_ready_tag_row_start_choice : boolean;
-    variable turn_ready_tag_row_start_choice_2, turn_ready_tag_row_start_is_equal_2 : boolean;
-    variable turn_ready_tag_row_start_all, turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2 : boolean;
-    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value : boolean;
-    variable map_of_column_0_b_below_a_value, map_of_column_0_b_below_a_choice : boolean;
-    variable map_of_column_0_b_below_a_value_2, map_of_column_0_b_below_a_choice_2 : boolean;
-    variable map_of_column_0_b_below_a_choice_3, map_of_column_0_b_below_a_choice_4 : boolean;
-    variable map_of_column_0_b_below_a_value_3, map_of_column_0_b_below_a_value_4 : boolean;
-    variable map_of_column_0_b_below_a_choice_5, map_of_column_0_b_below_a_value_5 : boolean;
-    variable map_of_column_0_b_below_a_value_6, map_of_column_0_b_below_a_choice_6 : boolean;
-    variable map_of_column_0_b_below_a_value_7, map_of_column_0_b_below_a_value_8 : boolean;
-    variable map_of_column_0_b_below_a_choice_7, map_of_column_0_b_below_a_value_9 : boolean;
-    variable map_of_column_0_b_below_a_value_10, map_of_column_0_b_below_a_choice_8 : boolean;
-    variable map_of_column_0_b_below_a_value_11, map_of_column_0_b_below_a_value_12 : boolean;
-    variable map_of_column_0_b_below_a_choice_9, map_of_column_0_c_below_a_value : boolean;
-    variable map_of_column_0_c_below_a_choice, map_of_column_0_c_below_a_value_2 : boolean;
-    variable map_of_column_0_c_below_a_choice_2, map_of_column_0_c_below_a_choice_3 : boolean;
-    variable map_of_column_0_c_below_a_value_3, map_of_column_0_c_below_a_choice_4 : boolean;
-    variable map_of_column_0_c_below_a_choice_5, map_of_column_0_c_below_a_choice_6 : boolean;
-    variable map_of_column_0_c_below_a_value_4, map_of_column_0_c_below_a_choice_7 : boolean;
-    variable map_of_column_0_c_below_a_choice_8, map_of_column_0_c_below_a_choice_9 : boolean;
-    variable map_of_column_0_c_below_a_value_5, map_of_column_0_c_below_a_choice_10 : boolean;
-    variable map_of_column_0_c_below_a_choice_11, map_of_column_0_c_below_a_choice_12 : boolean;
-    variable map_of_column_0_c_below_a_value_6, map_of_column_0_c_below_a_choice_13 : boolean;
-    variable map_of_column_0_c_below_a_choice_14, map_of_column_0_c_below_a_choice_15 : boolean;
-    variable map_of_column_0_c_below_a_value_7, map_of_column_0_c_below_a_choice_16 : boolean;
-    variable map_of_column_0_c_below_a_choice_17, map_of_column_0_c_below_a_choice_18 : boolean;
-    variable map_of_column_0_c_below_a_choice_19, map_of_column_0_c_below_a_choice_20 : boolean;
-    variable map_of_column_0_c_below_b_choice, map_of_column_0_c_below_b_choice_2 : boolean;
-    variable map_of_column_0_c_below_b_choice_3, map_of_column_0_c_below_b_choice_4 : boolean;
-    variable map_of_column_0_c_below_b_choice_5, map_of_column_0_c_below_b_choice_6 : boolean;
-    variable map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_value : boolean;
-    variable map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_is_equal, map_of_low_0_b_below_a_choice_2 : boolean;
-    variable map_of_low_0_b_below_a_value_2, map_of_low_0_b_below_a_value_3, map_of_low_0_b_below_a_choice_3 : boolean;
-    variable map_of_low_0_b_below_a_value_4, map_of_low_0_b_below_a_value_5, map_of_low_0_b_below_a_choice_4 : boolean;
-    variable map_of_low_0_b_below_a_value_6, map_of_low_0_b_below_a_value_7, map_of_low_0_b_below_a_choice_5 : boolean;
-    variable map_of_low_0_b_below_a_value_8, map_of_low_0_b_below_a_value_9, map_of_low_0_b_below_a_choice_6 : boolean;
-    variable map_of_low_0_b_below_a_value_10, map_of_low_0_b_below_a_value_11 : boolean;
-    variable map_of_low_0_b_below_a_choice_7, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice : boolean;
-    variable map_of_low_0_c_below_a_choice_2, map_of_low_0_c_below_a_choice_3 : boolean;
+    variable pathsturn_cost_memory_write_words_1_0_all, winnerswinner1_best_index_0_0_choice : boolean;
+    variable winnerswinner1_best_index_0_0_choice_2, winnerswinner1_best_index_0_0_value : boolean;
+    variable winnerswinner1_best_index_0_0_choice_3, winnerswinner1_best_index_0_0_value_2 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_4, winnerswinner1_best_index_0_0_value_3 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_5, winnerswinner1_best_index_0_0_value_4 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_6, winnerswinner1_best_index_0_0_value_5 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_7, winnerswinner1_best_index_0_1_choice : boolean;
+    variable winnerswinner1_best_index_0_1_choice_2, winnerswinner1_best_index_0_1_value : boolean;
+    variable winnerswinner1_best_index_0_1_choice_3, winnerswinner1_best_index_0_1_value_2 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_4, winnerswinner1_best_index_0_1_value_3 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_5, winnerswinner1_best_index_0_1_value_4 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_6, winnerswinner1_best_index_0_1_value_5 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_7, winnerswinner1_best_index_0_1_choice_8 : boolean;
+    variable winnerswinner1_best_index_0_2_choice, winnerswinner1_best_index_0_2_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_2_value, winnerswinner1_best_index_0_2_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_2_value_2, winnerswinner1_best_index_0_2_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_2_value_3, winnerswinner1_best_index_0_2_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_2_value_4, winnerswinner1_best_index_0_2_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_2_value_5, winnerswinner1_best_index_0_2_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_8, winnerswinner1_best_index_0_3_choice : boolean;
+    variable winnerswinner1_best_index_0_3_choice_2, winnerswinner1_best_index_0_3_value : boolean;
+    variable winnerswinner1_best_index_0_3_choice_3, winnerswinner1_best_index_0_3_value_2 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_4, winnerswinner1_best_index_0_3_value_3 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_5, winnerswinner1_best_index_0_3_value_4 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_6, winnerswinner1_best_index_0_3_value_5 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_7, winnerswinner1_best_index_0_3_choice_8 : boolean;
+    variable winnerswinner2_best_index_0_0_choice, winnerswinner2_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner2_best_index_0_0_value, winnerswinner2_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner2_best_index_0_0_value_2, winnerswinner2_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner2_best_index_0_0_value_3, winnerswinner2_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner2_best_index_0_0_value_4, winnerswinner2_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner2_best_index_0_0_value_5, winnerswinner2_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_8, winnerswinner2_best_index_0_1_choice : boolean;
+    variable winnerswinner2_best_index_0_1_choice_2, winnerswinner2_best_index_0_1_value : boolean;
+    variable winnerswinner2_best_index_0_1_choice_3, winnerswinner2_best_index_0_1_value_2 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_4, winnerswinner2_best_index_0_1_value_3 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_5, winnerswinner2_best_index_0_1_value_4 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_6, winnerswinner2_best_index_0_1_value_5 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_7, winnerswinner2_best_index_0_1_choice_8 : boolean;
+    variable winnerswinner3_best_index_0_0_choice, winnerswinner3_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner3_best_index_0_0_value, winnerswinner3_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner3_best_index_0_0_value_2, winnerswinner3_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner3_best_index_0_0_value_3, winnerswinner3_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner3_best_index_0_0_value_4, winnerswinner3_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner3_best_index_0_0_value_5, winnerswinner3_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_8, winners_best_index_0_0_value : boolean;
+    variable winners_best_index_0_0_choice, winners_best_index_0_0_value_2, winners_best_index_0_0_choice_2 : boolean;
+    variable winners_best_index_0_0_value_3, winners_best_index_0_0_choice_3, winners_best_index_0_0_value_4 : boolean;
+    variable winners_best_index_0_0_choice_4, winners_best_index_0_0_value_5, winners_best_index_0_0_choice_5 : boolean;
+    variable winners_best_index_0_0_value_6, winners_best_index_0_0_choice_6, winners_best_index_0_0_choice_7 : boolean;
+    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
+    variable turn_ready_tag_row_start_differs, turn_ready_tag_row_start_is_equal : boolean;
+    variable turn_ready_tag_row_start_choice, turn_ready_tag_row_start_choice_2 : boolean;
+    variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_all : boolean;
+    variable turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2, map_counter_group_is_equal : boolean;
+    variable map_line_ended_choice, map_at_arrives_value, map_of_column_0_b_below_a_value : boolean;
+    variable map_of_column_0_b_below_a_choice, map_of_column_0_b_below_a_value_2 : boolean;
+    variable map_of_column_0_b_below_a_choice_2, map_of_column_0_b_below_a_choice_3 : boolean;
+    variable map_of_column_0_b_below_a_choice_4, map_of_column_0_b_below_a_value_3 : boolean;
+    variable map_of_column_0_b_below_a_value_4, map_of_column_0_b_below_a_choice_5 : boolean;
+    variable map_of_column_0_b_below_a_value_5, map_of_column_0_b_below_a_value_6 : boolean;
+    variable map_of_column_0_b_below_a_choice_6, map_of_column_0_b_below_a_value_7 : boolean;
+    variable map_of_column_0_b_below_a_value_8, map_of_column_0_b_below_a_choice_7 : boolean;
+    variable map_of_column_0_b_below_a_value_9, map_of_column_0_b_below_a_value_10 : boolean;
+    variable map_of_column_0_b_below_a_choice_8, map_of_column_0_b_below_a_value_11 : boolean;
+    variable map_of_column_0_b_below_a_value_12, map_of_column_0_b_below_a_choice_9 : boolean;
+    variable map_of_column_0_c_below_a_value, map_of_column_0_c_below_a_choice : boolean;
+    variable map_of_column_0_c_below_a_value_2, map_of_column_0_c_below_a_choice_2 : boolean;
+    variable map_of_column_0_c_below_a_choice_3, map_of_column_0_c_below_a_value_3 : boolean;
+    variable map_of_column_0_c_below_a_choice_4, map_of_column_0_c_below_a_choice_5 : boolean;
+    variable map_of_column_0_c_below_a_choice_6, map_of_column_0_c_below_a_value_4 : boolean;
+    variable map_of_column_0_c_below_a_choice_7, map_of_column_0_c_below_a_choice_8 : boolean;
+    variable map_of_column_0_c_below_a_choice_9, map_of_column_0_c_below_a_value_5 : boolean;
+    variable map_of_column_0_c_below_a_choice_10, map_of_column_0_c_below_a_choice_11 : boolean;
+    variable map_of_column_0_c_below_a_choice_12, map_of_column_0_c_below_a_value_6 : boolean;
+    variable map_of_column_0_c_below_a_choice_13, map_of_column_0_c_below_a_choice_14 : boolean;
+    variable map_of_column_0_c_below_a_choice_15, map_of_column_0_c_below_a_value_7 : boolean;
+    variable map_of_column_0_c_below_a_choice_16, map_of_column_0_c_below_a_choice_17 : boolean;
+    variable map_of_column_0_c_below_a_choice_18, map_of_column_0_c_below_a_choice_19 : boolean;
+    variable map_of_column_0_c_below_a_choice_20, map_of_column_0_c_below_b_choice : boolean;
+    variable map_of_column_0_c_below_b_choice_2, map_of_column_0_c_below_b_choice_3 : boolean;
+    variable map_of_column_0_c_below_b_choice_4, map_of_column_0_c_below_b_choice_5 : boolean;
+    variable map_of_column_0_c_below_b_choice_6, map_window_complete_is_equal, map_window_complete_choice : boolean;
+    variable map_of_low_0_b_below_a_value, map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_is_equal : boolean;
+    variable map_of_low_0_b_below_a_choice_2, map_of_low_0_b_below_a_value_2, map_of_low_0_b_below_a_value_3 : boolean;
+    variable map_of_low_0_b_below_a_choice_3, map_of_low_0_b_below_a_value_4, map_of_low_0_b_below_a_value_5 : boolean;
+    variable map_of_low_0_b_below_a_choice_4, map_of_low_0_b_below_a_value_6, map_of_low_0_b_below_a_value_7 : boolean;
+    variable map_of_low_0_b_below_a_choice_5, map_of_low_0_b_below_a_value_8, map_of_low_0_b_below_a_value_9 : boolean;
+    variable map_of_low_0_b_below_a_choice_6, map_of_low_0_b_below_a_value_10 : boolean;
+    variable map_of_low_0_b_below_a_value_11, map_of_low_0_b_below_a_choice_7, map_of_low_0_c_below_a_value : boolean;
+    variable map_of_low_0_c_below_a_choice, map_of_low_0_c_below_a_choice_2, map_of_low_0_c_below_a_choice_3 : boolean;
     variable map_of_low_0_c_below_a_choice_4, map_of_low_0_c_below_a_choice_5 : boolean;
     variable map_of_low_0_c_below_a_choice_6, map_of_low_0_c_below_a_choice_7, map_of_low_0_c_below_b_choice : boolean;
     variable map_of_low_0_c_below_b_choice_2, map_of_low_0_c_below_b_choice_3 : boolean;
@@ -7057,7 +7043,6 @@ begin
       line_comes_29 <= line_comes_28;
       line_comes_30 <= line_comes_29;
       line_comes_31 <= line_comes_30;
-      line_comes_32 <= line_comes_31;
       line_starts_phases_1 <= line_order_turned_valid and line_centre_map_column_0;
       line_starts_phases_2 <= line_starts_phases_1;
       line_starts_phases_3 <= line_starts_phases_2;
@@ -7075,8 +7060,8 @@ begin
       line_starts_phases_15 <= line_starts_phases_14;
       line_starts_phases_16 <= line_starts_phases_15;
       line_starts_phases_17 <= line_starts_phases_16;
-      line_starts_phases_18 <= line_starts_phases_17;
-      line_starts_phases_19 <= line_starts_phases_18;
+      line_starts_phases_18 <= pathsleft_read_count_phase = 0;
+      line_starts_phases_19 <= pathsleft_is_first;
       line_starts_phases_20 <= line_starts_phases_19;
       line_starts_phases_21 <= line_starts_phases_20;
       line_starts_phases_22 <= line_starts_phases_21;
@@ -7704,21 +7689,21 @@ begin
       costswindow_first_7_count_14 <= as_number(((to_integer(costsshift_search_0_7(43 downto 43)) = 1) /=
         (to_integer(costsshift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(costsshift_search_0_7(42
         downto 42)) = 1) /= costswindow_first_0_count_14_value));
-      costswindow_sum_0_0 <= ((other_10 / 65536) mod 16) + ((other_10 / 256) mod 16) + (other_10 / 16777216) +
-        (other_10 mod 16);
-      costswindow_sum_0_1 <= ((other_9 / 65536) mod 16) + ((other_9 / 256) mod 16) + (other_9 / 16777216) + (other_9
+      costswindow_sum_0_0 <= ((other_9 / 65536) mod 16) + ((other_9 / 256) mod 16) + (other_9 / 16777216) + (other_9
         mod 16);
-      costswindow_sum_0_2 <= ((other_8 / 65536) mod 16) + ((other_8 / 256) mod 16) + (other_8 / 16777216) + (other_8
+      costswindow_sum_0_1 <= ((other_8 / 65536) mod 16) + ((other_8 / 256) mod 16) + (other_8 / 16777216) + (other_8
         mod 16);
-      costswindow_sum_0_3 <= ((other_7 / 65536) mod 16) + ((other_7 / 256) mod 16) + (other_7 / 16777216) + (other_7
+      costswindow_sum_0_2 <= ((other_7 / 65536) mod 16) + ((other_7 / 256) mod 16) + (other_7 / 16777216) + (other_7
         mod 16);
-      costswindow_sum_0_4 <= ((other_6 / 65536) mod 16) + ((other_6 / 256) mod 16) + (other_6 / 16777216) + (other_6
+      costswindow_sum_0_3 <= ((other_6 / 65536) mod 16) + ((other_6 / 256) mod 16) + (other_6 / 16777216) + (other_6
         mod 16);
-      costswindow_sum_0_5 <= ((other_5 / 65536) mod 16) + ((other_5 / 256) mod 16) + (other_5 / 16777216) + (other_5
+      costswindow_sum_0_4 <= ((other_5 / 65536) mod 16) + ((other_5 / 256) mod 16) + (other_5 / 16777216) + (other_5
         mod 16);
-      costswindow_sum_0_6 <= ((other_4 / 65536) mod 16) + ((other_4 / 256) mod 16) + (other_4 / 16777216) + (other_4
+      costswindow_sum_0_5 <= ((other_4 / 65536) mod 16) + ((other_4 / 256) mod 16) + (other_4 / 16777216) + (other_4
         mod 16);
-      costswindow_sum_0_7 <= ((other_3 / 65536) mod 16) + ((other_3 / 256) mod 16) + (other_3 / 16777216) + (other_3
+      costswindow_sum_0_6 <= ((other_2 / 65536) mod 16) + ((other_2 / 256) mod 16) + (other_2 / 16777216) + (other_2
+        mod 16);
+      costswindow_sum_0_7 <= ((other_1 / 65536) mod 16) + ((other_1 / 256) mod 16) + (other_1 / 16777216) + (other_1
         mod 16);
       -- costs
       costs_cost_0 <= costswindow_sum_0_0 / 4;
@@ -7856,8 +7841,7 @@ begin
       else
         pathsleft_stay_7_choice := pathsleft_lower_neighbour_value;
       end if;
-      pathsleft_step_0_is_equal := pathsleft_count_phase = 0;
-      if pathsleft_step_0_is_equal then
+      if line_starts_phases_18 then
         pathsleft_step_0_choice := pathsleft_stay_1_value;
       else
         pathsleft_step_0_choice := pathsleft_lower_neighbour;
@@ -7897,7 +7881,7 @@ begin
       else
         pathsleft_step_6_choice := to_integer(pathsleft_read_words_1(5 downto 0));
       end if;
-      if other_11 then
+      if pathsleft_is_last then
         pathsleft_step_7_choice := pathsleft_stay_6_value;
       else
         pathsleft_step_7_choice := to_integer(pathsleft_read_neighbour_0);
@@ -7927,7 +7911,8 @@ begin
       pathsleft_short_of <= ((to_integer(pathsleft_lowest_0(4 downto 0)) + pathsleft_room) / 32) = 1;
       pathsleft_missing <= (to_integer(pathsleft_lowest_0) + pathsleft_room) mod 32;
       pathsleft_below <= (0 - to_integer(pathsleft_lowest_0)) mod 32;
-      pathsleft_count_phase <= pathsleft_read_count_phase;
+      pathsleft_is_first <= line_starts_phases_17;
+      pathsleft_is_last <= pathsleft_read_count_phase_is_equal;
       pathsleft_lower_neighbour <= pathsleft_lower_neighbour_value;
       pathsleft_stay_change_0 <= (to_integer(paths_cost_delay_held_0(3 downto 0)) - pathsleft_g) mod 64;
       pathsleft_stay_change_1 <= (pathsleft_stay_change_1_value - pathsleft_g) mod 64;
@@ -8724,7 +8709,7 @@ begin
       else
         pathsright_stay_7_choice := pathsright_lower_neighbour_value;
       end if;
-      if pathsleft_step_0_is_equal then
+      if line_starts_phases_18 then
         pathsright_step_0_choice := pathsright_stay_1_value;
       else
         pathsright_step_0_choice := pathsright_lower_neighbour;
@@ -8764,7 +8749,7 @@ begin
       else
         pathsright_step_6_choice := to_integer(pathsright_read_words_1(5 downto 0));
       end if;
-      if other_11 then
+      if pathsleft_is_last then
         pathsright_step_7_choice := pathsright_stay_6_value;
       else
         pathsright_step_7_choice := to_integer(pathsright_read_neighbour_0);
@@ -8979,455 +8964,263 @@ begin
       end if;
       -- winnerswinner1
       if (paths_sum_0 mod 2) = 1 then
-        winnerswinner1_of_pair_0_0_choice := (not (((paths_sum_1 / 2) mod 2) = 1)) or (not ((paths_sum_1 mod 2) = 1));
+        winnerswinner1_best_index_0_0_choice := (not (((paths_sum_1 / 2) mod 2) = 1)) or (not ((paths_sum_1 mod 2) =
+          1));
       else
-        winnerswinner1_of_pair_0_0_choice := not (((paths_sum_1 / 2) mod 2) = 1);
+        winnerswinner1_best_index_0_0_choice := not (((paths_sum_1 / 2) mod 2) = 1);
       end if;
       if ((paths_sum_0 / 2) mod 2) = 1 then
-        winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice;
+        winnerswinner1_best_index_0_0_choice_2 := winnerswinner1_best_index_0_0_choice;
       else
-        winnerswinner1_of_pair_0_0_choice_2 := ((paths_sum_0 mod 2) = 1) and ((paths_sum_1 mod 4) = 0);
+        winnerswinner1_best_index_0_0_choice_2 := ((paths_sum_0 mod 2) = 1) and ((paths_sum_1 mod 4) = 0);
       end if;
-      winnerswinner1_of_pair_0_0_value := ((paths_sum_1 / 4) mod 2) = 1;
-      if winnerswinner1_of_pair_0_0_choice_2 then
-        winnerswinner1_of_pair_0_0_choice_3 := (not (((paths_sum_0 / 4) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_0_value;
+      winnerswinner1_best_index_0_0_value := ((paths_sum_1 / 4) mod 2) = 1;
+      if winnerswinner1_best_index_0_0_choice_2 then
+        winnerswinner1_best_index_0_0_choice_3 := (not (((paths_sum_0 / 4) mod 2) = 1)) and
+          winnerswinner1_best_index_0_0_value;
       else
-        winnerswinner1_of_pair_0_0_choice_3 := (not (((paths_sum_0 / 4) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_0_value;
+        winnerswinner1_best_index_0_0_choice_3 := (not (((paths_sum_0 / 4) mod 2) = 1)) or
+          winnerswinner1_best_index_0_0_value;
       end if;
-      winnerswinner1_of_pair_0_0_value_2 := ((paths_sum_1 / 8) mod 2) = 1;
-      if winnerswinner1_of_pair_0_0_choice_3 then
-        winnerswinner1_of_pair_0_0_choice_4 := (not (((paths_sum_0 / 8) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_0_value_2;
+      winnerswinner1_best_index_0_0_value_2 := ((paths_sum_1 / 8) mod 2) = 1;
+      if winnerswinner1_best_index_0_0_choice_3 then
+        winnerswinner1_best_index_0_0_choice_4 := (not (((paths_sum_0 / 8) mod 2) = 1)) or
+          winnerswinner1_best_index_0_0_value_2;
       else
-        winnerswinner1_of_pair_0_0_choice_4 := (not (((paths_sum_0 / 8) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_0_value_2;
+        winnerswinner1_best_index_0_0_choice_4 := (not (((paths_sum_0 / 8) mod 2) = 1)) and
+          winnerswinner1_best_index_0_0_value_2;
       end if;
-      winnerswinner1_of_pair_0_0_value_3 := ((paths_sum_1 / 16) mod 2) = 1;
-      if winnerswinner1_of_pair_0_0_choice_4 then
-        winnerswinner1_of_pair_0_0_choice_5 := (not (((paths_sum_0 / 16) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_0_value_3;
+      winnerswinner1_best_index_0_0_value_3 := ((paths_sum_1 / 16) mod 2) = 1;
+      if winnerswinner1_best_index_0_0_choice_4 then
+        winnerswinner1_best_index_0_0_choice_5 := (not (((paths_sum_0 / 16) mod 2) = 1)) or
+          winnerswinner1_best_index_0_0_value_3;
       else
-        winnerswinner1_of_pair_0_0_choice_5 := (not (((paths_sum_0 / 16) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_0_value_3;
+        winnerswinner1_best_index_0_0_choice_5 := (not (((paths_sum_0 / 16) mod 2) = 1)) and
+          winnerswinner1_best_index_0_0_value_3;
       end if;
-      winnerswinner1_of_pair_0_0_value_4 := ((paths_sum_1 / 32) mod 2) = 1;
-      if winnerswinner1_of_pair_0_0_choice_5 then
-        winnerswinner1_of_pair_0_0_choice_6 := (not (((paths_sum_0 / 32) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_0_value_4;
+      winnerswinner1_best_index_0_0_value_4 := ((paths_sum_1 / 32) mod 2) = 1;
+      if winnerswinner1_best_index_0_0_choice_5 then
+        winnerswinner1_best_index_0_0_choice_6 := (not (((paths_sum_0 / 32) mod 2) = 1)) or
+          winnerswinner1_best_index_0_0_value_4;
       else
-        winnerswinner1_of_pair_0_0_choice_6 := (not (((paths_sum_0 / 32) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_0_value_4;
+        winnerswinner1_best_index_0_0_choice_6 := (not (((paths_sum_0 / 32) mod 2) = 1)) and
+          winnerswinner1_best_index_0_0_value_4;
       end if;
-      winnerswinner1_of_pair_0_0_value_5 := ((paths_sum_1 / 64) mod 2) = 1;
-      if winnerswinner1_of_pair_0_0_choice_6 then
-        winnerswinner1_of_pair_0_0_choice_7 := (not (((paths_sum_0 / 64) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_0_value_5;
+      winnerswinner1_best_index_0_0_value_5 := ((paths_sum_1 / 64) mod 2) = 1;
+      if winnerswinner1_best_index_0_0_choice_6 then
+        winnerswinner1_best_index_0_0_choice_7 := (not (((paths_sum_0 / 64) mod 2) = 1)) or
+          winnerswinner1_best_index_0_0_value_5;
       else
-        winnerswinner1_of_pair_0_0_choice_7 := (not (((paths_sum_0 / 64) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_0_value_5;
-      end if;
-      if winnerswinner1_of_pair_0_0_choice_7 then
-        winnerswinner1_of_pair_0_0_choice_8 := ((paths_sum_0 / 128) = 1) and (not ((paths_sum_1 / 128) = 1));
-      else
-        winnerswinner1_of_pair_0_0_choice_8 := ((paths_sum_0 / 128) = 1) or (not ((paths_sum_1 / 128) = 1));
+        winnerswinner1_best_index_0_0_choice_7 := (not (((paths_sum_0 / 64) mod 2) = 1)) and
+          winnerswinner1_best_index_0_0_value_5;
       end if;
       if (paths_sum_2 mod 2) = 1 then
-        winnerswinner1_of_pair_0_2_choice := (not (((paths_sum_3 / 2) mod 2) = 1)) or (not ((paths_sum_3 mod 2) = 1));
+        winnerswinner1_best_index_0_1_choice := (not (((paths_sum_3 / 2) mod 2) = 1)) or (not ((paths_sum_3 mod 2) =
+          1));
       else
-        winnerswinner1_of_pair_0_2_choice := not (((paths_sum_3 / 2) mod 2) = 1);
+        winnerswinner1_best_index_0_1_choice := not (((paths_sum_3 / 2) mod 2) = 1);
       end if;
       if ((paths_sum_2 / 2) mod 2) = 1 then
-        winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice;
+        winnerswinner1_best_index_0_1_choice_2 := winnerswinner1_best_index_0_1_choice;
       else
-        winnerswinner1_of_pair_0_2_choice_2 := ((paths_sum_2 mod 2) = 1) and ((paths_sum_3 mod 4) = 0);
+        winnerswinner1_best_index_0_1_choice_2 := ((paths_sum_2 mod 2) = 1) and ((paths_sum_3 mod 4) = 0);
       end if;
-      winnerswinner1_of_pair_0_2_value := ((paths_sum_3 / 4) mod 2) = 1;
-      if winnerswinner1_of_pair_0_2_choice_2 then
-        winnerswinner1_of_pair_0_2_choice_3 := (not (((paths_sum_2 / 4) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_2_value;
+      winnerswinner1_best_index_0_1_value := ((paths_sum_3 / 4) mod 2) = 1;
+      if winnerswinner1_best_index_0_1_choice_2 then
+        winnerswinner1_best_index_0_1_choice_3 := (not (((paths_sum_2 / 4) mod 2) = 1)) and
+          winnerswinner1_best_index_0_1_value;
       else
-        winnerswinner1_of_pair_0_2_choice_3 := (not (((paths_sum_2 / 4) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_2_value;
+        winnerswinner1_best_index_0_1_choice_3 := (not (((paths_sum_2 / 4) mod 2) = 1)) or
+          winnerswinner1_best_index_0_1_value;
       end if;
-      winnerswinner1_of_pair_0_2_value_2 := ((paths_sum_3 / 8) mod 2) = 1;
-      if winnerswinner1_of_pair_0_2_choice_3 then
-        winnerswinner1_of_pair_0_2_choice_4 := (not (((paths_sum_2 / 8) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_2_value_2;
+      winnerswinner1_best_index_0_1_value_2 := ((paths_sum_3 / 8) mod 2) = 1;
+      if winnerswinner1_best_index_0_1_choice_3 then
+        winnerswinner1_best_index_0_1_choice_4 := (not (((paths_sum_2 / 8) mod 2) = 1)) or
+          winnerswinner1_best_index_0_1_value_2;
       else
-        winnerswinner1_of_pair_0_2_choice_4 := (not (((paths_sum_2 / 8) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_2_value_2;
+        winnerswinner1_best_index_0_1_choice_4 := (not (((paths_sum_2 / 8) mod 2) = 1)) and
+          winnerswinner1_best_index_0_1_value_2;
       end if;
-      winnerswinner1_of_pair_0_2_value_3 := ((paths_sum_3 / 16) mod 2) = 1;
-      if winnerswinner1_of_pair_0_2_choice_4 then
-        winnerswinner1_of_pair_0_2_choice_5 := (not (((paths_sum_2 / 16) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_2_value_3;
+      winnerswinner1_best_index_0_1_value_3 := ((paths_sum_3 / 16) mod 2) = 1;
+      if winnerswinner1_best_index_0_1_choice_4 then
+        winnerswinner1_best_index_0_1_choice_5 := (not (((paths_sum_2 / 16) mod 2) = 1)) or
+          winnerswinner1_best_index_0_1_value_3;
       else
-        winnerswinner1_of_pair_0_2_choice_5 := (not (((paths_sum_2 / 16) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_2_value_3;
+        winnerswinner1_best_index_0_1_choice_5 := (not (((paths_sum_2 / 16) mod 2) = 1)) and
+          winnerswinner1_best_index_0_1_value_3;
       end if;
-      winnerswinner1_of_pair_0_2_value_4 := ((paths_sum_3 / 32) mod 2) = 1;
-      if winnerswinner1_of_pair_0_2_choice_5 then
-        winnerswinner1_of_pair_0_2_choice_6 := (not (((paths_sum_2 / 32) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_2_value_4;
+      winnerswinner1_best_index_0_1_value_4 := ((paths_sum_3 / 32) mod 2) = 1;
+      if winnerswinner1_best_index_0_1_choice_5 then
+        winnerswinner1_best_index_0_1_choice_6 := (not (((paths_sum_2 / 32) mod 2) = 1)) or
+          winnerswinner1_best_index_0_1_value_4;
       else
-        winnerswinner1_of_pair_0_2_choice_6 := (not (((paths_sum_2 / 32) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_2_value_4;
+        winnerswinner1_best_index_0_1_choice_6 := (not (((paths_sum_2 / 32) mod 2) = 1)) and
+          winnerswinner1_best_index_0_1_value_4;
       end if;
-      winnerswinner1_of_pair_0_2_value_5 := ((paths_sum_3 / 64) mod 2) = 1;
-      if winnerswinner1_of_pair_0_2_choice_6 then
-        winnerswinner1_of_pair_0_2_choice_7 := (not (((paths_sum_2 / 64) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_2_value_5;
+      winnerswinner1_best_index_0_1_value_5 := ((paths_sum_3 / 64) mod 2) = 1;
+      if winnerswinner1_best_index_0_1_choice_6 then
+        winnerswinner1_best_index_0_1_choice_7 := (not (((paths_sum_2 / 64) mod 2) = 1)) or
+          winnerswinner1_best_index_0_1_value_5;
       else
-        winnerswinner1_of_pair_0_2_choice_7 := (not (((paths_sum_2 / 64) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_2_value_5;
+        winnerswinner1_best_index_0_1_choice_7 := (not (((paths_sum_2 / 64) mod 2) = 1)) and
+          winnerswinner1_best_index_0_1_value_5;
       end if;
-      if winnerswinner1_of_pair_0_2_choice_7 then
-        winnerswinner1_of_pair_0_2_choice_8 := ((paths_sum_2 / 128) = 1) and (not ((paths_sum_3 / 128) = 1));
+      if winnerswinner1_best_index_0_1_choice_7 then
+        winnerswinner1_best_index_0_1_choice_8 := ((paths_sum_2 / 128) = 1) and (not ((paths_sum_3 / 128) = 1));
       else
-        winnerswinner1_of_pair_0_2_choice_8 := ((paths_sum_2 / 128) = 1) or (not ((paths_sum_3 / 128) = 1));
+        winnerswinner1_best_index_0_1_choice_8 := ((paths_sum_2 / 128) = 1) or (not ((paths_sum_3 / 128) = 1));
       end if;
       if (paths_sum_4 mod 2) = 1 then
-        winnerswinner1_of_pair_0_4_choice := (not (((paths_sum_5 / 2) mod 2) = 1)) or (not ((paths_sum_5 mod 2) = 1));
+        winnerswinner1_best_index_0_2_choice := (not (((paths_sum_5 / 2) mod 2) = 1)) or (not ((paths_sum_5 mod 2) =
+          1));
       else
-        winnerswinner1_of_pair_0_4_choice := not (((paths_sum_5 / 2) mod 2) = 1);
+        winnerswinner1_best_index_0_2_choice := not (((paths_sum_5 / 2) mod 2) = 1);
       end if;
       if ((paths_sum_4 / 2) mod 2) = 1 then
-        winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice;
+        winnerswinner1_best_index_0_2_choice_2 := winnerswinner1_best_index_0_2_choice;
       else
-        winnerswinner1_of_pair_0_4_choice_2 := ((paths_sum_4 mod 2) = 1) and ((paths_sum_5 mod 4) = 0);
+        winnerswinner1_best_index_0_2_choice_2 := ((paths_sum_4 mod 2) = 1) and ((paths_sum_5 mod 4) = 0);
       end if;
-      winnerswinner1_of_pair_0_4_value := ((paths_sum_5 / 4) mod 2) = 1;
-      if winnerswinner1_of_pair_0_4_choice_2 then
-        winnerswinner1_of_pair_0_4_choice_3 := (not (((paths_sum_4 / 4) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_4_value;
+      winnerswinner1_best_index_0_2_value := ((paths_sum_5 / 4) mod 2) = 1;
+      if winnerswinner1_best_index_0_2_choice_2 then
+        winnerswinner1_best_index_0_2_choice_3 := (not (((paths_sum_4 / 4) mod 2) = 1)) and
+          winnerswinner1_best_index_0_2_value;
       else
-        winnerswinner1_of_pair_0_4_choice_3 := (not (((paths_sum_4 / 4) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_4_value;
+        winnerswinner1_best_index_0_2_choice_3 := (not (((paths_sum_4 / 4) mod 2) = 1)) or
+          winnerswinner1_best_index_0_2_value;
       end if;
-      winnerswinner1_of_pair_0_4_value_2 := ((paths_sum_5 / 8) mod 2) = 1;
-      if winnerswinner1_of_pair_0_4_choice_3 then
-        winnerswinner1_of_pair_0_4_choice_4 := (not (((paths_sum_4 / 8) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_4_value_2;
+      winnerswinner1_best_index_0_2_value_2 := ((paths_sum_5 / 8) mod 2) = 1;
+      if winnerswinner1_best_index_0_2_choice_3 then
+        winnerswinner1_best_index_0_2_choice_4 := (not (((paths_sum_4 / 8) mod 2) = 1)) or
+          winnerswinner1_best_index_0_2_value_2;
       else
-        winnerswinner1_of_pair_0_4_choice_4 := (not (((paths_sum_4 / 8) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_4_value_2;
+        winnerswinner1_best_index_0_2_choice_4 := (not (((paths_sum_4 / 8) mod 2) = 1)) and
+          winnerswinner1_best_index_0_2_value_2;
       end if;
-      winnerswinner1_of_pair_0_4_value_3 := ((paths_sum_5 / 16) mod 2) = 1;
-      if winnerswinner1_of_pair_0_4_choice_4 then
-        winnerswinner1_of_pair_0_4_choice_5 := (not (((paths_sum_4 / 16) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_4_value_3;
+      winnerswinner1_best_index_0_2_value_3 := ((paths_sum_5 / 16) mod 2) = 1;
+      if winnerswinner1_best_index_0_2_choice_4 then
+        winnerswinner1_best_index_0_2_choice_5 := (not (((paths_sum_4 / 16) mod 2) = 1)) or
+          winnerswinner1_best_index_0_2_value_3;
       else
-        winnerswinner1_of_pair_0_4_choice_5 := (not (((paths_sum_4 / 16) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_4_value_3;
+        winnerswinner1_best_index_0_2_choice_5 := (not (((paths_sum_4 / 16) mod 2) = 1)) and
+          winnerswinner1_best_index_0_2_value_3;
       end if;
-      winnerswinner1_of_pair_0_4_value_4 := ((paths_sum_5 / 32) mod 2) = 1;
-      if winnerswinner1_of_pair_0_4_choice_5 then
-        winnerswinner1_of_pair_0_4_choice_6 := (not (((paths_sum_4 / 32) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_4_value_4;
+      winnerswinner1_best_index_0_2_value_4 := ((paths_sum_5 / 32) mod 2) = 1;
+      if winnerswinner1_best_index_0_2_choice_5 then
+        winnerswinner1_best_index_0_2_choice_6 := (not (((paths_sum_4 / 32) mod 2) = 1)) or
+          winnerswinner1_best_index_0_2_value_4;
       else
-        winnerswinner1_of_pair_0_4_choice_6 := (not (((paths_sum_4 / 32) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_4_value_4;
+        winnerswinner1_best_index_0_2_choice_6 := (not (((paths_sum_4 / 32) mod 2) = 1)) and
+          winnerswinner1_best_index_0_2_value_4;
       end if;
-      winnerswinner1_of_pair_0_4_value_5 := ((paths_sum_5 / 64) mod 2) = 1;
-      if winnerswinner1_of_pair_0_4_choice_6 then
-        winnerswinner1_of_pair_0_4_choice_7 := (not (((paths_sum_4 / 64) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_4_value_5;
+      winnerswinner1_best_index_0_2_value_5 := ((paths_sum_5 / 64) mod 2) = 1;
+      if winnerswinner1_best_index_0_2_choice_6 then
+        winnerswinner1_best_index_0_2_choice_7 := (not (((paths_sum_4 / 64) mod 2) = 1)) or
+          winnerswinner1_best_index_0_2_value_5;
       else
-        winnerswinner1_of_pair_0_4_choice_7 := (not (((paths_sum_4 / 64) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_4_value_5;
+        winnerswinner1_best_index_0_2_choice_7 := (not (((paths_sum_4 / 64) mod 2) = 1)) and
+          winnerswinner1_best_index_0_2_value_5;
       end if;
-      if winnerswinner1_of_pair_0_4_choice_7 then
-        winnerswinner1_of_pair_0_4_choice_8 := ((paths_sum_4 / 128) = 1) and (not ((paths_sum_5 / 128) = 1));
+      if winnerswinner1_best_index_0_2_choice_7 then
+        winnerswinner1_best_index_0_2_choice_8 := ((paths_sum_4 / 128) = 1) and (not ((paths_sum_5 / 128) = 1));
       else
-        winnerswinner1_of_pair_0_4_choice_8 := ((paths_sum_4 / 128) = 1) or (not ((paths_sum_5 / 128) = 1));
+        winnerswinner1_best_index_0_2_choice_8 := ((paths_sum_4 / 128) = 1) or (not ((paths_sum_5 / 128) = 1));
       end if;
       if (paths_sum_6 mod 2) = 1 then
-        winnerswinner1_of_pair_0_6_choice := (not (((paths_sum_7 / 2) mod 2) = 1)) or (not ((paths_sum_7 mod 2) = 1));
+        winnerswinner1_best_index_0_3_choice := (not (((paths_sum_7 / 2) mod 2) = 1)) or (not ((paths_sum_7 mod 2) =
+          1));
       else
-        winnerswinner1_of_pair_0_6_choice := not (((paths_sum_7 / 2) mod 2) = 1);
+        winnerswinner1_best_index_0_3_choice := not (((paths_sum_7 / 2) mod 2) = 1);
       end if;
       if ((paths_sum_6 / 2) mod 2) = 1 then
-        winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice;
+        winnerswinner1_best_index_0_3_choice_2 := winnerswinner1_best_index_0_3_choice;
       else
-        winnerswinner1_of_pair_0_6_choice_2 := ((paths_sum_6 mod 2) = 1) and ((paths_sum_7 mod 4) = 0);
+        winnerswinner1_best_index_0_3_choice_2 := ((paths_sum_6 mod 2) = 1) and ((paths_sum_7 mod 4) = 0);
       end if;
-      winnerswinner1_of_pair_0_6_value := ((paths_sum_7 / 4) mod 2) = 1;
-      if winnerswinner1_of_pair_0_6_choice_2 then
-        winnerswinner1_of_pair_0_6_choice_3 := (not (((paths_sum_6 / 4) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_6_value;
+      winnerswinner1_best_index_0_3_value := ((paths_sum_7 / 4) mod 2) = 1;
+      if winnerswinner1_best_index_0_3_choice_2 then
+        winnerswinner1_best_index_0_3_choice_3 := (not (((paths_sum_6 / 4) mod 2) = 1)) and
+          winnerswinner1_best_index_0_3_value;
       else
-        winnerswinner1_of_pair_0_6_choice_3 := (not (((paths_sum_6 / 4) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_6_value;
+        winnerswinner1_best_index_0_3_choice_3 := (not (((paths_sum_6 / 4) mod 2) = 1)) or
+          winnerswinner1_best_index_0_3_value;
       end if;
-      winnerswinner1_of_pair_0_6_value_2 := ((paths_sum_7 / 8) mod 2) = 1;
-      if winnerswinner1_of_pair_0_6_choice_3 then
-        winnerswinner1_of_pair_0_6_choice_4 := (not (((paths_sum_6 / 8) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_6_value_2;
+      winnerswinner1_best_index_0_3_value_2 := ((paths_sum_7 / 8) mod 2) = 1;
+      if winnerswinner1_best_index_0_3_choice_3 then
+        winnerswinner1_best_index_0_3_choice_4 := (not (((paths_sum_6 / 8) mod 2) = 1)) or
+          winnerswinner1_best_index_0_3_value_2;
       else
-        winnerswinner1_of_pair_0_6_choice_4 := (not (((paths_sum_6 / 8) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_6_value_2;
+        winnerswinner1_best_index_0_3_choice_4 := (not (((paths_sum_6 / 8) mod 2) = 1)) and
+          winnerswinner1_best_index_0_3_value_2;
       end if;
-      winnerswinner1_of_pair_0_6_value_3 := ((paths_sum_7 / 16) mod 2) = 1;
-      if winnerswinner1_of_pair_0_6_choice_4 then
-        winnerswinner1_of_pair_0_6_choice_5 := (not (((paths_sum_6 / 16) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_6_value_3;
+      winnerswinner1_best_index_0_3_value_3 := ((paths_sum_7 / 16) mod 2) = 1;
+      if winnerswinner1_best_index_0_3_choice_4 then
+        winnerswinner1_best_index_0_3_choice_5 := (not (((paths_sum_6 / 16) mod 2) = 1)) or
+          winnerswinner1_best_index_0_3_value_3;
       else
-        winnerswinner1_of_pair_0_6_choice_5 := (not (((paths_sum_6 / 16) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_6_value_3;
+        winnerswinner1_best_index_0_3_choice_5 := (not (((paths_sum_6 / 16) mod 2) = 1)) and
+          winnerswinner1_best_index_0_3_value_3;
       end if;
-      winnerswinner1_of_pair_0_6_value_4 := ((paths_sum_7 / 32) mod 2) = 1;
-      if winnerswinner1_of_pair_0_6_choice_5 then
-        winnerswinner1_of_pair_0_6_choice_6 := (not (((paths_sum_6 / 32) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_6_value_4;
+      winnerswinner1_best_index_0_3_value_4 := ((paths_sum_7 / 32) mod 2) = 1;
+      if winnerswinner1_best_index_0_3_choice_5 then
+        winnerswinner1_best_index_0_3_choice_6 := (not (((paths_sum_6 / 32) mod 2) = 1)) or
+          winnerswinner1_best_index_0_3_value_4;
       else
-        winnerswinner1_of_pair_0_6_choice_6 := (not (((paths_sum_6 / 32) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_6_value_4;
+        winnerswinner1_best_index_0_3_choice_6 := (not (((paths_sum_6 / 32) mod 2) = 1)) and
+          winnerswinner1_best_index_0_3_value_4;
       end if;
-      winnerswinner1_of_pair_0_6_value_5 := ((paths_sum_7 / 64) mod 2) = 1;
-      if winnerswinner1_of_pair_0_6_choice_6 then
-        winnerswinner1_of_pair_0_6_choice_7 := (not (((paths_sum_6 / 64) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_6_value_5;
+      winnerswinner1_best_index_0_3_value_5 := ((paths_sum_7 / 64) mod 2) = 1;
+      if winnerswinner1_best_index_0_3_choice_6 then
+        winnerswinner1_best_index_0_3_choice_7 := (not (((paths_sum_6 / 64) mod 2) = 1)) or
+          winnerswinner1_best_index_0_3_value_5;
       else
-        winnerswinner1_of_pair_0_6_choice_7 := (not (((paths_sum_6 / 64) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_6_value_5;
+        winnerswinner1_best_index_0_3_choice_7 := (not (((paths_sum_6 / 64) mod 2) = 1)) and
+          winnerswinner1_best_index_0_3_value_5;
       end if;
-      if winnerswinner1_of_pair_0_6_choice_7 then
-        winnerswinner1_of_pair_0_6_choice_8 := ((paths_sum_6 / 128) = 1) and (not ((paths_sum_7 / 128) = 1));
+      if winnerswinner1_best_index_0_3_choice_7 then
+        winnerswinner1_best_index_0_3_choice_8 := ((paths_sum_6 / 128) = 1) and (not ((paths_sum_7 / 128) = 1));
       else
-        winnerswinner1_of_pair_0_6_choice_8 := ((paths_sum_6 / 128) = 1) or (not ((paths_sum_7 / 128) = 1));
+        winnerswinner1_best_index_0_3_choice_8 := ((paths_sum_6 / 128) = 1) or (not ((paths_sum_7 / 128) = 1));
       end if;
-      if (winnerswinner1_of_pair_0_1 mod 2) = 1 then
-        winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
-          ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      if (paths_sum_1 - paths_sum_0) < 0 then
+        winnerswinner1_best_cost_0_0 <= paths_sum_1;
       else
-        winnerswinner1_of_four_0_0_choice := ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not
-          ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+        winnerswinner1_best_cost_0_0 <= paths_sum_0;
       end if;
-      winnerswinner1_of_four_0_0_value := ((winnerswinner1_of_pair_0_1 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_0_value_2 := ((winnerswinner1_of_pair_0_0 / 2) mod 2) = 1;
-      if (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1))
-        then
-        winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
-          winnerswinner1_of_four_0_0_value_2;
+      if (paths_sum_3 - paths_sum_2) < 0 then
+        winnerswinner1_best_cost_0_1 <= paths_sum_3;
       else
-        winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice and (winnerswinner1_of_four_0_0_value
-          or winnerswinner1_of_four_0_0_value_2);
+        winnerswinner1_best_cost_0_1 <= paths_sum_2;
       end if;
-      winnerswinner1_of_four_0_0_value_3 := ((winnerswinner1_of_pair_0_3 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_0_value_4 := ((winnerswinner1_of_pair_0_2 / 4) mod 2) = 1;
-      if winnerswinner1_of_four_0_0_choice_2 then
-        winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
-          winnerswinner1_of_four_0_0_value_4);
+      if (paths_sum_5 - paths_sum_4) < 0 then
+        winnerswinner1_best_cost_0_2 <= paths_sum_5;
       else
-        winnerswinner1_of_four_0_0_choice_3 := ((not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_3 or
-          winnerswinner1_of_four_0_0_value_4;
+        winnerswinner1_best_cost_0_2 <= paths_sum_4;
       end if;
-      winnerswinner1_of_four_0_0_value_5 := ((winnerswinner1_of_pair_0_3 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_0_value_6 := ((winnerswinner1_of_pair_0_2 / 8) mod 2) = 1;
-      if winnerswinner1_of_four_0_0_choice_3 then
-        winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
-          winnerswinner1_of_four_0_0_value_6;
+      if (paths_sum_7 - paths_sum_6) < 0 then
+        winnerswinner1_best_cost_0_3 <= paths_sum_7;
       else
-        winnerswinner1_of_four_0_0_choice_4 := (not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_5 or
-          winnerswinner1_of_four_0_0_value_6);
+        winnerswinner1_best_cost_0_3 <= paths_sum_6;
       end if;
-      winnerswinner1_of_four_0_0_value_7 := ((winnerswinner1_of_pair_0_3 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_0_value_8 := ((winnerswinner1_of_pair_0_2 / 16) mod 2) = 1;
-      if winnerswinner1_of_four_0_0_choice_4 then
-        winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
-          winnerswinner1_of_four_0_0_value_8;
+      if winnerswinner1_best_index_0_0_choice_7 then
+        winnerswinner1_best_index_0_0 <= ((paths_sum_0 / 128) = 1) and (not ((paths_sum_1 / 128) = 1));
       else
-        winnerswinner1_of_four_0_0_choice_5 := (not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_7 or
-          winnerswinner1_of_four_0_0_value_8);
+        winnerswinner1_best_index_0_0 <= ((paths_sum_0 / 128) = 1) or (not ((paths_sum_1 / 128) = 1));
       end if;
-      winnerswinner1_of_four_0_0_value_9 := ((winnerswinner1_of_pair_0_3 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_0_value_10 := ((winnerswinner1_of_pair_0_2 / 32) mod 2) = 1;
-      if winnerswinner1_of_four_0_0_choice_5 then
-        winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
-          winnerswinner1_of_four_0_0_value_10;
+      if winnerswinner1_best_index_0_1_choice_8 then
+        winnerswinner1_best_index_0_1 <= 3;
       else
-        winnerswinner1_of_four_0_0_choice_6 := (not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_9 or
-          winnerswinner1_of_four_0_0_value_10);
+        winnerswinner1_best_index_0_1 <= 2;
       end if;
-      winnerswinner1_of_four_0_0_value_11 := ((winnerswinner1_of_pair_0_3 / 64) mod 2) = 1;
-      winnerswinner1_of_four_0_0_value_12 := ((winnerswinner1_of_pair_0_2 / 64) mod 2) = 1;
-      if winnerswinner1_of_four_0_0_choice_6 then
-        winnerswinner1_of_four_0_0_choice_7 := ((not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_11 or
-          winnerswinner1_of_four_0_0_value_12;
+      if winnerswinner1_best_index_0_2_choice_8 then
+        winnerswinner1_best_index_0_2 <= 5;
       else
-        winnerswinner1_of_four_0_0_choice_7 := (not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_11 or
-          winnerswinner1_of_four_0_0_value_12);
+        winnerswinner1_best_index_0_2 <= 4;
       end if;
-      if winnerswinner1_of_four_0_0_choice_7 then
-        winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_0 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_2 / 128) = 1));
+      if winnerswinner1_best_index_0_3_choice_8 then
+        winnerswinner1_best_index_0_3 <= 7;
       else
-        winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_0 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_2 / 128) = 1)));
-      end if;
-      if (winnerswinner1_of_pair_0_5 mod 2) = 1 then
-        winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
-          ((winnerswinner1_of_pair_0_6 mod 2) = 1));
-      else
-        winnerswinner1_of_four_0_4_choice := ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not
-          ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_6 mod 2) = 1));
-      end if;
-      winnerswinner1_of_four_0_4_value := ((winnerswinner1_of_pair_0_5 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_4_value_2 := ((winnerswinner1_of_pair_0_4 / 2) mod 2) = 1;
-      if (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1))
-        then
-        winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
-          winnerswinner1_of_four_0_4_value_2;
-      else
-        winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice and (winnerswinner1_of_four_0_4_value
-          or winnerswinner1_of_four_0_4_value_2);
-      end if;
-      winnerswinner1_of_four_0_4_value_3 := ((winnerswinner1_of_pair_0_7 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_4_value_4 := ((winnerswinner1_of_pair_0_6 / 4) mod 2) = 1;
-      if winnerswinner1_of_four_0_4_choice_2 then
-        winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
-          winnerswinner1_of_four_0_4_value_4);
-      else
-        winnerswinner1_of_four_0_4_choice_3 := ((not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_3 or
-          winnerswinner1_of_four_0_4_value_4;
-      end if;
-      winnerswinner1_of_four_0_4_value_5 := ((winnerswinner1_of_pair_0_7 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_4_value_6 := ((winnerswinner1_of_pair_0_6 / 8) mod 2) = 1;
-      if winnerswinner1_of_four_0_4_choice_3 then
-        winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
-          winnerswinner1_of_four_0_4_value_6;
-      else
-        winnerswinner1_of_four_0_4_choice_4 := (not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_5 or
-          winnerswinner1_of_four_0_4_value_6);
-      end if;
-      winnerswinner1_of_four_0_4_value_7 := ((winnerswinner1_of_pair_0_7 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_4_value_8 := ((winnerswinner1_of_pair_0_6 / 16) mod 2) = 1;
-      if winnerswinner1_of_four_0_4_choice_4 then
-        winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
-          winnerswinner1_of_four_0_4_value_8;
-      else
-        winnerswinner1_of_four_0_4_choice_5 := (not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_7 or
-          winnerswinner1_of_four_0_4_value_8);
-      end if;
-      winnerswinner1_of_four_0_4_value_9 := ((winnerswinner1_of_pair_0_7 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_4_value_10 := ((winnerswinner1_of_pair_0_6 / 32) mod 2) = 1;
-      if winnerswinner1_of_four_0_4_choice_5 then
-        winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
-          winnerswinner1_of_four_0_4_value_10;
-      else
-        winnerswinner1_of_four_0_4_choice_6 := (not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_9 or
-          winnerswinner1_of_four_0_4_value_10);
-      end if;
-      winnerswinner1_of_four_0_4_value_11 := ((winnerswinner1_of_pair_0_7 / 64) mod 2) = 1;
-      winnerswinner1_of_four_0_4_value_12 := ((winnerswinner1_of_pair_0_6 / 64) mod 2) = 1;
-      if winnerswinner1_of_four_0_4_choice_6 then
-        winnerswinner1_of_four_0_4_choice_7 := ((not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_11 or
-          winnerswinner1_of_four_0_4_value_12;
-      else
-        winnerswinner1_of_four_0_4_choice_7 := (not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_11 or
-          winnerswinner1_of_four_0_4_value_12);
-      end if;
-      if winnerswinner1_of_four_0_4_choice_7 then
-        winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_4 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_6 / 128) = 1));
-      else
-        winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_4 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_6 / 128) = 1)));
-      end if;
-      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choice_8;
-      winnerswinner1_best_cost_0_0 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_2, 8)) or
-        (to_unsigned(winnerswinner1_of_four_0_3, 8)))) or (to_unsigned(winnerswinner1_of_four_0_1, 8)))) or
-        (to_unsigned(winnerswinner1_of_four_0_0, 8))));
-      winnerswinner1_best_cost_0_1 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_6, 8)) or
-        (to_unsigned(winnerswinner1_of_four_0_7, 8)))) or (to_unsigned(winnerswinner1_of_four_0_5, 8)))) or
-        (to_unsigned(winnerswinner1_of_four_0_4, 8))));
-      winnerswinner1_best_index_0_0 <= winnerswinner1_four_index_0_0;
-      winnerswinner1_best_index_0_1 <= winnerswinner1_four_index_0_1;
-      if winnerswinner1_of_pair_0_0_choice_8 then
-        winnerswinner1_of_pair_0_0 <= 0;
-        winnerswinner1_of_pair_0_1 <= paths_sum_1;
-      else
-        winnerswinner1_of_pair_0_0 <= paths_sum_0;
-        winnerswinner1_of_pair_0_1 <= 0;
-      end if;
-      if winnerswinner1_of_pair_0_2_choice_8 then
-        winnerswinner1_of_pair_0_2 <= 0;
-        winnerswinner1_of_pair_0_3 <= paths_sum_3;
-        winnerswinner1_pair_index_0_1 <= 3;
-      else
-        winnerswinner1_of_pair_0_2 <= paths_sum_2;
-        winnerswinner1_of_pair_0_3 <= 0;
-        winnerswinner1_pair_index_0_1 <= 2;
-      end if;
-      if winnerswinner1_of_pair_0_4_choice_8 then
-        winnerswinner1_of_pair_0_4 <= 0;
-        winnerswinner1_of_pair_0_5 <= paths_sum_5;
-        winnerswinner1_pair_index_0_2 <= 5;
-      else
-        winnerswinner1_of_pair_0_4 <= paths_sum_4;
-        winnerswinner1_of_pair_0_5 <= 0;
-        winnerswinner1_pair_index_0_2 <= 4;
-      end if;
-      if winnerswinner1_of_pair_0_6_choice_8 then
-        winnerswinner1_of_pair_0_6 <= 0;
-        winnerswinner1_of_pair_0_7 <= paths_sum_7;
-        winnerswinner1_pair_index_0_3 <= 7;
-      else
-        winnerswinner1_of_pair_0_6 <= paths_sum_6;
-        winnerswinner1_of_pair_0_7 <= 0;
-        winnerswinner1_pair_index_0_3 <= 6;
-      end if;
-      if winnerswinner1_of_four_0_0_choice_8 then
-        winnerswinner1_of_four_0_0 <= 0;
-        winnerswinner1_of_four_0_1 <= 0;
-        winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2;
-        winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3;
-        winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1;
-      else
-        winnerswinner1_of_four_0_0 <= winnerswinner1_of_pair_0_0;
-        winnerswinner1_of_four_0_1 <= winnerswinner1_of_pair_0_1;
-        winnerswinner1_of_four_0_2 <= 0;
-        winnerswinner1_of_four_0_3 <= 0;
-        winnerswinner1_four_index_0_0 <= as_number(winnerswinner1_pair_index_0_0);
-      end if;
-      if winnerswinner1_of_four_0_4_choice_8 then
-        winnerswinner1_of_four_0_4 <= 0;
-        winnerswinner1_of_four_0_5 <= 0;
-        winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6;
-        winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7;
-        winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3;
-      else
-        winnerswinner1_of_four_0_4 <= winnerswinner1_of_pair_0_4;
-        winnerswinner1_of_four_0_5 <= winnerswinner1_of_pair_0_5;
-        winnerswinner1_of_four_0_6 <= 0;
-        winnerswinner1_of_four_0_7 <= 0;
-        winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_2;
+        winnerswinner1_best_index_0_3 <= 6;
       end if;
       -- winnerswinner2
       if (winnerswinner1_best_cost_0_0 mod 2) = 1 then
@@ -9489,90 +9282,229 @@ begin
         winnerswinner2_best_index_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) or (not
           ((winnerswinner1_best_cost_0_1 / 128) = 1));
       end if;
+      if (winnerswinner1_best_cost_0_2 mod 2) = 1 then
+        winnerswinner2_best_index_0_1_choice := (not (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1)) or (not
+          ((winnerswinner1_best_cost_0_3 mod 2) = 1));
+      else
+        winnerswinner2_best_index_0_1_choice := not (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1);
+      end if;
+      if ((winnerswinner1_best_cost_0_2 / 2) mod 2) = 1 then
+        winnerswinner2_best_index_0_1_choice_2 := winnerswinner2_best_index_0_1_choice;
+      else
+        winnerswinner2_best_index_0_1_choice_2 := ((winnerswinner1_best_cost_0_2 mod 2) = 1) and
+          ((winnerswinner1_best_cost_0_3 mod 4) = 0);
+      end if;
+      winnerswinner2_best_index_0_1_value := ((winnerswinner1_best_cost_0_3 / 4) mod 2) = 1;
+      if winnerswinner2_best_index_0_1_choice_2 then
+        winnerswinner2_best_index_0_1_choice_3 := (not (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) and
+          winnerswinner2_best_index_0_1_value;
+      else
+        winnerswinner2_best_index_0_1_choice_3 := (not (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) or
+          winnerswinner2_best_index_0_1_value;
+      end if;
+      winnerswinner2_best_index_0_1_value_2 := ((winnerswinner1_best_cost_0_3 / 8) mod 2) = 1;
+      if winnerswinner2_best_index_0_1_choice_3 then
+        winnerswinner2_best_index_0_1_choice_4 := (not (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) or
+          winnerswinner2_best_index_0_1_value_2;
+      else
+        winnerswinner2_best_index_0_1_choice_4 := (not (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) and
+          winnerswinner2_best_index_0_1_value_2;
+      end if;
+      winnerswinner2_best_index_0_1_value_3 := ((winnerswinner1_best_cost_0_3 / 16) mod 2) = 1;
+      if winnerswinner2_best_index_0_1_choice_4 then
+        winnerswinner2_best_index_0_1_choice_5 := (not (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) or
+          winnerswinner2_best_index_0_1_value_3;
+      else
+        winnerswinner2_best_index_0_1_choice_5 := (not (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) and
+          winnerswinner2_best_index_0_1_value_3;
+      end if;
+      winnerswinner2_best_index_0_1_value_4 := ((winnerswinner1_best_cost_0_3 / 32) mod 2) = 1;
+      if winnerswinner2_best_index_0_1_choice_5 then
+        winnerswinner2_best_index_0_1_choice_6 := (not (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) or
+          winnerswinner2_best_index_0_1_value_4;
+      else
+        winnerswinner2_best_index_0_1_choice_6 := (not (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) and
+          winnerswinner2_best_index_0_1_value_4;
+      end if;
+      winnerswinner2_best_index_0_1_value_5 := ((winnerswinner1_best_cost_0_3 / 64) mod 2) = 1;
+      if winnerswinner2_best_index_0_1_choice_6 then
+        winnerswinner2_best_index_0_1_choice_7 := (not (((winnerswinner1_best_cost_0_2 / 64) mod 2) = 1)) or
+          winnerswinner2_best_index_0_1_value_5;
+      else
+        winnerswinner2_best_index_0_1_choice_7 := (not (((winnerswinner1_best_cost_0_2 / 64) mod 2) = 1)) and
+          winnerswinner2_best_index_0_1_value_5;
+      end if;
+      if winnerswinner2_best_index_0_1_choice_7 then
+        winnerswinner2_best_index_0_1_choice_8 := ((winnerswinner1_best_cost_0_2 / 128) = 1) and (not
+          ((winnerswinner1_best_cost_0_3 / 128) = 1));
+      else
+        winnerswinner2_best_index_0_1_choice_8 := ((winnerswinner1_best_cost_0_2 / 128) = 1) or (not
+          ((winnerswinner1_best_cost_0_3 / 128) = 1));
+      end if;
       if (winnerswinner1_best_cost_0_1 - winnerswinner1_best_cost_0_0) < 0 then
         winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1;
       else
         winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_0;
       end if;
+      if (winnerswinner1_best_cost_0_3 - winnerswinner1_best_cost_0_2) < 0 then
+        winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_3;
+      else
+        winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_2;
+      end if;
       if winnerswinner2_best_index_0_0_choice_8 then
         winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1;
       else
-        winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_0;
+        winnerswinner2_best_index_0_0 <= as_number(winnerswinner1_best_index_0_0);
+      end if;
+      if winnerswinner2_best_index_0_1_choice_8 then
+        winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3;
+      else
+        winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_2;
+      end if;
+      -- winnerswinner3
+      if (winnerswinner2_best_cost_0_0 mod 2) = 1 then
+        winnerswinner3_best_index_0_0_choice := (not (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1)) or (not
+          ((winnerswinner2_best_cost_0_1 mod 2) = 1));
+      else
+        winnerswinner3_best_index_0_0_choice := not (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1);
+      end if;
+      if ((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1 then
+        winnerswinner3_best_index_0_0_choice_2 := winnerswinner3_best_index_0_0_choice;
+      else
+        winnerswinner3_best_index_0_0_choice_2 := ((winnerswinner2_best_cost_0_0 mod 2) = 1) and
+          ((winnerswinner2_best_cost_0_1 mod 4) = 0);
+      end if;
+      winnerswinner3_best_index_0_0_value := ((winnerswinner2_best_cost_0_1 / 4) mod 2) = 1;
+      if winnerswinner3_best_index_0_0_choice_2 then
+        winnerswinner3_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) and
+          winnerswinner3_best_index_0_0_value;
+      else
+        winnerswinner3_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) or
+          winnerswinner3_best_index_0_0_value;
+      end if;
+      winnerswinner3_best_index_0_0_value_2 := ((winnerswinner2_best_cost_0_1 / 8) mod 2) = 1;
+      if winnerswinner3_best_index_0_0_choice_3 then
+        winnerswinner3_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) or
+          winnerswinner3_best_index_0_0_value_2;
+      else
+        winnerswinner3_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) and
+          winnerswinner3_best_index_0_0_value_2;
+      end if;
+      winnerswinner3_best_index_0_0_value_3 := ((winnerswinner2_best_cost_0_1 / 16) mod 2) = 1;
+      if winnerswinner3_best_index_0_0_choice_4 then
+        winnerswinner3_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) or
+          winnerswinner3_best_index_0_0_value_3;
+      else
+        winnerswinner3_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) and
+          winnerswinner3_best_index_0_0_value_3;
+      end if;
+      winnerswinner3_best_index_0_0_value_4 := ((winnerswinner2_best_cost_0_1 / 32) mod 2) = 1;
+      if winnerswinner3_best_index_0_0_choice_5 then
+        winnerswinner3_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) or
+          winnerswinner3_best_index_0_0_value_4;
+      else
+        winnerswinner3_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) and
+          winnerswinner3_best_index_0_0_value_4;
+      end if;
+      winnerswinner3_best_index_0_0_value_5 := ((winnerswinner2_best_cost_0_1 / 64) mod 2) = 1;
+      if winnerswinner3_best_index_0_0_choice_6 then
+        winnerswinner3_best_index_0_0_choice_7 := (not (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) or
+          winnerswinner3_best_index_0_0_value_5;
+      else
+        winnerswinner3_best_index_0_0_choice_7 := (not (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) and
+          winnerswinner3_best_index_0_0_value_5;
+      end if;
+      if winnerswinner3_best_index_0_0_choice_7 then
+        winnerswinner3_best_index_0_0_choice_8 := ((winnerswinner2_best_cost_0_0 / 128) = 1) and (not
+          ((winnerswinner2_best_cost_0_1 / 128) = 1));
+      else
+        winnerswinner3_best_index_0_0_choice_8 := ((winnerswinner2_best_cost_0_0 / 128) = 1) or (not
+          ((winnerswinner2_best_cost_0_1 / 128) = 1));
+      end if;
+      if (winnerswinner2_best_cost_0_1 - winnerswinner2_best_cost_0_0) < 0 then
+        winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1;
+      else
+        winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_0;
+      end if;
+      if winnerswinner3_best_index_0_0_choice_8 then
+        winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1;
+      else
+        winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_0;
       end if;
       -- winners
-      if line_comes_25 then
+      if line_comes_24 then
         winners_best_cost_0_0_choice := 255;
       else
         winners_best_cost_0_0_choice := winners_best_cost_0_0;
       end if;
       winners_best_index_0_0_value := ((winners_best_cost_0_0 / 2) mod 2) = 1;
-      if (not ((winnerswinner2_best_cost_0_0 mod 2) = 1)) and (((winners_best_cost_0_0 mod 2) = 1) or line_comes_25)
+      if (not ((winnerswinner3_best_cost_0_0 mod 2) = 1)) and (((winners_best_cost_0_0 mod 2) = 1) or line_comes_24)
         then
-        winners_best_index_0_0_choice := (not (((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1)) or
-          winners_best_index_0_0_value or line_comes_25;
+        winners_best_index_0_0_choice := (not (((winnerswinner3_best_cost_0_0 / 2) mod 2) = 1)) or
+          winners_best_index_0_0_value or line_comes_24;
       else
-        winners_best_index_0_0_choice := (not (((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1)) and
-          (winners_best_index_0_0_value or line_comes_25);
+        winners_best_index_0_0_choice := (not (((winnerswinner3_best_cost_0_0 / 2) mod 2) = 1)) and
+          (winners_best_index_0_0_value or line_comes_24);
       end if;
       winners_best_index_0_0_value_2 := ((winners_best_cost_0_0 / 4) mod 2) = 1;
       if winners_best_index_0_0_choice then
-        winners_best_index_0_0_choice_2 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) or
-          winners_best_index_0_0_value_2 or line_comes_25;
+        winners_best_index_0_0_choice_2 := (not (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) or
+          winners_best_index_0_0_value_2 or line_comes_24;
       else
-        winners_best_index_0_0_choice_2 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) and
-          (winners_best_index_0_0_value_2 or line_comes_25);
+        winners_best_index_0_0_choice_2 := (not (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) and
+          (winners_best_index_0_0_value_2 or line_comes_24);
       end if;
       winners_best_index_0_0_value_3 := ((winners_best_cost_0_0 / 8) mod 2) = 1;
       if winners_best_index_0_0_choice_2 then
-        winners_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) or
-          winners_best_index_0_0_value_3 or line_comes_25;
+        winners_best_index_0_0_choice_3 := (not (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) or
+          winners_best_index_0_0_value_3 or line_comes_24;
       else
-        winners_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) and
-          (winners_best_index_0_0_value_3 or line_comes_25);
+        winners_best_index_0_0_choice_3 := (not (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) and
+          (winners_best_index_0_0_value_3 or line_comes_24);
       end if;
       winners_best_index_0_0_value_4 := ((winners_best_cost_0_0 / 16) mod 2) = 1;
       if winners_best_index_0_0_choice_3 then
-        winners_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) or
-          winners_best_index_0_0_value_4 or line_comes_25;
+        winners_best_index_0_0_choice_4 := (not (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) or
+          winners_best_index_0_0_value_4 or line_comes_24;
       else
-        winners_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) and
-          (winners_best_index_0_0_value_4 or line_comes_25);
+        winners_best_index_0_0_choice_4 := (not (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) and
+          (winners_best_index_0_0_value_4 or line_comes_24);
       end if;
       winners_best_index_0_0_value_5 := ((winners_best_cost_0_0 / 32) mod 2) = 1;
       if winners_best_index_0_0_choice_4 then
-        winners_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) or
-          winners_best_index_0_0_value_5 or line_comes_25;
+        winners_best_index_0_0_choice_5 := (not (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) or
+          winners_best_index_0_0_value_5 or line_comes_24;
       else
-        winners_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) and
-          (winners_best_index_0_0_value_5 or line_comes_25);
+        winners_best_index_0_0_choice_5 := (not (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) and
+          (winners_best_index_0_0_value_5 or line_comes_24);
       end if;
       winners_best_index_0_0_value_6 := ((winners_best_cost_0_0 / 64) mod 2) = 1;
       if winners_best_index_0_0_choice_5 then
-        winners_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) or
-          winners_best_index_0_0_value_6 or line_comes_25;
+        winners_best_index_0_0_choice_6 := (not (((winnerswinner3_best_cost_0_0 / 64) mod 2) = 1)) or
+          winners_best_index_0_0_value_6 or line_comes_24;
       else
-        winners_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) and
-          (winners_best_index_0_0_value_6 or line_comes_25);
+        winners_best_index_0_0_choice_6 := (not (((winnerswinner3_best_cost_0_0 / 64) mod 2) = 1)) and
+          (winners_best_index_0_0_value_6 or line_comes_24);
       end if;
       if winners_best_index_0_0_choice_6 then
-        winners_best_index_0_0_choice_7 := (not ((winnerswinner2_best_cost_0_0 / 128) = 1)) or ((winners_best_cost_0_0
-          / 128) = 1) or line_comes_25;
+        winners_best_index_0_0_choice_7 := (not ((winnerswinner3_best_cost_0_0 / 128) = 1)) or ((winners_best_cost_0_0
+          / 128) = 1) or line_comes_24;
       else
-        winners_best_index_0_0_choice_7 := (not ((winnerswinner2_best_cost_0_0 / 128) = 1)) and
-          (((winners_best_cost_0_0 / 128) = 1) or line_comes_25);
+        winners_best_index_0_0_choice_7 := (not ((winnerswinner3_best_cost_0_0 / 128) = 1)) and
+          (((winners_best_cost_0_0 / 128) = 1) or line_comes_24);
       end if;
-      winners_best_tag_valid <= line_comes_32;
+      winners_best_tag_valid <= line_comes_31;
       winners_best_tag_map_column <= line_places_3_map_column;
       winners_best_tag_output_column <= line_places_3_shown_output_column;
       winners_best_tag_start_of_frame <= line_places_3_shown_start_of_frame;
       winners_best_tag_end_of_line <= line_places_3_shown_end_of_line;
-      if (winnerswinner2_best_cost_0_0 - winners_best_cost_0_0_choice) < 0 then
-        winners_best_cost_0_0 <= winnerswinner2_best_cost_0_0;
+      if (winnerswinner3_best_cost_0_0 - winners_best_cost_0_0_choice) < 0 then
+        winners_best_cost_0_0 <= winnerswinner3_best_cost_0_0;
       else
         winners_best_cost_0_0 <= winners_best_cost_0_0_choice;
       end if;
       if winners_best_index_0_0_choice_7 then
-        winners_best_index_0_0 <= winnerswinner2_best_index_0_0 + 56;
+        winners_best_index_0_0 <= winnerswinner3_best_index_0_0 + 56;
       else
         winners_best_index_0_0 <= ((((winners_best_index_0_0 / 8) + 31) mod 32) * 8) + (winners_best_index_0_0 mod 8);
       end if;
@@ -9696,18 +9628,18 @@ begin
       else
         map_line_ended_choice := map_line_ended;
       end if;
-      map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
+      map_at_arrives_value := to_integer(other_3(16 downto 16)) = 1;
       map_of_column_0_b_below_a_value := ((map_column_1 / 4) mod 2) = 1;
       if map_at_top then
         map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value;
       else
-        map_of_column_0_b_below_a_choice := ((other_2 / 4) mod 2) = 1;
+        map_of_column_0_b_below_a_choice := ((other_10 / 4) mod 2) = 1;
       end if;
       map_of_column_0_b_below_a_value_2 := ((map_column_1 / 2) mod 2) = 1;
       if map_at_top then
         map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2;
       else
-        map_of_column_0_b_below_a_choice_2 := ((other_2 / 2) mod 2) = 1;
+        map_of_column_0_b_below_a_choice_2 := ((other_10 / 2) mod 2) = 1;
       end if;
       if map_of_column_0_b_below_a_choice_2 then
         map_of_column_0_b_below_a_choice_3 := (not map_of_column_0_b_below_a_value) or (not
@@ -9721,7 +9653,7 @@ begin
         map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_2 and (((map_column_1 / 2) mod 4) = 0);
       end if;
       map_of_column_0_b_below_a_value_3 := ((map_column_1 / 8) mod 2) = 1;
-      map_of_column_0_b_below_a_value_4 := ((other_2 / 8) mod 2) = 1;
+      map_of_column_0_b_below_a_value_4 := ((other_10 / 8) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_4 then
         map_of_column_0_b_below_a_choice_5 := map_of_column_0_b_below_a_value_3 and (not
           map_of_column_0_b_below_a_value_4) and (not map_at_top);
@@ -9730,7 +9662,7 @@ begin
           map_of_column_0_b_below_a_value_4) or map_at_top;
       end if;
       map_of_column_0_b_below_a_value_5 := ((map_column_1 / 16) mod 2) = 1;
-      map_of_column_0_b_below_a_value_6 := ((other_2 / 16) mod 2) = 1;
+      map_of_column_0_b_below_a_value_6 := ((other_10 / 16) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_5 then
         map_of_column_0_b_below_a_choice_6 := map_of_column_0_b_below_a_value_5 or (not
           map_of_column_0_b_below_a_value_6) or map_at_top;
@@ -9739,7 +9671,7 @@ begin
           map_of_column_0_b_below_a_value_6) and (not map_at_top);
       end if;
       map_of_column_0_b_below_a_value_7 := ((map_column_1 / 32) mod 2) = 1;
-      map_of_column_0_b_below_a_value_8 := ((other_2 / 32) mod 2) = 1;
+      map_of_column_0_b_below_a_value_8 := ((other_10 / 32) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_6 then
         map_of_column_0_b_below_a_choice_7 := map_of_column_0_b_below_a_value_7 or (not
           map_of_column_0_b_below_a_value_8) or map_at_top;
@@ -9748,7 +9680,7 @@ begin
           map_of_column_0_b_below_a_value_8) and (not map_at_top);
       end if;
       map_of_column_0_b_below_a_value_9 := ((map_column_1 / 64) mod 2) = 1;
-      map_of_column_0_b_below_a_value_10 := ((other_2 / 64) mod 2) = 1;
+      map_of_column_0_b_below_a_value_10 := ((other_10 / 64) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_7 then
         map_of_column_0_b_below_a_choice_8 := map_of_column_0_b_below_a_value_9 or (not
           map_of_column_0_b_below_a_value_10) or map_at_top;
@@ -9757,7 +9689,7 @@ begin
           map_of_column_0_b_below_a_value_10) and (not map_at_top);
       end if;
       map_of_column_0_b_below_a_value_11 := ((map_column_1 / 128) mod 2) = 1;
-      map_of_column_0_b_below_a_value_12 := ((other_2 / 128) mod 2) = 1;
+      map_of_column_0_b_below_a_value_12 := ((other_10 / 128) mod 2) = 1;
       if map_of_column_0_b_below_a_choice_8 then
         map_of_column_0_b_below_a_choice_9 := map_of_column_0_b_below_a_value_11 or (not
           map_of_column_0_b_below_a_value_12) or map_at_top;
@@ -9882,7 +9814,7 @@ begin
       if map_at_top then
         map_of_column_0_c_below_a_choice_20 := (map_column_1 / 256) = 1;
       else
-        map_of_column_0_c_below_a_choice_20 := (other_2 / 256) = 1;
+        map_of_column_0_c_below_a_choice_20 := (other_10 / 256) = 1;
       end if;
       if (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2 and (not map_counter_next_frame)
         then
@@ -10557,7 +10489,7 @@ begin
       else
         map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
       end if;
-      map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
+      map_counter_next_frame <= to_integer(other_3(40 downto 40)) = 1;
       map_newest_0 <= ((turn_ready mod 256) * 2) + (turn_ready / 256);
       map_arrives <= turn_ready_tag_row_start_all_2;
       map_behind <= map_line_ended and turn_ready_tag_valid;
@@ -10566,11 +10498,11 @@ begin
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
       map_column_1 <= map_rows_ready_words_0 / 512;
       map_column_2 <= map_rows_ready_newest_0;
-      map_at_column <= to_integer(other_1(9 downto 0));
+      map_at_column <= to_integer(other_3(9 downto 0));
       map_at_arrives <= map_at_arrives_value;
-      map_at_behind <= to_integer(other_1(24 downto 24)) = 1;
-      map_at_top <= to_integer(other_1(32 downto 32)) = 1;
-      map_at_output <= to_integer(other_1(48 downto 48)) = 1;
+      map_at_behind <= to_integer(other_3(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_3(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_3(48 downto 48)) = 1;
       map_of_column_0_b <= map_column_1 / 2;
       map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
       map_column_passed_1_0 <= map_column_passed_0_0;
@@ -10628,7 +10560,7 @@ begin
       if map_at_top then
         map_of_column_0_a <= map_column_1 / 2;
       else
-        map_of_column_0_a <= other_2 / 2;
+        map_of_column_0_a <= other_10 / 2;
       end if;
       if map_counter_next_frame then
         map_of_column_0_c <= map_column_1 / 2;
@@ -10636,9 +10568,9 @@ begin
         map_of_column_0_c <= map_column_2 / 2;
       end if;
       if map_of_column_0_b_below_a_choice_9 then
-        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) and ((other_2 / 256) = 1) and (not map_at_top);
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) and ((other_10 / 256) = 1) and (not map_at_top);
       else
-        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) or ((other_2 / 256) = 1) or map_at_top;
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) or ((other_10 / 256) = 1) or map_at_top;
       end if;
       if map_of_column_0_c_below_a_choice_18 then
         map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_19) or map_of_column_0_c_below_a_choice_20;
@@ -10748,7 +10680,7 @@ begin
       end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_newest_0 * 512) + (map_rows_ready_words_0 / 512);
-        map_write_column <= to_integer(other_1(9 downto 0));
+        map_write_column <= to_integer(other_3(9 downto 0));
       end if;
       if map_sorted_behind then
         map_low_0_0_choice := map_low_0_0;
@@ -10792,49 +10724,48 @@ begin
         to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      other_1 <= other_0;
-      other_2 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
-      other_3 <= ((costswindow_first_7_count_5 + costswindow_first_7_count_6 + costswindow_first_7_count_4 +
+      other_1 <= ((costswindow_first_7_count_5 + costswindow_first_7_count_6 + costswindow_first_7_count_4 +
         costswindow_first_7_count_7) * 256) + ((costswindow_first_7_count_9 + costswindow_first_7_count_10 +
         costswindow_first_7_count_8 + costswindow_first_7_count_11) * 65536) + ((costswindow_first_7_count_14 +
         costswindow_first_7_count_12 + costswindow_first_7_count_13) * 16777216) + costswindow_first_7_count_1 +
         costswindow_first_7_count_2 + costswindow_first_7_count_0 + costswindow_first_7_count_3;
-      other_4 <= ((costswindow_first_6_count_5 + costswindow_first_6_count_6 + costswindow_first_6_count_4 +
+      other_2 <= ((costswindow_first_6_count_5 + costswindow_first_6_count_6 + costswindow_first_6_count_4 +
         costswindow_first_6_count_7) * 256) + ((costswindow_first_6_count_9 + costswindow_first_6_count_10 +
         costswindow_first_6_count_8 + costswindow_first_6_count_11) * 65536) + ((costswindow_first_6_count_14 +
         costswindow_first_6_count_12 + costswindow_first_6_count_13) * 16777216) + costswindow_first_6_count_1 +
         costswindow_first_6_count_2 + costswindow_first_6_count_0 + costswindow_first_6_count_3;
-      other_5 <= ((costswindow_first_5_count_5 + costswindow_first_5_count_6 + costswindow_first_5_count_4 +
+      other_3 <= other_0;
+      other_4 <= ((costswindow_first_5_count_5 + costswindow_first_5_count_6 + costswindow_first_5_count_4 +
         costswindow_first_5_count_7) * 256) + ((costswindow_first_5_count_9 + costswindow_first_5_count_10 +
         costswindow_first_5_count_8 + costswindow_first_5_count_11) * 65536) + ((costswindow_first_5_count_14 +
         costswindow_first_5_count_12 + costswindow_first_5_count_13) * 16777216) + costswindow_first_5_count_1 +
         costswindow_first_5_count_2 + costswindow_first_5_count_0 + costswindow_first_5_count_3;
-      other_6 <= ((costswindow_first_4_count_5 + costswindow_first_4_count_6 + costswindow_first_4_count_4 +
+      other_5 <= ((costswindow_first_4_count_5 + costswindow_first_4_count_6 + costswindow_first_4_count_4 +
         costswindow_first_4_count_7) * 256) + ((costswindow_first_4_count_9 + costswindow_first_4_count_10 +
         costswindow_first_4_count_8 + costswindow_first_4_count_11) * 65536) + ((costswindow_first_4_count_14 +
         costswindow_first_4_count_12 + costswindow_first_4_count_13) * 16777216) + costswindow_first_4_count_1 +
         costswindow_first_4_count_2 + costswindow_first_4_count_0 + costswindow_first_4_count_3;
-      other_7 <= ((costswindow_first_3_count_5 + costswindow_first_3_count_6 + costswindow_first_3_count_4 +
+      other_6 <= ((costswindow_first_3_count_5 + costswindow_first_3_count_6 + costswindow_first_3_count_4 +
         costswindow_first_3_count_7) * 256) + ((costswindow_first_3_count_9 + costswindow_first_3_count_10 +
         costswindow_first_3_count_8 + costswindow_first_3_count_11) * 65536) + ((costswindow_first_3_count_14 +
         costswindow_first_3_count_12 + costswindow_first_3_count_13) * 16777216) + costswindow_first_3_count_1 +
         costswindow_first_3_count_2 + costswindow_first_3_count_0 + costswindow_first_3_count_3;
-      other_8 <= ((costswindow_first_2_count_5 + costswindow_first_2_count_6 + costswindow_first_2_count_4 +
+      other_7 <= ((costswindow_first_2_count_5 + costswindow_first_2_count_6 + costswindow_first_2_count_4 +
         costswindow_first_2_count_7) * 256) + ((costswindow_first_2_count_9 + costswindow_first_2_count_10 +
         costswindow_first_2_count_8 + costswindow_first_2_count_11) * 65536) + ((costswindow_first_2_count_14 +
         costswindow_first_2_count_12 + costswindow_first_2_count_13) * 16777216) + costswindow_first_2_count_1 +
         costswindow_first_2_count_2 + costswindow_first_2_count_0 + costswindow_first_2_count_3;
-      other_9 <= ((costswindow_first_1_count_5 + costswindow_first_1_count_6 + costswindow_first_1_count_4 +
+      other_8 <= ((costswindow_first_1_count_5 + costswindow_first_1_count_6 + costswindow_first_1_count_4 +
         costswindow_first_1_count_7) * 256) + ((costswindow_first_1_count_9 + costswindow_first_1_count_10 +
         costswindow_first_1_count_8 + costswindow_first_1_count_11) * 65536) + ((costswindow_first_1_count_14 +
         costswindow_first_1_count_12 + costswindow_first_1_count_13) * 16777216) + costswindow_first_1_count_1 +
         costswindow_first_1_count_2 + costswindow_first_1_count_0 + costswindow_first_1_count_3;
-      other_10 <= ((costswindow_first_0_count_5 + costswindow_first_0_count_6 + costswindow_first_0_count_4 +
+      other_9 <= ((costswindow_first_0_count_5 + costswindow_first_0_count_6 + costswindow_first_0_count_4 +
         costswindow_first_0_count_7) * 256) + ((costswindow_first_0_count_9 + costswindow_first_0_count_10 +
         costswindow_first_0_count_8 + costswindow_first_0_count_11) * 65536) + ((costswindow_first_0_count_14 +
         costswindow_first_0_count_12 + costswindow_first_0_count_13) * 16777216) + costswindow_first_0_count_1 +
         costswindow_first_0_count_2 + costswindow_first_0_count_0 + costswindow_first_0_count_3;
-      other_11 <= pathsleft_read_count_phase_is_equal;
+      other_10 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -10912,7 +10843,6 @@ begin
         line_comes_29 <= false;
         line_comes_30 <= false;
         line_comes_31 <= false;
-        line_comes_32 <= false;
         line_starts_phases_1 <= false;
         line_starts_phases_2 <= false;
         line_starts_phases_3 <= false;
@@ -10930,7 +10860,6 @@ begin
         line_starts_phases_15 <= false;
         line_starts_phases_16 <= false;
         line_starts_phases_17 <= false;
-        line_starts_phases_18 <= false;
         line_starts_phases_19 <= false;
         line_starts_phases_20 <= false;
         line_starts_phases_21 <= false;
@@ -10976,6 +10905,7 @@ begin
         pathsleft_low_address <= 5;
         pathsleft_read_count_phase <= 7;
         pathsleft_ahead_count_phase <= 7;
+        pathsleft_is_first <= false;
         pathsleft_write_count_phase <= 7;
         pathsleft_low_write_address <= 0;
         pathsabove_memory_read_address_0 <= 0;
@@ -11070,7 +11000,7 @@ begin
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
         other_0 <= to_unsigned(0, 49);
-        other_1 <= to_unsigned(0, 49);
+        other_3 <= to_unsigned(0, 49);
       end if;
     end if;
   end process;
