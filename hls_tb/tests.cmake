@@ -24,6 +24,7 @@ stereo_add_unit_tests(
   blocks/support/minimum_tree_test.cpp
   blocks/support/fan_out_test.cpp
   blocks/support/move_delay_test.cpp
+  blocks/support/dense_packed_test.cpp
   blocks/support/packed_test.cpp
   blocks/support/ring_test.cpp
   blocks/support/row_buffer_test.cpp
@@ -70,6 +71,7 @@ stereo_add_unit_tests(
   blocks/semi_global/path_above_test.cpp
   blocks/semi_global/phase_above_test.cpp
   blocks/semi_global/phase_memory_test.cpp
+  blocks/semi_global/phase_pixels_test.cpp
   blocks/semi_global/phase_row_path_test.cpp
   blocks/semi_global/phase_shift_test.cpp
   blocks/semi_global/row_order_test.cpp

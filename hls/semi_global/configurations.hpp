@@ -24,8 +24,12 @@ STEREO_ROW(sgm_1280, system, sgm_450, width_px = 1280, height_px = 720, window_p
 STEREO_ROW(sgm_640, system, Config(), width_px = 640, height_px = 480, disparities = 128, window_px = 1,
            reference = Reference::left, census_width_px = 9, cost_shift = 2, p1 = 4, p2 = 24, median = true,
            slice_disparities = 16);
-// Eight clocks a pixel pair, for a small FPGA behind a camera.
+// Several clocks a pixel pair, for a small FPGA behind a camera; the third one checked, in sixteenths.
 STEREO_ROW(sgm_640_64_f8, system, sgm_640, disparities = 64, clocks_per_pixel = 8);
+STEREO_ROW(sgm_640_64_f4, system, sgm_640_64_f8, clocks_per_pixel = 4);
+STEREO_ROW(sgm_640_64_f8_lr, system, sgm_640_64_f8, left_right_threshold = 1, subpixel = true);
+STEREO_ROW(sgm_640_f8, system, sgm_640, clocks_per_pixel = 8);
+STEREO_ROW(sgm_640_f16, system, sgm_640, clocks_per_pixel = 16);
 
 // option: one option after the other, alone and together, at a size that a test can afford.
 STEREO_ROW(tiny_sgm_left, option, tiny_sgm, reference = Reference::left);

@@ -4,7 +4,6 @@
 #include "semi_global/phase_memory.hpp"
 #include "semi_global/phases.hpp"
 #include "semi_global/settings.hpp"
-#include "support/dense_packed.hpp"
 #include "support/move_delay.hpp"
 
 namespace stereo::semi_global {
@@ -19,7 +18,7 @@ struct PhaseAbove {
    static constexpr int kStateBits = bits_for(C.p2_above());
    static constexpr int kTotalBits = bits_for(C.largest_path_above());
    static constexpr int kWords = C.output_width_px() * kPhases;
-   using Pack = DensePacked<kStateBits, kLanes, deep_word_bits(kWords)>;
+   using Pack = DeepPacked<kStateBits, kLanes, kWords>;
    using State = typename Pack::Lane;
    using Word = typename Pack::Word;
    using Value = AbovePathValue<C>;

@@ -3,7 +3,6 @@
 
 #include "semi_global/phase_memory.hpp"
 #include "semi_global/phases.hpp"
-#include "support/dense_packed.hpp"
 #include "support/memory_bank.hpp"
 #include "support/optional_block.hpp"
 
@@ -25,8 +24,8 @@ struct PhaseTurn {
    static constexpr int kWidth = C.output_width_px();
    static constexpr int kWords = kWidth * kPhases;
    static constexpr bool kHasSums = C.path_left || C.path_above;
-   using Sums = DensePacked<bits_for(C.largest_forward_sum()), kLanes, deep_word_bits(kWords)>;
-   using Costs = DensePacked<C.cost_bits(), kLanes, deep_word_bits(kWords)>;
+   using Sums = DeepPacked<bits_for(C.largest_forward_sum()), kLanes, kWords>;
+   using Costs = DeepPacked<C.cost_bits(), kLanes, kWords>;
    static constexpr int kBankBits = kPhases == 4 ? 16 : 12;  ///< with four phases reads have no clock for a choice
    using SumMemory = Optional<kHasSums, PhaseMemory<typename Sums::Word, kWords, Sums::kWords, kBankBits>>;
    using CostMemory = PhaseMemory<typename Costs::Word, kWords, Costs::kWords, kBankBits>;

@@ -3,8 +3,12 @@
 // draws it.
 #pragma once
 
+#include <type_traits>
+
 #include "semi_global/config.hpp"
+#include "support/dense_packed.hpp"
 #include "support/minimum_tree.hpp"
+#include "support/packed.hpp"
 #include "winner/winner_tree.hpp"
 
 namespace stereo::semi_global {
@@ -30,11 +34,16 @@ struct Stages {
    static constexpr int kEnd = kBest > kLow ? kBest : kLow + 1;
 };
 
-/// Bits of the words of a deep memory: of one of more than 100,000 bits the tool makes another cell.
-constexpr int deep_word_bits(int words) {
-   constexpr int kMost = 100'000;
-   return words * 32 <= kMost ? 32 : words * 16 <= kMost ? 16 : 8;
-}
+/// Bits of the words of a deep memory: of one of more than 100,000 bits the tool makes another cell. Words of 32 bits
+/// are no numbers to the lowering.
+constexpr int deep_word_bits(int words) { return words * 16 <= 100'000 ? 16 : 8; }
+
+/// How the numbers of a phase stand in a memory of so many words.
+template <int LaneBits, int Lanes, int Words>
+using DeepPacked =
+    typename std::conditional_t<(LaneBits <= deep_word_bits(Words)),
+                                std::type_identity<DensePacked<LaneBits, Lanes, deep_word_bits(Words)>>,
+                                std::type_identity<Packed<LaneBits, Lanes, deep_word_bits(Words)>>>::type;
 
 /// What has no bubbles.
 struct AlwaysMoves {

@@ -10,7 +10,7 @@ namespace stereo {
 /// simpler one.
 template <int LaneBits, int Lanes, int WordBits>
 struct DensePacked {
-   static_assert(WordBits == 8 || WordBits == 16 || WordBits == 32, "a word fills its type");
+   static_assert(WordBits == 8 || WordBits == 16, "a word fills its type and is a number to the lowering");
    static_assert(LaneBits >= 1 && LaneBits <= WordBits, "a lane has as many bits as a word at most");
    static constexpr int kWords = (Lanes * LaneBits + WordBits - 1) / WordBits;
    using Lane = uint_of_bits<LaneBits>;
