@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Implements the generated VHDL on FPGA families: area by yosys, on ECP5 also the clock after place and route by
-nextpnr."""
+"""Implements the generated VHDL on FPGAs: area by yosys and, where nextpnr knows the device, the clock after place and
+route."""
 
 import sys
 from argparse import Namespace
@@ -14,7 +14,7 @@ from flow.base.errors import ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import find_ghdl
 from flow.implementation import job, nextpnr, yosys
-from flow.implementation.targets import FAMILIES, TARGETS
+from flow.implementation.targets import TARGETS, USUAL
 
 DEFAULT_SEEDS = [1, 2, 3]
 
@@ -28,7 +28,7 @@ def chosen(given: list[str], known: Collection[str], what: str) -> list[str]:
 
 
 def jobs(options: Namespace) -> list[job.Job]:
-    targets = chosen(options.target or list(FAMILIES), TARGETS, "target")
+    targets = chosen(options.target or list(USUAL), TARGETS, "target")
     if any(seed < 1 for seed in options.seeds):
         raise FlowError("--seeds must be 1 or more")
     seeds = sorted(set(options.seeds))
@@ -73,7 +73,7 @@ def main() -> int:
         "--target",
         action="append",
         metavar="TARGET",
-        help=f"{', '.join(TARGETS)} or all, may be repeated (default {', '.join(FAMILIES)})",
+        help=f"{', '.join(TARGETS)} or all, may be repeated (default {', '.join(USUAL)})",
     )
     parser.add_argument(
         "--shell", action="store_true", help="stereo_ip_NAME, the core in its AXI shell, instead of the core alone"
@@ -89,8 +89,8 @@ def main() -> int:
     parser.add_argument(
         "--router",
         choices=nextpnr.ROUTERS,
-        default=nextpnr.ROUTERS[0],
-        help="router of nextpnr (default router1; router2 ends where router1 does not, with longer clock periods)",
+        help="router of nextpnr (default: that of the family, mostly router1; router2 ends where router1 does not, "
+        "with longer clock periods)",
     )
     parser.add_argument("--rtl", type=a_path, help="folder with manifest.json and VHDL (default: the committed ones)")
     parser.add_argument("--out", type=a_path, help="implementation.json goes to OUT/CONFIG (default beside the VHDL)")
@@ -102,7 +102,8 @@ def main() -> int:
     if len(work) == 1 or (options.jobs == 1 and not options.scheduler):
         return max(job.run_job(one) for one in work)
     words = [word for target in options.target or [] for word in ("--target", target)]
-    words += ["--seeds", *map(str, options.seeds), "--router", options.router, *(["--shell"] if options.shell else [])]
+    words += ["--seeds", *map(str, options.seeds), *(["--shell"] if options.shell else [])]
+    words += ["--router", options.router] if options.router else []
     words += ["--out", str(options.out.resolve())] if options.out else []
     with farm.of(options, job.tools) as workers:
         commands = {one.config: ["--config", one.config, *words] for one in work}

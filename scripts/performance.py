@@ -47,7 +47,8 @@ def show(name: str, mhz: Optional[float]) -> int:
         print(camera.camera_table([Configuration(name, stale_is_none=True)], mhz))
         return EXIT_OK
     configuration = Configuration(name)
-    tables = [performance.per_clock_table, performance.speed_table, performance.shell_table, performance.area_table]
+    tables = [performance.per_clock_table, performance.speed_table, performance.device_table, performance.shell_table]
+    tables.append(performance.area_table)
     for make in tables:
         print(make([configuration]), end="\n\n")
     return EXIT_OK

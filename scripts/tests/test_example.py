@@ -6,12 +6,13 @@ import os
 from conftest import where_reachable
 from flow.base import committed
 from flow.implementation import nextpnr
+from flow.implementation.targets import ECP5
 from flow.synthesis import manifest
 from flow_commands import call
 
 
 def test_example_meets_its_clock(ghdl, yosys, tmp_path):
-    where_reachable(nextpnr.find_nextpnr)
+    where_reachable(lambda: nextpnr.find_nextpnr(ECP5))
     process = call("build_example.py", "--out", tmp_path / "example")
     assert process.returncode == 0, process.stdout + process.stderr
     # Fewer flip-flops than registers in the core would be an example that was optimised away.

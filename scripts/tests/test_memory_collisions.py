@@ -13,7 +13,7 @@ from flow.base.configurations import configuration, configurations
 from flow.cosim import checker, vectors
 from flow.cosim.simulators import Ghdl
 from flow.implementation import yosys
-from flow.implementation.targets import FAMILIES
+from flow.implementation.targets import TARGETS
 from flow.synthesis import manifest
 from flow_commands import scene, stream
 
@@ -61,7 +61,7 @@ def test_semi_global_matching_looks_at_some(ghdl, tmp_path):
     assert not agrees("tiny_sgm", tmp_path, SAME_CLOCK)
 
 
-@pytest.mark.parametrize("family", FAMILIES.values(), ids=FAMILIES)
+@pytest.mark.parametrize("family", {target.family for target in TARGETS.values()}, ids=lambda family: family.name)
 def test_only_they_get_the_attribute(family):
     assert not any(yosys.memories_without_bypass(name) for name in ("tiny_sgm", "tiny_trellis", "tiny_phase"))
     assert "no_rw_check" not in yosys.script(family) and "no-rw-check" not in family.synthesis

@@ -73,6 +73,24 @@ def test_page_with_results(folders):
     assert "Not measured yet." in page
 
 
+def test_devices_of_other_families(folders):
+    """By device, the routed ones with a clock, and those where it does not fit with what it needs."""
+    too_few = {key: value for key, value in ECP5.items() if key not in ("lut_sites", "fmax_mhz", "critical_path")}
+    too_few["does_not_fit"] = {"ICESTORM_RAM": {"used": 33, "available": 30}}
+    record(folders, {"ecp5": ECP5, "ccgm1a1": {**ECP5, "router": "router2"}, "up5k": too_few})
+    lines = performance.device_table().splitlines()[2:]
+    assert [line.split("|")[1].strip() for line in lines] == ["iCE40 UP5K", "CCGM1A1"]
+    assert "| - | does not fit: 33 of 30 block RAMs | - | 1,000 LUT4 | - | 1,500 | 2 | - |" in lines[0]
+    assert "| 192.0 | one seed, router2 | 500,000 | 1,000 half CPE | 1,234 | 1,500 | 2 |" in lines[1]
+    assert lines[1] in performance.page()
+    assert "CCGM1A1" not in performance.speed_table([Configuration("tiny")])
+
+
+def test_no_device_of_another_family(folders):
+    record(folders, {"ecp5": ECP5})
+    assert performance.device_table() == "Not measured yet."
+
+
 def test_only_several_seeds_have_a_median(folders):
     several = {**ECP5, "fmax_mhz": {"median": 192.0, "best": 200.25, "by_seed": {"1": 180.0, "2": 192.0, "3": 200.25}}}
     record(folders, {"ecp5": ECP5, "ecp5_grade6": several})

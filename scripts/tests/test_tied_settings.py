@@ -3,7 +3,6 @@
 
 import json
 import re
-from dataclasses import replace
 
 import pytest
 
@@ -13,8 +12,9 @@ from flow.base import committed, ghdl as ghdl_flow, rtl
 from flow.base.configurations import designs
 from flow.base.tools import run
 from flow.implementation import yosys as yosys_flow
+from flow.implementation.families.ecp5 import Ecp5
+from flow.implementation.families.family import GENERIC, TOP, Family
 from flow.implementation.figures import lut_count
-from flow.implementation.targets import GENERIC, TARGETS, TOP
 from flow.synthesis import manifest
 
 # Left alone, abc9 spends look-up tables on the shortest delay that the slowest path of a netlist allows, so another
@@ -22,7 +22,15 @@ from flow.synthesis import manifest
 DELAY_PS = 4500
 OPERATIONS = "operations.json"  # adders, multiplexers, registers ... before they are mapped
 PREPARE = f"scratchpad -set abc9.D {DELAY_PS}; {GENERIC}; tee -q -o {OPERATIONS} stat -json"
-TARGET = replace(TARGETS["ecp5"], device=None, prepare=PREPARE)  # area only
+
+
+class AreaOnly(Family):
+    """ECP5 without place and route and the steps before it."""
+
+    name, synthesis, luts, ffs, block_rams = "ecp5", Ecp5.synthesis, Ecp5.luts, Ecp5.ffs, Ecp5.block_rams
+    prepare = PREPARE
+
+
 # (with ports, without, largest difference in percent)
 PAIRS = [
     ("tiny_settings_full", "tiny_full_all", 2),
@@ -50,7 +58,7 @@ def with_top(verilog, entity, tied=()):
 def area(verilog, work):
     """(LUT4, flip-flops)"""
     work.mkdir()
-    found, _ = yosys_flow.synthesize(TARGET, verilog, work)
+    found = yosys_flow.synthesize(AreaOnly(), verilog, work).area
     return lut_count(found), found["ffs"]
 
 

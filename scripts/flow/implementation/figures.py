@@ -8,8 +8,9 @@ from typing import TypedDict
 
 from ..base.configurations import Parameters, Size, clocks_per_pixel
 from .record import Area, Fill
+from .targets import TARGETS
 
-_CELLS = {"DP16KD": "block RAMs", "TRELLIS_COMB": "LUT sites", "TRELLIS_FF": "flip-flops"}  # of ECP5
+_CELLS = {cell: word for target in TARGETS.values() for cell, word in target.family.words.items()}
 
 
 class Speed(TypedDict):

@@ -18,7 +18,8 @@ from ..base.tools import ROOT
 from ..shell import design
 from ..synthesis import manifest
 from . import figures, nextpnr, record, yosys
-from .targets import TARGETS, TOP, Target
+from .families.family import TOP, RoutedFamily
+from .targets import TARGETS, Target
 
 WORK = ROOT / "build" / "implementation"
 
@@ -30,7 +31,7 @@ class Design:
     entity: str
     files: list[Path]  # in compile order
     seeds: list[int]
-    router: str
+    router: str | None  # None: that of the family
     without_bypass: str  # of yosys.script
 
 
@@ -42,7 +43,7 @@ class Job:
     targets: list[str]
     seeds: list[int]
     shell: bool = False  # stereo_ip_CONFIG instead of the core alone
-    router: str = nextpnr.ROUTERS[0]
+    router: str | None = None
 
     @property
     def entity(self) -> str:
@@ -61,6 +62,7 @@ class Netlist:
     work: Path  # with netlist.json
     area: record.Area
     lost: list[str]  # memories that became flip-flops
+    around: dict[str, int]  # as yosys.Synthesis has it
     names: dict[str, str]  # of registers
 
 
@@ -77,17 +79,18 @@ def check_writable(out: Path) -> None:
 
 
 def synthesize(job: Design, target: Target, stage: Callable[[str], None]) -> Netlist:
-    work = WORK / job.entity / (target.family or target.name)
+    family = target.family
+    work = WORK / job.entity / family.name
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     stage("ghdl --synth")
     verilog = re.sub(rf"\bmodule {job.entity}\b", f"module {TOP}", ghdl.to_verilog(job.files, work, job.entity))
     stage("yosys")
-    area, lost = yosys.synthesize(target, verilog, work, job.without_bypass)
+    made = yosys.synthesize(family, verilog, work, job.without_bypass)
     names = {}
-    if target.device:
-        names = nextpnr.register_names(verilog, json.loads((work / "netlist.json").read_text()))
-    return Netlist(work, area, lost, names)
+    if isinstance(family, RoutedFamily):
+        names = nextpnr.register_names(family, verilog, json.loads((work / "netlist.json").read_text()))
+    return Netlist(work, made.area, made.lost, made.around, names)
 
 
 def implement_target(job: Design, target: Target, made: dict[str, Netlist]) -> tuple[record.Result, list[str]]:
@@ -101,43 +104,40 @@ def implement_target(job: Design, target: Target, made: dict[str, Netlist]) -> t
 def _implement(
     job: Design, target: Target, made: dict[str, Netlist], bar: progress.Bar
 ) -> tuple[record.Result, list[str]]:
-    tool = nextpnr.find_nextpnr(bar.say) if target.device else None
-    seeds = job.seeds if target.device else []
+    family = target.family
+    tool = nextpnr.find_nextpnr(family, bar.say) if isinstance(family, RoutedFamily) else None
+    seeds = job.seeds if tool else []
     begun: list[str] = []
 
     def stage(name: str) -> None:
         begun.append(name)
         bar.show(len(begun), f"{job.entity} {target.name}: {name}")
 
-    family = target.family or target.name
-    if family not in made:
-        made[family] = synthesize(job, target, stage)
-    netlist = made[family]
+    if family.name not in made:
+        made[family.name] = synthesize(job, target, stage)
+    netlist = made[family.name]
     versions = tools()
-    result: record.Result = {**netlist.area, "synthesis": target.synthesis, "tools": versions}
-    if tool is not None and target.device is not None:
+    result: record.Result = {**netlist.area, "synthesis": yosys.command(family), "tools": versions}
+    if isinstance(family, RoutedFamily) and tool is not None and target.device is not None:
         work = netlist.work / target.name
         work.mkdir()
         reports = {}
-        versions["nextpnr"] = nextpnr.version(tool, work)
+        router = job.router or family.router
+        versions["nextpnr"] = nextpnr.version(family, tool, work)
         result["device"] = target.device
+        if netlist.around:
+            result["around"] = netlist.around
         try:
             for seed in seeds:
                 stage(f"nextpnr, seed {seed}")
                 reports[seed] = nextpnr.route(
-                    tool,
-                    versions["nextpnr"],
-                    target.device_options,
-                    seed,
-                    netlist.work / "netlist.json",
-                    work,
-                    job.router,
+                    tool, versions["nextpnr"], target, seed, netlist.work / "netlist.json", work, router
                 )
         except nextpnr.DoesNotFitError as error:
             result["does_not_fit"] = error.cells
         else:
-            routed = nextpnr.clocks(reports, netlist.names)
-            result |= {"target_mhz": nextpnr.FREQUENCY_MHZ, "router": job.router, **routed}
+            routed = nextpnr.clocks(family, reports, netlist.names)
+            result |= {"target_mhz": nextpnr.FREQUENCY_MHZ, "router": router, **routed}
     bar.show(2 + len(seeds), f"{job.entity} {target.name}: done")
     return result, netlist.lost
 
@@ -192,9 +192,11 @@ def summary(entity: str, target: str, parameters: Parameters, result: record.Res
 
 def area_and_clock(entity: str, target: str, result: record.Result) -> list[str]:
     """Lines of a summary that any design has."""
+    family = TARGETS[target].family
+    lut_ram = "" if family.most_bits_in_flip_flops else " and LUT RAM"
     text = [
-        f"{entity} on {target}: {figures.lut_count(result)} {TARGETS[target].lut_name}, {result['ffs']} flip-flops, "
-        f"{result['memory_bits']} memory bits in {result['block_rams']} block RAMs and LUT RAM"
+        f"{entity} on {target}: {figures.lut_count(result)} {family.lut_name}, {result['ffs']} flip-flops, "
+        f"{result['memory_bits']} memory bits in {result['block_rams']} block RAMs{lut_ram}"
     ]
     if "does_not_fit" in result:
         text.append(f"  does not fit on {result['device']}: {figures.overfull(result['does_not_fit'])}")

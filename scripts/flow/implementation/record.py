@@ -23,6 +23,8 @@ class Area(TypedDict):
     memory_bits: int
     block_rams: int
     memory_in_flip_flops: bool
+    # Of memories that are too small for a block RAM, where the family has no LUT RAM: flip-flops, not in memory_bits.
+    small_memory_bits: NotRequired[int]
     cells: dict[str, int]
 
 
@@ -58,6 +60,7 @@ class Result(Area):
     synthesis: str
     tools: dict[str, str]  # their versions
     device: NotRequired[str]  # only where there is a router
+    around: NotRequired[dict[str, int]]  # LUTs and flip-flops around a core on few pins: in lut_sites, not above
     does_not_fit: NotRequired[dict[str, Fill]]  # {cell: ...} of which the device has too few
     # The rest only where it was placed and routed.
     target_mhz: NotRequired[float]

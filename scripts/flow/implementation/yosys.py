@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Area of the core on an FPGA family, by yosys."""
 
+from __future__ import annotations
+
 import json
 import os
 import re
+from collections import Counter
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -11,11 +15,13 @@ from ..base import venv
 from ..base.configurations import configuration
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import Say, Word, find_tool, run
-from . import ecp5_netlist
+from . import pins
+from .families.family import TOP, Family, RoutedFamily
 from .record import Area
-from .targets import REQUIREMENTS, TOP, Target
+from .targets import ECP5
 
 PACKAGE = "pyosys"
+REQUIREMENTS = ECP5.requirements
 PROGRAM = Path(__file__).with_name("yosys_program.py")
 
 
@@ -46,37 +52,70 @@ def looks_at_no_word_being_written(row: dict[str, Any]) -> bool:
     return row["family"] == "block_matching" or (row["family"] == "semi_global" and row["clocks_per_pixel"] > 1)
 
 
-def script(target: Target, without_bypass: str = "") -> str:
+def top(family: Family) -> str:
+    return pins.ENTITY if isinstance(family, RoutedFamily) and family.few_pins else TOP
+
+
+def command(family: Family) -> str:
+    """yosys's, for a design of the family."""
+    return _of_top(family, family.synthesis)
+
+
+def _of_top(family: Family, commands: str) -> str:
+    return commands.replace(f"-top {TOP}", f"-top {top(family)}")
+
+
+def script(family: Family, without_bypass: str = "") -> str:
     """The commands: synthesis with two looks at the memories that are not mapped yet, before and after their
     mapping. without_bypass: memories of which no word counts that is read in the clock in which it is written."""
-    synthesis = target.synthesis
-    # Only nextpnr reads a netlist.
-    netlist = "; write_json netlist.json" if target.device else ""
+    synthesis = command(family)
+    # A core between registers stays a module of its own until it is counted.
+    apart = top(family) != TOP
     lines = [
         f"read_verilog {TOP}.v",
-        target.prepare,
+        *([f"setattr -mod -set keep_hierarchy 1 {TOP}"] if apart else []),
+        _of_top(family, family.prepare),
         *([f"setattr -set no_rw_check 1 {without_bypass}"] if without_bypass else []),
-        f"{synthesis} -run begin:{target.map_memories}",
+        f"{synthesis} -run begin:{family.map_memories}",
         "tee -q -o memories.txt dump t:$mem_v2",
-        f"{synthesis} -run {target.map_memories}:map_ffram",
+        f"{synthesis} -run {family.map_memories}:map_ffram",
         "tee -q -o unmapped.txt dump t:$mem_v2",
         f"{synthesis} -run map_ffram:",
-        f"tee -q -o stat.json stat -json{netlist}",
     ]
+    # Only nextpnr reads a netlist.
+    netlist = "; write_json netlist.json" if isinstance(family, RoutedFamily) else ""
+    if apart and isinstance(family, RoutedFamily):
+        lines.append("tee -q -o stat.json stat -json")
+        lines.append(f"setattr -mod -unset keep_hierarchy {TOP}; flatten; opt_clean")
+        lines.append(f"{family.buffers or 'opt_clean'}{netlist}")
+    else:
+        lines.append(f"tee -q -o stat.json stat -json{netlist}")
     return "\n".join(lines) + "\n"
 
 
-def synthesize(target: Target, verilog: str, work: Path, without_bypass: str = "") -> tuple[Area, list[str]]:
-    """Runs yosys in the folder `work`. Returns the area, and the names of memories that became flip-flops."""
-    (work / f"{TOP}.v").write_text(verilog)
-    (work / "synthesis.ys").write_text(script(target, without_bypass))
+@dataclass(frozen=True)
+class Synthesis:
+    """What yosys made of a design."""
+
+    area: Area
+    lost: list[str]  # memories that became flip-flops and should not
+    around: dict[str, int]  # {"luts": ..., "ffs": ...} of the registers around a core; none where there are none
+
+
+def synthesize(family: Family, verilog: str, work: Path, without_bypass: str = "") -> Synthesis:
+    """Runs yosys in the folder `work`."""
+    apart = top(family) != TOP
+    (work / f"{TOP}.v").write_text(verilog + pins.around(verilog) if apart else verilog)
+    (work / "synthesis.ys").write_text(script(family, without_bypass))
     run([*find_yosys(), "-s", "synthesis.ys"], cwd=work, log=work / "yosys.log")
     try:
-        cells = json.loads((work / "stat.json").read_text())["modules"]["\\" + TOP]["num_cells_by_type"]
+        modules = json.loads((work / "stat.json").read_text())["modules"]
+        cells = modules["\\" + TOP]["num_cells_by_type"]
+        around = _area(family, modules["\\" + pins.ENTITY]["num_cells_by_type"]) if apart else {}
         memories = read_memories((work / "memories.txt").read_text())
-        lost = read_memories((work / "unmapped.txt").read_text())
-        if target.device:
-            change = ecp5_netlist.improve(work / "netlist.json", TOP)
+        unmapped = read_memories((work / "unmapped.txt").read_text())
+        if isinstance(family, RoutedFamily):
+            change = _improve(family, work / "netlist.json")
             cells = {n: count for n in cells if (count := cells[n] + change.get(n, 0))}
     except (OSError, ValueError, KeyError) as error:
         raise FlowError(
@@ -84,10 +123,25 @@ def synthesize(target: Target, verilog: str, work: Path, without_bypass: str = "
         ) from None
     # Those with a $ say where instances were, no more.
     cells = {name: count for name, count in cells.items() if not name.startswith("$")}
-    return area(target, cells, sum(memories.values()), bool(lost)), sorted(lost)
+    return Synthesis(area(family, cells, memories, unmapped), sorted(_lost(family, unmapped)), around)
 
 
-def area(target: Target, cells: dict[str, int], memory_bits: int, memory_in_flip_flops: bool) -> Area:
+def _improve(family: RoutedFamily, path: Path) -> dict[str, int]:
+    """Rewrites the netlist. Returns {cell type: how many more it has}."""
+    netlist = json.loads(path.read_text())
+    module = netlist["modules"][top(family)]
+    before = _types(module)
+    family.improve(module)
+    path.write_text(json.dumps(netlist))
+    after = _types(module)
+    return {name: after[name] - before[name] for name in before}
+
+
+def _types(module: dict[str, Any]) -> Counter[str]:
+    return Counter(cell["type"] for cell in module["cells"].values())
+
+
+def _area(family: Family, cells: dict[str, int]) -> dict[str, int]:
     def total(weights: dict[str, int]) -> int:
         # The longest beginning that fits counts: MISTRAL_ALUT also stands for MISTRAL_ALUT2 ... 6 and _ARITH.
         return sum(
@@ -97,14 +151,27 @@ def area(target: Target, cells: dict[str, int], memory_bits: int, memory_in_flip
             if name.startswith(start)
         )
 
+    return {"luts": total(family.luts), "ffs": total(dict.fromkeys(family.ffs, 1))}
+
+
+def _lost(family: Family, unmapped: dict[str, int]) -> dict[str, int]:
+    return {name: bits for name, bits in unmapped.items() if bits > family.most_bits_in_flip_flops}
+
+
+def area(family: Family, cells: dict[str, int], memories: dict[str, int], unmapped: dict[str, int]) -> Area:
+    """`memories`: {name: bits}, of which those `unmapped` became flip-flops."""
+    counted = _area(family, cells)
     found: Area = {
-        "ffs": total(dict.fromkeys(target.ffs, 1)),
-        "memory_bits": memory_bits,
-        "block_rams": total(dict.fromkeys(target.block_rams, 1)),
-        "memory_in_flip_flops": memory_in_flip_flops,
+        "ffs": counted["ffs"],
+        "memory_bits": sum(memories.values()),
+        "block_rams": sum(count for name, count in cells.items() if name.startswith(family.block_rams)),
+        "memory_in_flip_flops": bool(_lost(family, unmapped)),
         "cells": dict(sorted(cells.items())),
     }
-    found["aluts" if target.lut_name == "ALUT" else "luts"] = total(target.luts)
+    if family.most_bits_in_flip_flops:
+        found["small_memory_bits"] = sum(unmapped.values()) - sum(_lost(family, unmapped).values())
+        found["memory_bits"] -= found["small_memory_bits"]
+    found["aluts" if family.lut_name == "ALUT" else "luts"] = counted["luts"]
     return found
 
 

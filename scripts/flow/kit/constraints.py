@@ -19,7 +19,7 @@ def measured(config: str) -> list[str]:
             if clock:
                 command = f"scripts/implement.py --config {config} --target {target}" + (" --shell" if shell else "")
                 mhz = f"{clock['median']:.1f} MHz, {clock['of']}"
-                said.append(f"{TARGETS[target].short}, {what}: {mhz} ({command}).")
+                said.append(f"{TARGETS[target].device}, {what}: {mhz} ({command}).")
     return said or ["The clock of this configuration has not been measured."]
 
 

@@ -12,7 +12,7 @@ from ..base.tools import ROOT
 from ..cosim.record import Run
 from ..implementation import figures
 from ..implementation.results import Configuration
-from ..implementation.targets import FAMILIES, ROUTED, TARGETS
+from ..implementation.targets import ECP5, ROUTED, TARGETS, USUAL, Target
 from ..synthesis.manifest import with_use
 from .published import PAPER, PUBLISHED, SYSTEMS
 
@@ -28,6 +28,7 @@ def page() -> str:
     return TEXT.read_text().format(
         per_clock=per_clock_table(shown),
         speed=speed_table(shown),
+        devices=device_table(),
         shell=shell_table(shown),
         area=area_table(shown),
         comparison=table(*comparison(shown)),
@@ -57,11 +58,11 @@ def per_clock_table(configurations: Iterable[Configuration]) -> str:
 def area_table(configurations: Iterable[Configuration]) -> str:
     rows = []
     for c in configurations:
-        for name, family in FAMILIES.items():
+        for name in USUAL:
             result = c.targets.get(name)
             values = [UNKNOWN] * 4
             if result:
-                luts = f"{number(figures.lut_count(result))} {family.lut_name}"
+                luts = f"{number(figures.lut_count(result))} {TARGETS[name].family.lut_name}"
                 values = [luts, number(result.get("lut_sites")), number(result["ffs"]), number(result["block_rams"])]
             rows.append([code(c.name), name, *values, code(f"scripts/implement.py --config {c.name} --target {name}")])
     head = ["configuration", "family", "look-up tables", "LUT sites, routed", "flip-flops", "block RAMs", "printed by"]
@@ -74,6 +75,8 @@ def speed_table(configurations: Iterable[Configuration]) -> str:
     rows = []
     for c in configurations:
         for target in ROUTED:
+            if TARGETS[target].family is not ECP5:
+                continue
             clock, values = c.clock(target), [UNKNOWN] * 8
             if clock:
                 values = [
@@ -91,6 +94,41 @@ def speed_table(configurations: Iterable[Configuration]) -> str:
             command = f"scripts/implement.py --config {c.name} --target {target}"
             rows.append([code(c.name), TARGETS[target].short, *values, code(command)])
     return table(head, rows)
+
+
+def device_table(configurations: Iterable[Configuration] | None = None) -> str:
+    """Clock and area on the devices of other families than ECP5, by device; of all configurations that were tried
+    there, or of some."""
+    if configurations is None:
+        configurations = [Configuration(name, stale_is_none=True) for name in committed.known_configurations()]
+    shown = list(configurations)
+    head = ["device", "configuration", "size", "MHz", "of", "frames a second", "look-up tables", "LUT sites, routed"]
+    head += ["flip-flops", "block RAMs", "slowest path", "printed by"]
+    others = [target for target in (TARGETS[name] for name in ROUTED) if target.family is not ECP5]
+    rows = [_device_row(target, c) for target in others for c in shown if target.name in c.targets]
+    return table(head, rows) if rows else "Not measured yet."
+
+
+def _device_row(target: Target, c: Configuration) -> list[str]:
+    result, clock = c.targets[target.name], c.clock(target.name)
+    if clock:
+        speed = [number(clock["median"], 1), clock["of"], number(clock["frames_per_second"])]
+        path = f"{code(clock['path']['from'])} to {code(clock['path']['to'])}"
+    else:
+        speed = [UNKNOWN, f"does not fit: {figures.overfull(result.get('does_not_fit', {}))}", UNKNOWN]
+        path = UNKNOWN
+    return [
+        target.short,
+        code(c.name),
+        c.size(),
+        *speed,
+        f"{number(figures.lut_count(result))} {target.family.lut_name}",
+        number(result.get("lut_sites")),
+        number(result["ffs"]),
+        number(result["block_rams"]),
+        path,
+        code(f"scripts/implement.py --config {c.name} --target {target.name}"),
+    ]
 
 
 def shell_table(configurations: Iterable[Configuration]) -> str:

@@ -210,7 +210,7 @@ def _synthesis_rows(demo: Demo) -> Rows:
 
 
 def _target_rows(demo: Demo, target: str, result: Result) -> Rows:
-    luts = f"{target}: look-up tables ({TARGETS[target].lut_name})"
+    luts = f"{target}: look-up tables ({TARGETS[target].family.lut_name})"
     paper_luts = f"{number(published.PAPER_ALUTS)} (Stratix II)" if target == "cyclonev" else "–"
     rows = [
         (luts, number(figures.lut_count(result)), paper_luts),

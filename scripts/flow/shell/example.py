@@ -10,6 +10,7 @@ from ..base import ghdl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Say, find_tool, find_yosys, run
 from ..implementation import nextpnr
+from ..implementation.targets import ECP5
 from . import design
 
 FOLDER = ROOT / "examples" / "ecp5"
@@ -38,7 +39,7 @@ def build(work: Path, seed: int = 1, say: Say = print) -> Example:
     """Makes example.bit in the folder `work`."""
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
-    router = nextpnr.find_nextpnr(say)
+    router = nextpnr.find_nextpnr(ECP5, say)
     say("ghdl --synth ...")
     files = design.vhdl_files(CONFIG) + [FOLDER / f"{name}.vhd" for name in SOURCES]
     (work / "example_top.v").write_text(ghdl.to_verilog(files, work, "example_top"))

