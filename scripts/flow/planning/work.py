@@ -20,7 +20,6 @@ class Work(NamedTuple):
     winners: int  # the smallest cost, its disparity, what the checks ask about it
     paths: int
     beside: int  # what there is once, however many disparities are compared: transforms, refinement, median, passes
-    core: int = 1  # counters and tags
 
 
 def _pixel_cost(shape: WindowShape) -> int:
@@ -84,12 +83,11 @@ def _paths(shape: PathShape) -> int:
 
 def work_of(shape: WindowShape) -> Work:
     s = shape
-    has_paths = isinstance(s, PathShape)
     cost_bits = s.sum_bits if isinstance(s, PathShape) else s.window_bits
     return Work(
         costs=s.lanes * s.taps * _pixel_cost(s),
         sums=s.lanes * _sums(s),
         winners=_winners(s, cost_bits),
-        paths=_paths(s) if has_paths and isinstance(s, PathShape) else 0,
+        paths=_paths(s) if isinstance(s, PathShape) else 0,
         beside=_beside(s, cost_bits),
     )

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Look-up tables, block RAMs and clock of a core that was not implemented, from those that were.
+
+  block RAMs  counted: each memory of the core becomes what yosys makes of it (ram.py); nothing is fitted
+  LUTs        LUT RAM and what chooses among RAMs, counted too, and a number for each kind of work (work.py), fitted;
+              on a family that is not ECP5 one number more for all of it
+  clock       the logarithm of the period is a constant, a slope over the logarithm of the LUTs, three options that leave
+              more logic in a clock, and a constant for each device and grade
+
+Fits are plain least squares of relative errors, over the committed cores whose families work.py knows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from statistics import median
+from typing import Any
+
+from ..base import committed
+from ..implementation import figures
+from ..implementation.record import Result
+from ..implementation.results import Configuration
+from ..implementation.targets import FAMILIES, ROUTED, TARGETS
+from . import cores, ram
+from .least_squares import fit
+from .window_shape import WindowShape
+from .work import Work, work_of
+
+BASE = "ecp5"  # the target with most cores
+WORK = ("costs", "sums", "winners", "paths", "what is there once")  # as the fields of Work
+CLOCK = ("constant", "logarithm of the LUTs", "cost clock less than 3", "winner more in a group", "cost not SAD")
+
+
+@dataclass(frozen=True)
+class Implemented:
+    """A committed core on one target."""
+
+    name: str
+    options: Mapping[str, Any]
+    target: str
+    result: Result
+
+    @property
+    def luts(self) -> int:
+        return figures.lut_count(self.result)
+
+    @property
+    def mhz(self) -> float | None:
+        return self.result["fmax_mhz"]["median"] if "fmax_mhz" in self.result else None
+
+
+@dataclass(frozen=True)
+class Core:
+    """What the model reads of a core."""
+
+    options: Mapping[str, Any]
+    work: Work
+    in_base: ram.Mapped  # its memories on BASE
+
+    @property
+    def memory_luts(self) -> int:
+        return self.in_base.lut_rams * ram.FAMILIES[BASE].luts + self.in_base.choice_bits
+
+
+def core_of(shape: WindowShape) -> Core:
+    options = shape.options
+    keeps = cores.shows_word_before(options["family"])
+    return Core(options, work_of(shape), ram.mapped(cores.memories_of(shape), ram.FAMILIES[BASE], keeps))
+
+
+def family_of(target: str) -> str:
+    """The target whose netlist it takes."""
+    return TARGETS[target].family or target
+
+
+def implemented() -> list[Implemented]:
+    """Every committed core of any family, on each target of its record."""
+    found = []
+    for name in committed.known_configurations():
+        core = Configuration(name, stale_is_none=True)
+        found += [
+            Implemented(name, core.parameters, target, result)
+            for target, result in core.targets.items()
+            if target in TARGETS
+        ]
+    return found
+
+
+def is_modelled(core: Implemented) -> bool:
+    return core.options["family"] in cores.FAMILIES
+
+
+class Model:
+    def __init__(self, measured: Sequence[Implemented]) -> None:
+        self._measured = [core for core in measured if is_modelled(core)]
+        self._cores = {core.name: core_of(cores.shape_of(core.options)) for core in self._measured}
+
+    def without(self, name: str) -> Model:
+        """Of all cores but one."""
+        return Model([core for core in self._measured if core.name != name])
+
+    @cached_property
+    def work_luts(self) -> list[float]:
+        """Of a bit of each kind of work."""
+        known = [(self._cores[core.name], core.luts) for core in self._measured if core.target == BASE]
+        rows = [[bits / luts for bits in core.work] for core, luts in known]
+        return fit(rows, [1 - core.memory_luts / luts for core, luts in known])
+
+    def _base_luts(self, core: Core) -> float:
+        return core.memory_luts + sum(bits * luts for bits, luts in zip(core.work, self.work_luts))
+
+    @cached_property
+    def family_luts(self) -> dict[str, float]:
+        """{family: its LUTs for one of BASE}, where a core was synthesised for it."""
+        found = {}
+        for family in FAMILIES:
+            of_family = [core for core in self._measured if core.target == family]
+            rows = [[self._base_luts(self._cores[core.name]) / core.luts] for core in of_family]
+            if family == BASE:
+                found[family] = 1.0
+            elif rows:
+                found[family] = fit(rows, [1.0] * len(rows))[0]
+        return found
+
+    def luts(self, core: Core, target: str) -> int | None:
+        scale = self.family_luts.get(family_of(target))
+        return None if scale is None else max(1, round(scale * self._base_luts(core)))
+
+    @cached_property
+    def sites(self) -> dict[str, float]:
+        """{family: LUT sites of a routed design for each look-up table}"""
+        found = {}
+        for family in FAMILIES:
+            routed = [core for core in self._measured if family_of(core.target) == family]
+            ratios = [core.result["lut_sites"] / core.luts for core in routed if "lut_sites" in core.result]
+            if ratios:
+                found[family] = median(ratios)
+        return found
+
+    @cached_property
+    def _clocked(self) -> list[str]:
+        """Targets with a routed core."""
+        return [target for target in ROUTED if any(core.mhz and core.target == target for core in self._measured)]
+
+    @cached_property
+    def clock(self) -> list[float]:
+        """As CLOCK, then the constant of each target of _clocked but the first."""
+        routed = [(core, core.mhz) for core in self._measured if core.mhz]
+        rows = [self._clock_row(self._cores[core.name], core.target) for core, _ in routed]
+        return fit(rows, [-math.log(mhz) for _, mhz in routed])
+
+    def _clock_row(self, core: Core, target: str) -> list[float]:
+        o = core.options
+        is_direct_sad = o["cost"] == "sad" and o["aggregation"] == "direct"
+        own = [
+            1.0,
+            math.log(max(1.0, self._base_luts(core))),
+            float(3 - o["cost_clocks"]) if is_direct_sad else 0.0,
+            float(o["winner_group"] - 2),
+            float(o["cost"] != "sad"),
+        ]
+        return own + [float(target == other) for other in self._clocked[1:]]
+
+    def mhz(self, core: Core, target: str) -> float | None:
+        if target not in self._clocked:
+            return None
+        return math.exp(-sum(x * factor for x, factor in zip(self._clock_row(core, target), self.clock)))
+
+    def grades(self) -> dict[str, float]:
+        """{target: its clock for a MHz of the first one}"""
+        constants = [0.0, *self.clock[len(CLOCK) :]]
+        return {target: math.exp(-constant) for target, constant in zip(self._clocked, constants)}
