@@ -1,3 +1,142 @@
 # SPDX-License-Identifier: Apache-2.0
-def pages():
-    return {}
+"""docs/plan.md: what fits which device, and how good the estimates behind it are, from committed files only."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+
+from ..base.markdown import UNKNOWN, code, number
+from ..base.tools import ROOT
+from ..implementation.targets import FAMILIES, TARGETS
+from ..planning import plan_text, search
+from ..planning.candidates import Camera
+from ..planning.compared import Compared, compare, size_of
+from ..planning.devices import device_of, targets
+from ..planning.model import BASE, CLOCK, WORK, Model
+from . import plan_picture
+
+PAGE = ROOT / "docs" / "plan.md"
+TEXT = Path(__file__).parent / "texts" / "plan.md"
+FILL, MARGIN = 85, 20  # the defaults of plan.py
+CAMERAS = (
+    Camera(320, 240, 64, 60),
+    Camera(320, 240, 100, 60),
+    Camera(640, 480, 64, 30),
+    Camera(640, 480, 128, 60),
+    Camera(1280, 720, 128, 30),
+)
+
+
+def pages() -> dict[Path, str]:
+    planner = search.Planner()
+    found = compare(planner.known)
+    text = TEXT.read_text().format(
+        devices=" | ".join(TARGETS[target].short or target for target in _known_targets()),
+        lines="---|" * len(_known_targets()),
+        cameras="\n".join(_camera_row(planner, camera) for camera in CAMERAS),
+        work="\n".join(f"| {word} | {luts:.2f} |" for word, luts in zip(WORK, planner.model.work_luts)),
+        families=_families(planner.model),
+        clock="\n".join(_clock_rows(planner.model)),
+        sites=f"{planner.model.sites[BASE]:.2f}",
+        summary="\n".join(summary(found)),
+        remarks=REMARKS,
+        cores="\n".join(_core_row(one) for one in found),
+    )
+    return {PAGE: text, plan_picture.PICTURE: plan_picture.picture(planner)}
+
+
+REMARKS = """The clock of `sgm_640` is far below what others say of it: it takes two thirds of the device and was routed with one seed of nextpnr's
+second router. `study_group4` compares four winners in a clock, and no other core does. The memories of `miyajima_640_f5` are deeper than a
+block RAM, and what chooses among them stands in its slowest path."""
+
+
+def _known_targets() -> list[str]:
+    return [target for target in targets() if device_of(target)]
+
+
+def _camera_row(planner: search.Planner, camera: Camera) -> str:
+    cells = []
+    for target in _known_targets():
+        device = device_of(target)
+        assert device is not None  # as _known_targets has it
+        fitting = search.best(planner.plan(camera, search.Place(target, device, FILL, MARGIN)))
+        cells.append(_best(fitting[0]) if fitting else UNKNOWN)
+    size = f"{camera.width_px}x{camera.height_px}, D={camera.disparities}, {camera.frames_per_second:g} a second"
+    return f"| {size} | {' | '.join(cells)} |"
+
+
+def _best(planned: search.Planned) -> str:
+    """The algorithm, and what it takes."""
+    row = f", {code(planned.row)}" if planned.row else ""
+    luts, block_rams = (one.value if one else None for one in (planned.numbers.luts, planned.numbers.block_rams))
+    taken = f"{number(luts)} LUTs, {number(block_rams)} block RAMs"
+    return f"{planned.candidate.algorithm.title}, {plan_text.speed(planned)}: {taken}{row}"
+
+
+def _families(model: Model) -> str:
+    others = {name: scale for name, scale in model.family_luts.items() if name != BASE}
+    return ", ".join(f"{scale:.2f} {FAMILIES[name].lut_name} on {name}" for name, scale in others.items()) or "none yet"
+
+
+def _clock_rows(model: Model) -> list[str]:
+    rows = [f"| {word} | {factor:.3f} |" for word, factor in zip(CLOCK, model.clock)]
+    grades = list(model.grades())[1:]
+    return rows + [
+        f"| {TARGETS[target].short or target} | {factor:.3f} |" for target, factor in zip(grades, model.clock[len(CLOCK) :])
+    ]
+
+
+Error = Callable[[Compared], "float | None"]
+
+
+def _netlists(found: Iterable[Compared]) -> list[Compared]:
+    """Each netlist once, on however many devices it is."""
+    kept: dict[tuple[str, str], Compared] = {}
+    for one in found:
+        kept.setdefault((one.core.name, TARGETS[one.core.target].family or one.core.target), one)
+    return list(kept.values())
+
+
+def summary(found: Sequence[Compared]) -> list[str]:
+    """Of LUTs, block RAMs and clock: how many cores, the median error, the bar, the worst."""
+    netlists = _netlists(found)
+    rows = [_summary_row("look-up tables", netlists, lambda one: one.luts_error, "12 %")]
+    counted = [one for one in netlists if one.block_rams_error is not None]
+    wrong = [one for one in counted if one.block_rams_error]
+    worst = ", ".join(
+        f"{code(one.core.name)}: {one.block_rams} instead of {one.core.result['block_rams']}" for one in wrong
+    )
+    exact = f"{len(counted) - len(wrong)} exact"
+    rows.append(f"| block RAMs | {len(counted)} | {exact} | exact | {worst or UNKNOWN} |")
+    return [*rows, _summary_row("clock", found, lambda one: one.mhz_error, "20 %")]
+
+
+def _summary_row(title: str, found: Sequence[Compared], error: Error, bar: str) -> str:
+    known = [(value, one) for one in found if (value := error(one)) is not None]
+    middle = size_of(value for value, _ in known)
+    if middle is None:
+        return f"| {title} | 0 | {UNKNOWN} | {bar} | {UNKNOWN} |"
+    value, one = max(known, key=lambda pair: abs(pair[0]))
+    device = TARGETS[one.core.target].short or one.core.target
+    return f"| {title} | {len(known)} | {100 * middle:.1f} % | {bar} | {100 * value:+.0f} %, {code(one.core.name)}, {device} |"
+
+
+def _percent(error: float | None) -> str:
+    return UNKNOWN if error is None else f"{100 * error:+.1f} %"
+
+
+def _core_row(one: Compared) -> str:
+    cells = [
+        code(one.core.name),
+        TARGETS[one.core.target].short or one.core.target,
+        number(one.core.luts),
+        number(one.luts),
+        _percent(one.luts_error),
+        number(one.core.result["block_rams"]),
+        number(one.block_rams),
+        number(one.core.mhz, 1),
+        number(one.mhz, 1),
+        _percent(one.mhz_error),
+    ]
+    return f"| {' | '.join(cells)} |"

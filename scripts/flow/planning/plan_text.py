@@ -46,11 +46,11 @@ class Row:
 def _name(planned: Planned) -> str:
     o = planned.candidate.options
     clocks, pixels = o["clocks_per_pixel"], o["pixels_per_clock"]
-    speed = f"_f{clocks}" if clocks > 1 else f"_p{pixels}" if pixels > 1 else ""
-    return f"my_{planned.candidate.algorithm.config.split('_')[0]}_{o['width_px']}_{o['disparities']}{speed}"
+    suffix = f"_f{clocks}" if clocks > 1 else f"_p{pixels}" if pixels > 1 else ""
+    return f"my_{planned.candidate.algorithm.config.split('_')[0]}_{o['width_px']}_{o['disparities']}{suffix}"
 
 
-def _speed(planned: Planned) -> str:
+def speed(planned: Planned) -> str:
     """Clocks a pixel pair, or pixel pairs a clock, in a few letters."""
     o = planned.candidate.options
     return f"P={o['pixels_per_clock']}" if o["pixels_per_clock"] > 1 else f"F={o['clocks_per_pixel']}"
@@ -83,13 +83,13 @@ def cells(planned: Planned) -> list[str]:
     return [
         c.algorithm.title,
         c.algorithm.config,
-        _speed(planned),
+        speed(planned),
         f"{c.clocks_a_frame:,}",
         f"{planned.needed_mhz:.1f}",
-        _shown(planned.mhz),
-        _shown(planned.luts),
-        _shown(planned.lut_sites),
-        _shown(planned.block_rams),
+        _shown(planned.numbers.mhz),
+        _shown(planned.numbers.luts),
+        _shown(planned.numbers.lut_sites),
+        _shown(planned.numbers.block_rams),
         *c.algorithm.wrong.values(),
         planned.row or UNKNOWN,
     ]
@@ -141,7 +141,7 @@ def text(
     else:
         parts.append("Nothing fits.")
     if closest:
-        lines = [[planned.candidate.algorithm.title, _speed(planned), "; ".join(planned.reasons)] for planned in closest]
+        lines = [[planned.candidate.algorithm.title, speed(planned), "; ".join(planned.reasons)] for planned in closest]
         parts.append("Does not fit, of each the nearest:\n" + _aligned(lines))
     if row:
         add = f"Add this row to {row.file}:\n  {row.text}" if row.text else f"Its row is there: {row.name}."
@@ -166,10 +166,10 @@ def _json(planned: Planned) -> dict[str, Any]:
     if not c.problem:
         found["clocks_a_frame"] = c.clocks_a_frame
     numbers = {
-        "mhz": planned.mhz,
-        "luts": planned.luts,
-        "lut_sites": planned.lut_sites,
-        "block_rams": planned.block_rams,
+        "mhz": planned.numbers.mhz,
+        "luts": planned.numbers.luts,
+        "lut_sites": planned.numbers.lut_sites,
+        "block_rams": planned.numbers.block_rams,
     }
     return found | {name: value and value.as_json() for name, value in numbers.items()}
 

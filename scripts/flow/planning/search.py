@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Any, Union
 
 from ..base.configurations import configurations
@@ -34,6 +34,16 @@ class Number:
 
 
 @dataclass(frozen=True)
+class Numbers:
+    """Of a core on a device; None where nothing says one."""
+
+    mhz: Number | None = None
+    luts: Number | None = None
+    lut_sites: Number | None = None
+    block_rams: Number | None = None
+
+
+@dataclass(frozen=True)
 class Place:
     """Where a core shall go. fill: percent of its LUT sites that may be taken; margin: percent by which the expected clock
     shall be above the needed one where it is an estimate."""
@@ -46,14 +56,11 @@ class Place:
 
 @dataclass(frozen=True)
 class Planned:
-    """A candidate with its numbers; None where nothing says them."""
+    """A candidate on a device."""
 
     candidate: Candidate
     needed_mhz: float
-    mhz: Number | None
-    luts: Number | None
-    lut_sites: Number | None
-    block_rams: Number | None
+    numbers: Numbers
     reasons: tuple[str, ...]  # why it does not fit
     load: float = math.inf  # the largest share that it takes of LUT sites, block RAMs or clock
     row: str | None = None  # that is there already
@@ -76,10 +83,12 @@ class Planner:
     def _planned(self, candidate: Candidate, camera: Camera, place: Place) -> Planned:
         needed = camera.needed_mhz(candidate.clocks_a_frame)
         if candidate.problem:
-            return Planned(candidate, needed, None, None, None, None, (candidate.problem,))
+            return Planned(candidate, needed, Numbers(), (candidate.problem,))
         name = self._twins.get(key_of(candidate.options))
-        mhz, luts, sites, block_rams = self._numbers(candidate, place.target, name)
-        shares = list(_shares(luts, sites, block_rams, place))
+        of_name = {core.target: core for core in self.known if core.name == name}
+        numbers = self.numbers(candidate.options, place.target, of_name)
+        shares = list(_shares(numbers, place))
+        mhz = numbers.mhz
         if mhz:
             margin = 0 if mhz.of else place.margin
             beside = f", with {margin:g} % above them" if margin else ""
@@ -89,44 +98,52 @@ class Planner:
             shares.append((math.inf, f"no clock is known on {place.target}"))
         reasons = tuple(text for share, text in shares if share > 1)
         load = max(share for share, _ in shares)
-        return Planned(candidate, needed, mhz, luts, sites, block_rams, reasons, load, name)
+        return Planned(candidate, needed, numbers, reasons, load, name)
 
-    def _numbers(self, candidate: Candidate, target: str, name: str | None) -> tuple[Number | None, ...]:
-        of_name = {core.target: core for core in self.known if core.name == name}
-        netlist = of_name.get(target) or next(
-            (core for core in of_name.values() if family_of(core.target) == family_of(target)), None
+    def numbers(self, options: Mapping[str, Any] | None, target: str, measured: Mapping[str, Implemented]) -> Numbers:
+        """measured: the same core by target, as far as it was implemented; options: None of a family without model."""
+        here = measured.get(target)
+        netlist = here or next(
+            (core for core in measured.values() if family_of(core.target) == family_of(target)), None
         )
-        core, family = core_of(candidate.shape), ram.family_of(target)
+        found = self._estimates(options, target) if options else Numbers()
         if netlist:
             luts, block_rams = Number(netlist.luts, netlist.name), Number(netlist.result["block_rams"], netlist.name)
-            sites = Number(netlist.result["lut_sites"], netlist.name) if "lut_sites" in netlist.result else None
-        else:
-            luts, block_rams, sites = _estimated(self.model.luts(core, target)), None, None
-            if family:
-                memories = cores.memories_of(candidate.shape)
-                keeps = cores.shows_word_before(candidate.family)
-                block_rams = Number(ram.mapped(memories, family, keeps).block_rams)
+            found = replace(found, luts=luts, block_rams=block_rams, lut_sites=None)
+            if "lut_sites" in netlist.result:
+                found = replace(found, lut_sites=Number(netlist.result["lut_sites"], netlist.name))
         scale = self.model.sites.get(family_of(target))
-        if sites is None and luts and scale:
-            sites = Number(round(luts.value * scale))
-        here = of_name.get(target)
-        mhz = Number(here.mhz, here.name) if here and here.mhz else _estimated(self.model.mhz(core, target))
-        return mhz, luts, sites, block_rams
+        if found.lut_sites is None and found.luts and scale:
+            found = replace(found, lut_sites=Number(round(found.luts.value * scale)))
+        if here and here.mhz:
+            found = replace(found, mhz=Number(here.mhz, here.name))
+        return found
+
+    def _estimates(self, options: Mapping[str, Any], target: str) -> Numbers:
+        shape, family = cores.shape_of(options), ram.family_of(target)
+        core, block_rams = core_of(shape), None
+        if family:
+            keeps = cores.shows_word_before(options["family"])
+            block_rams = Number(ram.mapped(cores.memories_of(shape), family, keeps).block_rams)
+        return Numbers(
+            mhz=_estimated(self.model.mhz(core, target)),
+            luts=_estimated(self.model.luts(core, target)),
+            block_rams=block_rams,
+        )
 
 
 def _estimated(value: float | None) -> Number | None:
     return None if value is None else Number(value)
 
 
-def _shares(
-    luts: Number | None, sites: Number | None, block_rams: Number | None, place: Place
-) -> Iterator[tuple[float, str]]:
+def _shares(numbers: Numbers, place: Place) -> Iterator[tuple[float, str]]:
     """(how much of what there is a core takes, in words)"""
-    most, taken = int(place.device.lut_sites * place.fill / 100), sites or luts
+    most, taken = int(place.device.lut_sites * place.fill / 100), numbers.lut_sites or numbers.luts
     if taken is None:
         yield math.inf, f"no LUTs are known on {place.target}"
     else:
         yield taken.value / max(1, most), f"{taken.value:,} of {most:,} LUT sites"
+    block_rams = numbers.block_rams
     if block_rams is None:
         yield math.inf, f"no block RAMs are known on {place.target}"
     elif block_rams.value:
@@ -156,7 +173,7 @@ def ordered(plans: Iterable[Planned]) -> list[Planned]:
 
 
 def _luts(planned: Planned) -> float:
-    return planned.luts.value if planned.luts else 0
+    return planned.numbers.luts.value if planned.numbers.luts else 0
 
 
 def closest(plans: Iterable[Planned]) -> list[Planned]:
