@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Says which configurations serve a camera on a device: each algorithm of docs/quality.md at the camera's size, with as
-many clocks a pixel pair as its frames a second leave. Of each it shows clocks a frame, the needed and the expected clock,
-look-up tables, block RAMs and wrong pixels, and whether a number is measured or an estimate; then the row to add and the
-commands that make, check and implement it. Runs no tool."""
+many clocks a pixel pair as its frames a second leave. Of each it shows clocks a frame, the needed and the expected
+clock, look-up tables, block RAMs and wrong pixels, and whether a number is measured or an estimate; then the row to add
+and the commands that make, check and implement it. Runs no tool. Exit code 1: nothing fits."""
 
 from __future__ import annotations
 
@@ -101,7 +101,11 @@ def parse() -> Namespace:
     )
     parser.add_argument("--all", action="store_true", help="show every number of clocks a pixel pair that fits")
     parser.add_argument(
-        "--choose", type=count, default=1, metavar="N", help="show row and commands of number N (default 1)"
+        "--choose",
+        type=count,
+        metavar="N",
+        help="show row and commands of number N (default the smallest of those whose wrong pixels are within a percent "
+        "of the fewest)",
     )
     parser.add_argument("--name", help="of the row to add (default after its base, size and clocks)")
     parser.add_argument("--json", action="store_true", help="print everything as JSON")
@@ -151,9 +155,12 @@ def main() -> int:
     plans = planner.plan(camera, place)
     chosen = search.best(plans)
     shown = search.ordered(planned for planned in plans if planned.fits) if options.all else chosen
-    if shown and not 1 <= options.choose <= len(shown):
-        raise FlowError(f"--choose must be 1 ... {len(shown)}")
-    row = plan_text.Row.of(shown[options.choose - 1], place, options.name) if shown else None
+    row = None
+    if shown:
+        choice = search.recommended(shown) + 1 if options.choose is None else options.choose
+        if not 1 <= choice <= len(shown):
+            raise FlowError(f"--choose must be 1 ... {len(shown)}")
+        row = plan_text.Row.of(choice, shown[choice - 1], place, options.name)
     if options.json:
         print(json.dumps(plan_text.as_json(camera, place, shown, search.closest(plans), row), indent=1))
     else:

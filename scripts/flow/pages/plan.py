@@ -40,15 +40,9 @@ def pages() -> dict[Path, str]:
         clock="\n".join(_clock_rows(planner.model)),
         sites=f"{planner.model.sites[BASE]:.2f}",
         summary="\n".join(summary(found)),
-        remarks=REMARKS,
         cores="\n".join(_core_row(one) for one in found),
     )
     return {PAGE: text, plan_picture.PICTURE: plan_picture.picture(planner)}
-
-
-REMARKS = """The clock of `sgm_640` is far below what others say of it: it takes two thirds of the device and was routed with one seed of nextpnr's
-second router. `study_group4` compares four winners in a clock, and no other core does. The memories of `miyajima_640_f5` are deeper than a
-block RAM, and what chooses among them stands in its slowest path."""
 
 
 def _known_targets() -> list[str]:
@@ -61,12 +55,12 @@ def _camera_row(planner: search.Planner, camera: Camera) -> str:
         device = device_of(target)
         assert device is not None  # as _known_targets has it
         fitting = search.best(planner.plan(camera, search.Place(target, device, FILL, MARGIN)))
-        cells.append(_best(fitting[0]) if fitting else UNKNOWN)
+        cells.append(_taken(fitting[search.recommended(fitting)]) if fitting else UNKNOWN)
     size = f"{camera.width_px}x{camera.height_px}, D={camera.disparities}, {camera.frames_per_second:g} a second"
     return f"| {size} | {' | '.join(cells)} |"
 
 
-def _best(planned: search.Planned) -> str:
+def _taken(planned: search.Planned) -> str:
     """The algorithm, and what it takes."""
     row = f", {code(planned.row)}" if planned.row else ""
     luts, block_rams = (one.value if one else None for one in (planned.numbers.luts, planned.numbers.block_rams))
@@ -83,7 +77,8 @@ def _clock_rows(model: Model) -> list[str]:
     rows = [f"| {word} | {factor:.3f} |" for word, factor in zip(CLOCK, model.clock)]
     grades = list(model.grades())[1:]
     return rows + [
-        f"| {TARGETS[target].short or target} | {factor:.3f} |" for target, factor in zip(grades, model.clock[len(CLOCK) :])
+        f"| {TARGETS[target].short or target} | {factor:.3f} |"
+        for target, factor in zip(grades, model.clock[len(CLOCK) :])
     ]
 
 
@@ -119,7 +114,8 @@ def _summary_row(title: str, found: Sequence[Compared], error: Error, bar: str) 
         return f"| {title} | 0 | {UNKNOWN} | {bar} | {UNKNOWN} |"
     value, one = max(known, key=lambda pair: abs(pair[0]))
     device = TARGETS[one.core.target].short or one.core.target
-    return f"| {title} | {len(known)} | {100 * middle:.1f} % | {bar} | {100 * value:+.0f} %, {code(one.core.name)}, {device} |"
+    worst = f"{100 * value:+.0f} %, {code(one.core.name)}, {device}"
+    return f"| {title} | {len(known)} | {100 * middle:.1f} % | {bar} | {worst} |"
 
 
 def _percent(error: float | None) -> str:

@@ -46,7 +46,10 @@ def _cell(planner: search.Planner, name: str, row: dict[str, Any], target: str, 
     numbers = planner.numbers(row if row["family"] in cores.FAMILIES else None, target, of_name)
     shares = [
         taken.value / there
-        for taken, there in ((numbers.lut_sites or numbers.luts, device.lut_sites), (numbers.block_rams, device.block_rams))
+        for taken, there in (
+            (numbers.lut_sites or numbers.luts, device.lut_sites),
+            (numbers.block_rams, device.block_rams),
+        )
         if taken and there
     ]
     if not shares:
@@ -67,7 +70,9 @@ def picture(planner: search.Planner) -> str:
     names = sorted({cell.name for cell in shown})
     columns = [target for target in targets() if any(cell.target == target for cell in shown)]
     size = (2.6 + 2.6 * len(columns), 1.0 + 0.26 * len(names))
-    return svg("plan", size, [list(cell) for cell in shown], lambda axis: _draw(axis, shown, names, columns), "constrained")
+    return svg(
+        "plan", size, [list(cell) for cell in shown], lambda axis: _draw(axis, shown, names, columns), "constrained"
+    )
 
 
 def _draw(axis: Axis, shown: list[Cell], names: list[str], columns: list[str]) -> None:

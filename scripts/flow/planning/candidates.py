@@ -150,8 +150,8 @@ def candidates(camera: Camera) -> Iterator[Candidate]:
         wanted = base | algorithm.settings | size | wishes
         for (clocks, pixels), sums in itertools.product(_speeds(camera, wanted), _sums(camera, family)):
             chosen = wanted | {"clocks_per_pixel": clocks, "pixels_per_clock": pixels} | sums
-            if "sign_memory" not in camera.settings:  # only these have one
-                chosen["sign_memory"] &= clocks == 1 and chosen["aggregation"] == "direct"
+            if "sign_memory" not in camera.settings:  # it only saves logic
+                chosen["sign_memory"] &= clocks == 1 and _takes_sign_memory(chosen)
             changes = {name: chosen[name] for name in names if chosen[name] != base[name]}
             whole = chosen | {"family": family}
             yield Candidate(algorithm, whole, changes, reason or problem(cores.shape_of(whole)))
@@ -174,12 +174,19 @@ def _speeds(camera: Camera, wanted: Options) -> list[tuple[int, int]]:
     return speeds
 
 
+def _takes_sign_memory(of: Mapping[str, Any]) -> bool:
+    is_direct_sad = of["aggregation"] == "direct" and of["cost"] == "sad" and of["cost_clocks"] == 3
+    return is_direct_sad and of.get("texture_threshold", 0) == 0 and bool(of["width_px"] >= 8)
+
+
 def problem(shape: WindowShape) -> str:
     """Why no core has these options, where that depends on the size, the checks or the clocks; empty when nothing here
     says so. The compiler says the rest (`problem` of each family's config.hpp)."""
     s, o = shape, shape.options
     if s.width <= s.disparities:
         return "the image must be wider than the disparity range"
+    if not (1 if isinstance(s, PathShape) else 2) <= s.window <= 31:
+        return "the window must be 2x2 ... 31x31 pixels"
     if s.height < s.window:
         return "the image must be as high as the window"
     if s.is_census and o["prefilter"] != "none":
@@ -195,6 +202,8 @@ def problem(shape: WindowShape) -> str:
             return "with several clocks a pixel pair only one comes at once"
         if o.get("run_time_size", False):
             return "with several clocks a pixel pair there is no run-time size"
+    if o["sign_memory"] and (s.is_folded or not _takes_sign_memory(o)):
+        return "this core takes no sign memory"
     return _path_problem(s) if isinstance(s, PathShape) else _window_problem(s)
 
 
@@ -214,6 +223,8 @@ def _window_problem(shape: WindowShape) -> str:
 
 def _path_problem(shape: PathShape) -> str:
     s = shape
+    if s.options["sign_memory"]:
+        return "a sign memory is for block matching"
     if s.pixels != 1:
         return "the semi-global core takes one pixel pair a clock"
     if s.disparities < 8:
@@ -236,11 +247,11 @@ def _path_problem(shape: PathShape) -> str:
 
 def row_text(name: str, candidate: Candidate) -> str:
     """Of configurations.hpp."""
-    changes = "".join(f", {key} = {_in_cpp(key, value)}" for key, value in candidate.changes.items())
+    changes = "".join(f", {key} = {in_cpp(key, value)}" for key, value in candidate.changes.items())
     return f"STEREO_ROW({name}, system, {candidate.algorithm.config}{changes});"
 
 
-def _in_cpp(name: str, value: Any) -> str:
+def in_cpp(name: str, value: Any) -> str:
     """A word is one of the option's own type, which bears its name."""
     if isinstance(value, str):
         return f"{name.title().replace('_', '')}::{value}"
@@ -258,4 +269,3 @@ def key_of(row: Mapping[str, Any]) -> Key:
     for name in THRESHOLDS & kept.keys():
         kept[name] = kept[name] >= 0 if name == "left_right_threshold" else kept[name] > 0
     return (row["family"], *sorted(kept.items()))
-

@@ -4,8 +4,8 @@
   block RAMs  counted: each memory of the core becomes what yosys makes of it (ram.py); nothing is fitted
   LUTs        LUT RAM and what chooses among RAMs, counted too, and a number for each kind of work (work.py), fitted;
               on a family that is not ECP5 one number more for all of it
-  clock       the logarithm of the period is a constant, a slope over the logarithm of the LUTs, three options that leave
-              more logic in a clock, and a constant for each device and grade
+  clock       the logarithm of the period is a constant, a slope over the logarithm of the LUTs, three options that
+              leave more logic in a clock, and a constant for each device and grade
 
 Fits are plain least squares of relative errors, over the committed cores whose families work.py knows.
 """

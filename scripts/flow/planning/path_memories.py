@@ -4,16 +4,7 @@
 from __future__ import annotations
 
 from .path_shape import PathShape
-from .window_memories import (
-    DISPARITY_BITS,
-    Memory,
-    bank,
-    front_end,
-    left_right_check,
-    packed,
-    post_processing,
-    slices,
-)
+from .window_memories import DISPARITY_BITS, Memory, bank, front_end, left_right_check, packed, post_processing, slices
 from .window_shape import MARGIN_BITS, bits_for
 
 _BANK_WORDS = 4096  # hls/semi_global/phase_memory.hpp
@@ -91,6 +82,6 @@ def semi_global(shape: PathShape) -> list[Memory]:
     if s.left_right:
         found += left_right_check(s)
     if s.right:
-        fraction, margin = (5 if s.subpixel else 0), (MARGIN_BITS if s.has_margin else 0)
+        fraction, margin = (5 if s.subpixel else 0), (MARGIN_BITS if s.confidence else 0)
         found.append(Memory(s.output_width, 9 + fraction + margin))
     return found + post_processing(s, DISPARITY_BITS if s.is_folded else s.disparity_bits)

@@ -13,10 +13,13 @@ class PathShape(WindowShape):
     def __init__(self, options: Mapping[str, Any]) -> None:
         super().__init__(options)
         o = options
-        self.left, self.right, self.above = (bool(o[f"path_{side}"]) for side in ("left", "right", "above"))
-        self.rows_paths = self.left + self.right
-        self.p1, self.p2 = o["p1"], o["p2"]
-        self.p2_above = self.p2 if o["above_p2"] < 0 else o["above_p2"]
+        self.left: bool = o["path_left"]
+        self.right: bool = o["path_right"]
+        self.above: bool = o["path_above"]
+        self.rows_paths: int = self.left + self.right
+        self.p1: int = o["p1"]
+        self.p2: int = o["p2"]
+        self.p2_above: int = self.p2 if o["above_p2"] < 0 else o["above_p2"]
 
     @property
     def output_width(self) -> int:
@@ -44,7 +47,8 @@ class PathShape(WindowShape):
     @property
     def largest_cost(self) -> int:
         cap: int = self.options["cost_cap"]
-        return min(self.largest_window_cost >> self.options["cost_shift"], cap)
+        shift: int = self.options["cost_shift"]
+        return min(self.largest_window_cost >> shift, cap)
 
     @property
     def cost_bits(self) -> int:

@@ -21,13 +21,14 @@ FORMAT = "stereo-hls plan 1"
 class Row:
     """What is to be done for a plan. text: the row to add, empty where it is there."""
 
+    number: int  # of the plan
     name: str
     text: str
     file: str
     commands: tuple[str, ...]
 
     @classmethod
-    def of(cls, planned: Planned, place: Place, name: str | None) -> Row:
+    def of(cls, number: int, planned: Planned, place: Place, name: str | None) -> Row:
         c = planned.candidate
         o = c.options
         name = planned.row or name or _name(planned)
@@ -40,7 +41,7 @@ class Row:
             f"scripts/cosim.py --config {name} {images} --rows 16",
             f"scripts/implement.py --config {name} --target {place.target}",
         )
-        return cls(name, row, f"hls/{o['family']}/configurations.hpp", commands)
+        return cls(number, name, row, f"hls/{o['family']}/configurations.hpp", commands)
 
 
 def _name(planned: Planned) -> str:
@@ -135,7 +136,8 @@ def text(
         numbered = [["", *head()], *([str(i), *cells(planned)] for i, planned in enumerate(shown, 1))]
         parts.append(_aligned(numbered))
         parts.append(
-            accuracy(known) + "\nF: clocks a pixel pair; P: pixel pairs a clock. Wrong pixels are those of the algorithm "
+            accuracy(known)
+            + "\nF: clocks a pixel pair; P: pixel pairs a clock. Wrong pixels are those of the algorithm "
             "with a map of full width, where it has one, on whole images (docs/quality.md)."
         )
     else:
@@ -144,8 +146,8 @@ def text(
         lines = [[planned.candidate.algorithm.title, speed(planned), "; ".join(planned.reasons)] for planned in closest]
         parts.append("Does not fit, of each the nearest:\n" + _aligned(lines))
     if row:
-        add = f"Add this row to {row.file}:\n  {row.text}" if row.text else f"Its row is there: {row.name}."
-        parts.append(f"{add}\nThen:\n" + "\n".join(f"  {command}" for command in row.commands))
+        add = f"add this row to {row.file}:\n  {row.text}" if row.text else f"its row is there: {row.name}."
+        parts.append(f"For number {row.number} {add}\nThen:\n" + "\n".join(f"  {command}" for command in row.commands))
     return "\n\n".join(parts)
 
 
@@ -196,5 +198,6 @@ def as_json(
         },
         "fits": [_json(planned) for planned in shown],
         "does_not_fit": [_json(planned) for planned in closest],
-        "add": row and {"name": row.name, "row": row.text, "file": row.file, "commands": list(row.commands)},
+        "add": row
+        and {"number": row.number, "name": row.name, "row": row.text, "file": row.file, "commands": list(row.commands)},
     }

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Union
+from typing import Any
 
 from ..base.configurations import configurations
 from . import cores, ram
@@ -21,7 +21,7 @@ MEASURED, ESTIMATE = "measured", "estimate"
 class Number:
     """`of`: the core that was measured, or nothing of an estimate."""
 
-    value: Union[int, float]
+    value: float  # a count is an int
     of: str = ""
 
     @property
@@ -45,8 +45,8 @@ class Numbers:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a core shall go. fill: percent of its LUT sites that may be taken; margin: percent by which the expected clock
-    shall be above the needed one where it is an estimate."""
+    """Where a core shall go. fill: percent of its LUT sites that may be taken; margin: percent by which the expected
+    clock shall be above the needed one where it is an estimate."""
 
     target: str
     device: Device
@@ -115,9 +115,18 @@ class Planner:
         scale = self.model.sites.get(family_of(target))
         if found.lut_sites is None and found.luts and scale:
             found = replace(found, lut_sites=Number(round(found.luts.value * scale)))
+        return replace(found, mhz=self._clock(target, measured) or found.mhz)
+
+    def _clock(self, target: str, measured: Mapping[str, Implemented]) -> Number | None:
+        """Of the same core here, or from another device or grade by what lies between the two."""
+        here = measured.get(target)
         if here and here.mhz:
-            found = replace(found, mhz=Number(here.mhz, here.name))
-        return found
+            return Number(here.mhz, here.name)
+        grades = self.model.grades()
+        for core in measured.values():
+            if core.mhz and family_of(core.target) == family_of(target) and {target, core.target} <= grades.keys():
+                return Number(core.mhz * grades[target] / grades[core.target])
+        return None
 
     def _estimates(self, options: Mapping[str, Any], target: str) -> Numbers:
         shape, family = cores.shape_of(options), ram.family_of(target)
@@ -165,6 +174,16 @@ def best(plans: Iterable[Planned]) -> list[Planned]:
         if planned.fits and (title not in found or _luts(planned) < _luts(found[title])):
             found[title] = planned
     return ordered(found.values())
+
+
+NEAR = 1.0  # percent of the pixels
+
+
+def recommended(plans: Sequence[Planned]) -> int:
+    """Which one takes the fewest LUTs of those that have about as few wrong pixels as the best: its place."""
+    least = min(wrong_pixels(planned) for planned in plans)
+    near = [place for place, planned in enumerate(plans) if wrong_pixels(planned) <= least + NEAR]
+    return min(near, key=lambda place: _luts(plans[place]))
 
 
 def ordered(plans: Iterable[Planned]) -> list[Planned]:

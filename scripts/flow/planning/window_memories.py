@@ -71,7 +71,7 @@ def left_right_check(shape: WindowShape) -> list[Memory]:
     """The winners until the other image's pixel is known, and that image's winners."""
     s = shape
     winner = s.pixels * (9 + (5 if s.subpixel else 0)) + 4
-    found = bank(s.disparities, [winner, *([s.pixels * MARGIN_BITS] if s.has_margin else [])])
+    found = bank(s.disparities, [winner, *([s.pixels * MARGIN_BITS] if s.confidence else [])])
     other = DISPARITY_BITS if s.is_folded else s.disparity_bits
     return found + s.pixels * [Memory(1 << bits_for(s.disparities + 3), other)]
 
@@ -82,12 +82,12 @@ def post_processing(shape: WindowShape, value_bits: int) -> list[Memory]:
     if s.supports:
         groups = -(-SUPPORT_ROWS // s.pixels)
         found += bank(s.output_width, packed(s.disparity_bits + 1, groups * s.pixels + SUPPORT_ROWS))
-        rest = (4 if s.subpixel else 0) + (MARGIN_BITS if s.has_margin else 0)
+        rest = (4 if s.subpixel else 0) + (MARGIN_BITS if s.confidence else 0)
         if rest:
             found += bank(s.output_width, packed(rest, groups * s.pixels))
     of_map = s.disparity_bits + 4 if s.subpixel else s.disparity_bits
     if s.fills:
-        found += bank(s.output_width, packed(of_map + 1 + (8 if s.has_margin else 0), s.pixels))
+        found += bank(s.output_width, packed(of_map + 1 + (8 if s.confidence else 0), s.pixels))
         found += s.pixels * [Memory(s.output_width // 2 + 4, of_map + bits_for(s.output_width - 1) + 1)]
         value_bits = 8 if of_map <= 8 else 16
         found.append(Memory(s.output_width, value_bits))
@@ -95,7 +95,7 @@ def post_processing(shape: WindowShape, value_bits: int) -> list[Memory]:
         lane = s.map_bits + 1
         top = lane if s.subpixel and not s.fills else min(lane, value_bits + 1)
         found += bank(s.output_width, packed(lane, s.pixels + 1, top))
-        beside = (8 if s.has_margin else 0) + (1 if s.fills else 0)
+        beside = (8 if s.confidence else 0) + (1 if s.fills else 0)
         if beside:
             found += bank(s.output_width, packed(beside, s.pixels))
     return found

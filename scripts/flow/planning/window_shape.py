@@ -34,22 +34,27 @@ class WindowShape:
     def __init__(self, options: Mapping[str, Any]) -> None:
         o = options
         self.options = o
-        self.width, self.height = o["width_px"], o["height_px"]
-        self.disparities, self.window, self.pixels = o["disparities"], o["window_px"], o["pixels_per_clock"]
-        self.passes = o.get("clocks_per_pixel", 1)
+        self.width: int = o["width_px"]
+        self.height: int = o["height_px"]
+        self.disparities: int = o["disparities"]
+        self.window: int = o["window_px"]
+        self.pixels: int = o["pixels_per_clock"]
+        self.passes: int = o.get("clocks_per_pixel", 1)
         self.is_folded = self.passes > 1
-        self.lanes = self.disparities // self.passes
-        self.recursive = o["aggregation"] == "recursive"
-        self.is_census = o["cost"] == "census"
-        self.full_width = o.get("full_width", False)
-        self.subpixel, self.median = o.get("subpixel", False), o.get("median", False)
-        self.left_right = o.get("left_right_threshold", -1) >= 0
-        self.confidence = o.get("confidence", False)
-        self.unique = o.get("uniqueness_percent", 0) > 0 or o.get("uniqueness_distance", 0) > 0
-        self.texture = o.get("texture_threshold", 0) > 0
-        self.fills, self.supports = o.get("fill_holes", False), o.get("support_threshold", 0) > 0 or self.confidence
+        self.lanes: int = self.disparities // self.passes
+        self.recursive: bool = o["aggregation"] == "recursive"
+        self.is_census: bool = o["cost"] == "census"
+        self.full_width: bool = o.get("full_width", False)
+        self.subpixel: bool = o.get("subpixel", False)
+        self.median: bool = o.get("median", False)
+        self.left_right: bool = o.get("left_right_threshold", -1) >= 0
+        self.confidence: bool = o.get("confidence", False)
+        self.unique: bool = o.get("uniqueness_percent", 0) > 0 or o.get("uniqueness_distance", 0) > 0
+        self.texture: bool = o.get("texture_threshold", 0) > 0
+        self.fills: bool = o.get("fill_holes", False)
+        self.supports: bool = o.get("support_threshold", 0) > 0 or self.confidence
         self.post_processes = self.fills or self.supports
-        self.has_transform = self.is_census or o["prefilter"] != "none"
+        self.has_transform: bool = self.is_census or o["prefilter"] != "none"
 
     # The window around a pixel, and the offset between the images.
     @property
@@ -178,13 +183,9 @@ class WindowShape:
         return bits_for(self.disparities - 1)
 
     @property
-    def has_margin(self) -> bool:
-        return bool(self.confidence)
-
-    @property
     def has_second(self) -> bool:
         """The runner-up's cost is looked for."""
-        return self.unique or self.has_margin
+        return self.unique or self.confidence
 
     @property
     def map_bits(self) -> int:

@@ -23,16 +23,13 @@ class Work(NamedTuple):
 
 
 def _pixel_cost(shape: WindowShape) -> int:
-    """Of a tap and a disparity. SAD in three clocks leaves the sign of a difference to the adders behind it; with a sign
-    memory even the comparison."""
+    """Of a tap and a disparity. SAD in three clocks leaves the sign of a difference to the adders behind it; with a
+    sign memory even the comparison."""
     s, o = shape, shape.options
     if s.is_census:
         return 3 * s.feature_bits  # to compare, and to count in adders of two look-up tables
     if o["cost"] == "sad" and not s.recursive:
-        if o.get("sign_memory", False):
-            return s.feature_bits
-        if o["cost_clocks"] < 3:
-            return 5 * s.feature_bits
+        return s.feature_bits * (1 if o.get("sign_memory", False) else 5 if o["cost_clocks"] < 3 else 2)
     return 2 * s.feature_bits
 
 
