@@ -5,8 +5,6 @@ many clocks a pixel pair as its frames a second leave. Of each it shows clocks a
 clock, look-up tables, block RAMs and wrong pixels, and whether a number is measured or an estimate; then the row to add
 and the commands that make, check and implement it. Runs no tool. Exit code 1: nothing fits."""
 
-from __future__ import annotations
-
 import json
 import re
 import sys

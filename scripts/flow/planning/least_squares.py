@@ -10,8 +10,8 @@ Row = Sequence[float]
 
 def fit(rows: Sequence[Row], values: Row) -> list[float]:
     """The x that makes the sum of the squares of rows * x - values smallest. A column that is 0 everywhere, or that
-    says nothing beside the columns before it, gets 0."""
-    count = len(rows[0])
+    says nothing beside the columns before it, gets 0. Nothing of no rows."""
+    count = len(rows[0]) if rows else 0
     matrix = [
         [sum(row[i] * row[j] for row in rows) for j in range(count)]
         + [sum(row[i] * value for row, value in zip(rows, values))]

@@ -119,10 +119,8 @@ class Model:
         for family in FAMILIES:
             of_family = [core for core in self._measured if core.target == family]
             rows = [[self._base_luts(self._cores[core.name]) / core.luts] for core in of_family]
-            if family == BASE:
-                found[family] = 1.0
-            elif rows:
-                found[family] = fit(rows, [1.0] * len(rows))[0]
+            if rows:
+                found[family] = 1.0 if family == BASE else fit(rows, [1.0] * len(rows))[0]
         return found
 
     def luts(self, core: Core, target: str) -> int | None:
