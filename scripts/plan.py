@@ -16,6 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.pages import plan as page
+from flow.pages.plan_algorithms import algorithms
 from flow.planning import candidates, devices, plan_text, search
 from flow.planning.candidates import Camera
 
@@ -149,7 +150,7 @@ def main() -> int:
     camera, place = camera_of(options), place_of(options)
     if options.name is not None and not re.fullmatch(r"[a-z]\w{0,60}", options.name):
         raise FlowError("--name must be a C++ name that begins with a small letter")
-    planner = search.Planner()
+    planner = search.Planner(algorithms())
     plans = planner.plan(camera, place)
     chosen = search.best(plans)
     shown = search.ordered(planned for planned in plans if planned.fits) if options.all else chosen

@@ -13,6 +13,7 @@ import pytest
 from flow.base.configurations import configurations
 from flow.base.errors import FlowError
 from flow.pages import plan as page, plan_picture
+from flow.pages.plan_algorithms import algorithms
 from flow.planning import candidates, compared, devices, plan_text, search
 from flow.planning.candidates import Camera
 from flow.planning.least_squares import fit
@@ -28,7 +29,7 @@ SMALL = "ecp5_25f_grade6"
 
 @pytest.fixture(scope="module")
 def planner():
-    return search.Planner()
+    return search.Planner(algorithms())
 
 
 @pytest.fixture(scope="module")
@@ -326,7 +327,7 @@ def test_page_has_every_routed_core(errors):
     routed = [core for core in implemented() if "device" in core.result]
     assert len(errors) == len(routed)
     for core in routed:
-        assert f"| `{core.name}` | {page.TARGETS[core.target].short} | {core.luts:,} |" in text
+        assert f"| `{core.name}` | {devices.title_of(core.target)} | {core.luts:,} |" in text
 
 
 def test_summary_names_the_worst():

@@ -11,6 +11,7 @@ from flow.base import committed
 from flow.base.configurations import options
 from flow.base.tools import ROOT, find_tool
 from flow.implementation.results import Configuration
+from flow.pages.plan_algorithms import algorithms
 from flow.planning import candidates, cores, ram
 from flow.planning.candidates import Camera
 from flow.planning.path_shape import PathShape
@@ -81,7 +82,7 @@ def in_cpp(candidate, number):
 @pytest.fixture(scope="module")
 def compared(tmp_path_factory):
     """[(candidate, {what: number} of the C++)]"""
-    drawn = [candidate for camera in CAMERAS for candidate in candidates.candidates(camera)][::3]
+    drawn = [candidate for camera in CAMERAS for candidate in candidates.candidates(camera, algorithms())][::3]
     drawn = [c for c in drawn if not c.problem.startswith("this family")]
     folder = tmp_path_factory.mktemp("shapes")
     functions = [f"static void of_{i}() {in_cpp(candidate, i)}" for i, candidate in enumerate(drawn)]

@@ -8,13 +8,13 @@ from pathlib import Path
 
 from ..base.markdown import UNKNOWN, code, number
 from ..base.tools import ROOT
-from ..implementation.targets import FAMILIES, TARGETS
 from ..planning import plan_text, search
 from ..planning.candidates import Camera
 from ..planning.compared import Compared, compare, size_of
-from ..planning.devices import device_of, targets
+from ..planning.devices import device_of, lut_name, netlist_of, targets, title_of
 from ..planning.model import BASE, CLOCK, WORK, Model
 from . import plan_picture
+from .plan_algorithms import algorithms
 
 PAGE = ROOT / "docs" / "plan.md"
 TEXT = Path(__file__).parent / "texts" / "plan.md"
@@ -29,10 +29,10 @@ CAMERAS = (
 
 
 def pages() -> dict[Path, str]:
-    planner = search.Planner()
+    planner = search.Planner(algorithms())
     found = compare(planner.known)
     text = TEXT.read_text().format(
-        devices=" | ".join(TARGETS[target].short or target for target in _known_targets()),
+        devices=" | ".join(title_of(target) for target in _known_targets()),
         lines="---|" * len(_known_targets()),
         cameras="\n".join(_camera_row(planner, camera) for camera in CAMERAS),
         work="\n".join(f"| {word} | {luts:.2f} |" for word, luts in zip(WORK, planner.model.work_luts)),
@@ -70,15 +70,14 @@ def _taken(planned: search.Planned) -> str:
 
 def _families(model: Model) -> str:
     others = {name: scale for name, scale in model.family_luts.items() if name != BASE}
-    return ", ".join(f"{scale:.2f} {FAMILIES[name].lut_name} on {name}" for name, scale in others.items()) or "none yet"
+    return ", ".join(f"{scale:.2f} {lut_name(name)} on {name}" for name, scale in others.items()) or "none yet"
 
 
 def _clock_rows(model: Model) -> list[str]:
     rows = [f"| {word} | {factor:.3f} |" for word, factor in zip(CLOCK, model.clock)]
     grades = list(model.grades())[1:]
     return rows + [
-        f"| {TARGETS[target].short or target} | {factor:.3f} |"
-        for target, factor in zip(grades, model.clock[len(CLOCK) :])
+        f"| {title_of(target)} | {factor:.3f} |" for target, factor in zip(grades, model.clock[len(CLOCK) :])
     ]
 
 
@@ -89,7 +88,7 @@ def _netlists(found: Iterable[Compared]) -> list[Compared]:
     """Each netlist once, on however many devices it is."""
     kept: dict[tuple[str, str], Compared] = {}
     for one in found:
-        kept.setdefault((one.core.name, TARGETS[one.core.target].family or one.core.target), one)
+        kept.setdefault((one.core.name, netlist_of(one.core.target)), one)
     return list(kept.values())
 
 
@@ -113,7 +112,7 @@ def _summary_row(title: str, found: Sequence[Compared], error: Error, bar: str) 
     if middle is None:
         return f"| {title} | 0 | {UNKNOWN} | {bar} | {UNKNOWN} |"
     value, one = max(known, key=lambda pair: abs(pair[0]))
-    device = TARGETS[one.core.target].short or one.core.target
+    device = title_of(one.core.target)
     worst = f"{100 * value:+.0f} %, {code(one.core.name)}, {device}"
     return f"| {title} | {len(known)} | {100 * middle:.1f} % | {bar} | {worst} |"
 
@@ -125,7 +124,7 @@ def _percent(error: float | None) -> str:
 def _core_row(one: Compared) -> str:
     cells = [
         code(one.core.name),
-        TARGETS[one.core.target].short or one.core.target,
+        title_of(one.core.target),
         number(one.core.luts),
         number(one.luts),
         _percent(one.luts_error),

@@ -9,9 +9,8 @@ from ..base.configurations import configurations
 from ..base.markdown import UNKNOWN
 from ..base.tools import ROOT
 from ..implementation import figures
-from ..implementation.targets import TARGETS
 from ..planning import cores, search
-from ..planning.devices import Device, device_of, targets
+from ..planning.devices import Device, device_of, targets, title_of
 from ..rendering.plots import Axis, svg
 
 PICTURE = ROOT / "docs" / "images" / "plan.svg"
@@ -82,7 +81,7 @@ def _draw(axis: Axis, shown: list[Cell], names: list[str], columns: list[str]) -
         axis.text(x, y, cell.text, ha="center", va="center", fontsize=7)
     axis.set_xlim(-0.5, len(columns) - 0.5)
     axis.set_ylim(len(names) - 0.5, -0.5)
-    axis.set_xticks(range(len(columns)), [TARGETS[target].short or target for target in columns])
+    axis.set_xticks(range(len(columns)), [title_of(target) for target in columns])
     axis.xaxis.tick_top()
     axis.set_yticks(range(len(names)), names)
     axis.tick_params(length=0)

@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The configurations that could serve a camera: the algorithms whose quality is measured, at its size and with its
+"""The configurations that could serve a camera: algorithms whose quality is measured, at its size and with its
 checks, each with so many clocks a pixel pair or pixel pairs a clock as there can be."""
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from ..base.configurations import Configuration, configuration, configurations, options
 from ..base.errors import FlowError
 from ..implementation import figures
-from ..pages import products, quality, quality_pairs
 from . import cores
 from .path_shape import PathShape
 from .window_shape import WindowShape
@@ -109,19 +108,6 @@ def _text(value: Any) -> str:
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
-def algorithms() -> list[Algorithm]:
-    """Those of docs/quality.md whose families' cores are modelled. A row's full width is no part of an algorithm."""
-    table, measured = configurations(), products.measured(quality.PAGE.read_text())
-    found = []
-    for row in quality_pairs.ROWS:
-        if configuration(row.config, table)["family"] not in cores.FAMILIES or row.title not in measured:
-            continue
-        settings = {name: value_of(text) for name, _, text in (setting.partition("=") for setting in row.settings)}
-        settings.pop("full_width", None)
-        found.append(Algorithm(row.title, row.config, settings, dict(zip(products.PAIRS, measured[row.title]))))
-    return found
-
-
 def _wishes(camera: Camera, family: str) -> tuple[Options, str]:
     """(what the checks and settings change, why this family cannot have them)"""
     wishes: Options = {}
@@ -136,11 +122,11 @@ def _wishes(camera: Camera, family: str) -> tuple[Options, str]:
     return wishes | camera.settings, ""
 
 
-def candidates(camera: Camera) -> Iterator[Candidate]:
+def candidates(camera: Camera, algorithms: Iterable[Algorithm]) -> Iterator[Candidate]:
     """Of every algorithm: that with a pixel pair a clock, those with fewer, those with more. One that cannot be built
     says why."""
     table = configurations()
-    for algorithm in algorithms():
+    for algorithm in algorithms:
         row = configuration(algorithm.config, table)
         family = row["family"]
         names = options()[family]

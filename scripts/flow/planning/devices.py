@@ -20,9 +20,32 @@ DEVICES = {
 }
 
 
+def netlist_of(target: str) -> str:
+    """The target whose netlist it takes: that of its family."""
+    return TARGETS[target].family or target
+
+
+def netlists() -> list[str]:
+    """The targets with a netlist of their own: one of each family."""
+    return [target for target in TARGETS if netlist_of(target) == target]
+
+
+def title_of(target: str) -> str:
+    """For tables."""
+    return TARGETS[target].short or target
+
+
+def lut_name(target: str) -> str:
+    return TARGETS[target].lut_name
+
+
 def device_of(target: str) -> Device | None:
     device = TARGETS[target].device or ""
     return next((held for part, held in DEVICES.items() if device.startswith(part)), None)
+
+
+def every_target() -> list[str]:
+    return list(TARGETS)
 
 
 def targets() -> list[str]:

@@ -23,8 +23,7 @@ from ..base import committed
 from ..implementation import figures
 from ..implementation.record import Result
 from ..implementation.results import Configuration
-from ..implementation.targets import FAMILIES, ROUTED, TARGETS
-from . import cores, ram
+from . import cores, devices, ram
 from .least_squares import fit
 from .window_shape import WindowShape
 from .work import Work, work_of
@@ -71,20 +70,15 @@ def core_of(shape: WindowShape) -> Core:
     return Core(options, work_of(shape), ram.mapped(cores.memories_of(shape), ram.FAMILIES[BASE], keeps))
 
 
-def family_of(target: str) -> str:
-    """The target whose netlist it takes."""
-    return TARGETS[target].family or target
-
-
 def implemented() -> list[Implemented]:
     """Every committed core of any family, on each target of its record."""
-    found = []
+    found, known = [], devices.every_target()
     for name in committed.known_configurations():
         core = Configuration(name, stale_is_none=True)
         found += [
             Implemented(name, core.parameters, target, result)
             for target, result in core.targets.items()
-            if target in TARGETS
+            if target in known
         ]
     return found
 
@@ -116,7 +110,7 @@ class Model:
     def family_luts(self) -> dict[str, float]:
         """{family: its LUTs for one of BASE}, where a core was synthesised for it."""
         found = {}
-        for family in FAMILIES:
+        for family in devices.netlists():
             of_family = [core for core in self._measured if core.target == family]
             rows = [[self._base_luts(self._cores[core.name]) / core.luts] for core in of_family]
             if rows:
@@ -124,15 +118,15 @@ class Model:
         return found
 
     def luts(self, core: Core, target: str) -> int | None:
-        scale = self.family_luts.get(family_of(target))
+        scale = self.family_luts.get(devices.netlist_of(target))
         return None if scale is None else max(1, round(scale * self._base_luts(core)))
 
     @cached_property
     def sites(self) -> dict[str, float]:
         """{family: LUT sites of a routed design for each look-up table}"""
         found = {}
-        for family in FAMILIES:
-            routed = [core for core in self._measured if family_of(core.target) == family]
+        for family in devices.netlists():
+            routed = [core for core in self._measured if devices.netlist_of(core.target) == family]
             ratios = [core.result["lut_sites"] / core.luts for core in routed if "lut_sites" in core.result]
             if ratios:
                 found[family] = median(ratios)
@@ -141,7 +135,8 @@ class Model:
     @cached_property
     def _clocked(self) -> list[str]:
         """Targets with a routed core."""
-        return [target for target in ROUTED if any(core.mhz and core.target == target for core in self._measured)]
+        routed = {core.target for core in self._measured if core.mhz}
+        return [target for target in devices.targets() if target in routed]
 
     @cached_property
     def clock(self) -> list[float]:

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..base.markdown import UNKNOWN
-from ..pages import products
 from .candidates import Camera, row_text
 from .compared import compare, size_of
 from .model import Implemented
@@ -63,7 +62,7 @@ def _shown(number: Number | None) -> str:
     return f"{number.value:,.0f}{'' if number.kind == MEASURED else '*'}"
 
 
-def head() -> list[str]:
+def head(planned: Planned) -> list[str]:
     return [
         "algorithm",
         "from",
@@ -74,7 +73,7 @@ def head() -> list[str]:
         "LUTs",
         "LUT sites",
         "block RAMs",
-        *(f"wrong, {pair}" for pair in products.PAIRS),
+        *(f"wrong, {pair}" for pair in planned.candidate.algorithm.wrong),
         "is there as",
     ]
 
@@ -133,7 +132,7 @@ def text(
 ) -> str:
     parts = [_camera(camera, place)]
     if shown:
-        numbered = [["", *head()], *([str(i), *cells(planned)] for i, planned in enumerate(shown, 1))]
+        numbered = [["", *head(shown[0])], *([str(i), *cells(planned)] for i, planned in enumerate(shown, 1))]
         parts.append(_aligned(numbered))
         parts.append(
             accuracy(known)

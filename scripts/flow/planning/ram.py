@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from ..implementation.targets import TARGETS
+from .devices import netlist_of
 from .window_memories import Memory
 
 _COLUMN_BITS = 36  # line_memory.vhd divides wider words into equal columns
@@ -64,7 +64,7 @@ class _Choice:
 
 def family_of(target: str) -> Family | None:
     """None where nothing is known of the RAMs."""
-    return FAMILIES.get(TARGETS[target].family or target)
+    return FAMILIES.get(netlist_of(target))
 
 
 def _columns(width: int) -> list[int]:

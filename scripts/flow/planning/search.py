@@ -10,9 +10,9 @@ from typing import Any
 
 from ..base.configurations import configurations
 from . import cores, ram
-from .candidates import Camera, Candidate, candidates, key_of, twins
-from .devices import Device
-from .model import Implemented, Model, core_of, family_of, implemented
+from .candidates import Algorithm, Camera, Candidate, candidates, key_of, twins
+from .devices import Device, netlist_of
+from .model import Implemented, Model, core_of, implemented
 
 MEASURED, ESTIMATE = "measured", "estimate"
 
@@ -71,14 +71,15 @@ class Planned:
 
 
 class Planner:
-    def __init__(self, known: list[Implemented] | None = None) -> None:
+    def __init__(self, algorithms: Sequence[Algorithm], known: list[Implemented] | None = None) -> None:
+        self._algorithms = algorithms
         self.known = implemented() if known is None else known
         self.model = Model(self.known)
         self._twins = twins(configurations())
 
     def plan(self, camera: Camera, place: Place) -> list[Planned]:
         """Every candidate that can be built or says why not, in the order of its algorithms and speeds."""
-        return [self._planned(candidate, camera, place) for candidate in candidates(camera)]
+        return [self._planned(candidate, camera, place) for candidate in candidates(camera, self._algorithms)]
 
     def _planned(self, candidate: Candidate, camera: Camera, place: Place) -> Planned:
         needed = camera.needed_mhz(candidate.clocks_a_frame)
@@ -104,7 +105,7 @@ class Planner:
         """measured: the same core by target, as far as it was implemented; options: None of a family without model."""
         here = measured.get(target)
         netlist = here or next(
-            (core for core in measured.values() if family_of(core.target) == family_of(target)), None
+            (core for core in measured.values() if netlist_of(core.target) == netlist_of(target)), None
         )
         found = self._estimates(options, target) if options else Numbers()
         if netlist:
@@ -112,7 +113,7 @@ class Planner:
             found = replace(found, luts=luts, block_rams=block_rams, lut_sites=None)
             if "lut_sites" in netlist.result:
                 found = replace(found, lut_sites=Number(netlist.result["lut_sites"], netlist.name))
-        scale = self.model.sites.get(family_of(target))
+        scale = self.model.sites.get(netlist_of(target))
         if found.lut_sites is None and found.luts and scale:
             found = replace(found, lut_sites=Number(round(found.luts.value * scale)))
         return replace(found, mhz=self._clock(target, measured) or found.mhz)
@@ -124,7 +125,7 @@ class Planner:
             return Number(here.mhz, here.name)
         grades = self.model.grades()
         for core in measured.values():
-            if core.mhz and family_of(core.target) == family_of(target) and {target, core.target} <= grades.keys():
+            if core.mhz and netlist_of(core.target) == netlist_of(target) and {target, core.target} <= grades.keys():
                 return Number(core.mhz * grades[target] / grades[core.target])
         return None
 
