@@ -15,7 +15,7 @@ from flow.base import committed
 from flow.base.configurations import configurations
 from flow.base.tools import find_stereo_hls
 from flow.implementation import figures, results
-from flow.planning.model import Model, core_of, implemented
+from flow.planning.model import Core, Model, implemented
 from flow.planning.path_shape import PathShape
 from flow.planning.window_shape import WindowShape
 from flow.quality import explore, front, hardware_cost
@@ -79,7 +79,7 @@ def test_what_is_not_measured_is_estimated_by_the_model_of_plan():
     model = Model(implemented())
     for changes in ({"window_px": 9, "median": True}, {"cost": "census"}, {"disparities": 64}):
         row = options(**changes)
-        luts = [model.luts(core_of(WindowShape({**row, "aggregation": sums})), "ecp5") for sums in hardware_cost.SUMS]
+        luts = [model.luts(Core(WindowShape({**row, "aggregation": sums})), "ecp5") for sums in hardware_cost.SUMS]
         assert made_up().cost(row) == hardware_cost.Cost(ESTIMATE, min(luts)), changes
     assert made_up().cost(options(disparities=64)).luts > 2 * made_up().cost(options(disparities=17)).luts
 
@@ -96,7 +96,7 @@ def test_configurations_with_other_disparities():
     """By the model, or in proportion where there is none."""
     model, row = Model(implemented()), TABLE["sgm_450"]
     assert hardware_cost.of_configuration("sgm_450", 64).kind == MEASURED
-    luts = model.luts(core_of(PathShape({**row, "disparities": 96})), "ecp5")
+    luts = model.luts(Core(PathShape({**row, "disparities": 96})), "ecp5")
     assert hardware_cost.of_configuration("sgm_450", 96) == hardware_cost.Cost(ESTIMATE, luts)
     trellis = hardware_cost.of_configuration("trellis_1300", 64)
     half = hardware_cost.of_configuration("trellis_1300", 32)

@@ -17,7 +17,7 @@ from flow.pages.plan_algorithms import algorithms
 from flow.planning import candidates, compared, devices, plan_text, search
 from flow.planning.candidates import Camera
 from flow.planning.least_squares import fit
-from flow.planning.model import Implemented, Model, core_of, implemented
+from flow.planning.model import Core, Implemented, Model, implemented
 from flow.planning.search import Number
 from flow.planning.window_shape import WindowShape
 from flow.planning.work import work_of
@@ -87,7 +87,7 @@ def test_factors_mean_something(planner):
 
 
 def test_what_is_not_synthesised_is_not_estimated(planner):
-    core = core_of(WindowShape(configurations()["tiny"]))
+    core = Core(WindowShape(configurations()["tiny"]))
     model = Model([one for one in planner.known if one.target == "ecp5"])
     assert model.luts(core, "xc7") is None and model.luts(core, "ecp5") > 0
     assert model.mhz(core, SMALL) is None and model.mhz(core, "ecp5") > 0

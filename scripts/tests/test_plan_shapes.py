@@ -146,11 +146,13 @@ def test_memories_are_those_of_the_vhdl(known):
     memories = cores.memories_of(cores.shape_of(known.parameters))
     of_vhdl = cores.memories_in_vhdl(known.name)
     assert sum(m.depth * m.width for m in of_vhdl) == known.manifest["tool_report"]["memory_bits"]
-    assert differences(*same_first(memories, of_vhdl)) == ([], [])
+    other_widths = same_first(memories, of_vhdl)
+    assert differences(*other_widths) == ([], [])
     keeps = cores.shows_word_before(known.parameters["family"])
     for name, family in ram.FAMILIES.items():
         counts = [ram.mapped(list_, family, keeps).block_rams for list_ in (memories, of_vhdl)]
-        assert counts[0] == counts[1], name
+        # RAMs whose widths come in multiples of 9 bits have room for the bits that are left.
+        assert abs(counts[0] - counts[1]) <= (0 if family.blocks[0].byte == 9 else len(other_widths[0])), name
 
 
 def test_a_missing_memory_shows():
@@ -197,5 +199,6 @@ def test_shapes_of_ecp5():
     assert of(512, 36) == (1, 0, 0) and of(1024, 18) == (1, 0, 0) and of(1025, 9) == (1, 0, 0)
     assert of(513, 36) == (2, 0, 0), "two halves of 18 bits"
     assert of(512, 37) == (2, 0, 0), "two columns of 19 and 18 bits"
+    assert of(2, 4) == (0, 0, 0), "flip-flops"
     assert of(16, 32) == (0, 8, 0) and of(17, 4) == (0, 2, 4)
     assert of(64, 14) == (0, 16, 42) and of(80, 22) == (1, 0, 0) and of(80, 22, True) == (0, 30, 88)

@@ -43,14 +43,9 @@ def _cell(planner: search.Planner, name: str, row: dict[str, Any], target: str, 
     if row["family"] not in cores.FAMILIES and not of_name:
         return Cell(target, name, UNKNOWN, NOT_KNOWN)
     numbers = planner.numbers(row if row["family"] in cores.FAMILIES else None, target, of_name)
-    shares = [
-        taken.value / there
-        for taken, there in (
-            (numbers.lut_sites or numbers.luts, device.lut_sites),
-            (numbers.block_rams, device.block_rams),
-        )
-        if taken and there
-    ]
+    sites = numbers.lut_sites or numbers.luts
+    taken = ((sites.value if sites else None, device.lut_sites), (numbers.blocks, device.block_rams))
+    shares = [part / there for part, there in taken if part is not None]
     if not shares:
         return Cell(target, name, UNKNOWN, NOT_KNOWN)
     load = max(shares)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from statistics import median
 
 from . import cores, ram
-from .model import Implemented, Model, core_of, is_modelled
+from .model import Core, Implemented, Model, is_modelled
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ def compare(measured: Sequence[Implemented]) -> list[Compared]:
         luts = mhz = None
         if is_modelled(core):
             left = others.setdefault(core.name, model.without(core.name))
-            sizes = core_of(cores.shape_of(core.options))
+            sizes = Core(cores.shape_of(core.options))
             luts, mhz = left.luts(sizes, core.target), left.mhz(sizes, core.target)
         found.append(Compared(core, luts, _block_rams(core), mhz))
     return found

@@ -9,14 +9,22 @@ from ..implementation.targets import ROUTED, TARGETS
 
 
 class Device(NamedTuple):
-    lut_sites: int  # as the router counts them
-    block_rams: int
+    """As nextpnr counts them."""
+
+    lut_sites: int
+    block_rams: int  # on GateMate of 20 kbit, two of which can be one
 
 
 # By the beginning of a target's device. A target whose device is not here needs both numbers from the user.
 DEVICES = {
     "LFE5U-25F": Device(24_288, 56),
     "LFE5U-85F": Device(83_640, 208),
+    "GW1NR-LV9": Device(8_640, 26),
+    "GW2AR-LV18": Device(20_736, 46),
+    "iCE40UP5K": Device(5_280, 30),
+    "iCE40HX8K": Device(7_680, 32),
+    "LIFCL-40": Device(32_256, 84),
+    "CCGM1A1": Device(40_960, 64),
 }
 
 

@@ -3,7 +3,7 @@
 
   block RAMs  counted: each memory of the core becomes what yosys makes of it (ram.py); nothing is fitted
   LUTs        LUT RAM and what chooses among RAMs, counted too, and a number for each kind of work (work.py), fitted;
-              on a family that is not ECP5 one number more for all of it
+              on a family that is not ECP5 one number more, for all work
   clock       the logarithm of the period is a constant, a slope over the logarithm of the LUTs, three options that
               leave more logic in a clock, and a constant for each device and grade
 
@@ -26,7 +26,7 @@ from ..implementation.results import Configuration
 from . import cores, devices, ram
 from .least_squares import fit
 from .window_shape import WindowShape
-from .work import Work, work_of
+from .work import work_of
 
 BASE = "ecp5"  # the target with most cores
 WORK = ("costs", "sums", "winners", "paths", "what is there once")  # as the fields of Work
@@ -51,23 +51,29 @@ class Implemented:
         return self.result["fmax_mhz"]["median"] if "fmax_mhz" in self.result else None
 
 
-@dataclass(frozen=True)
 class Core:
     """What the model reads of a core."""
 
-    options: Mapping[str, Any]
-    work: Work
-    in_base: ram.Mapped  # its memories on BASE
+    def __init__(self, shape: WindowShape) -> None:
+        self.options = shape.options
+        self.work = work_of(shape)
+        self._memories = cores.memories_of(shape)
+        self._mapped: dict[str, ram.Mapped] = {}
 
-    @property
-    def memory_luts(self) -> int:
-        return self.in_base.lut_rams * ram.FAMILIES[BASE].luts + self.in_base.choice_bits
+    def mapped(self, family: str) -> ram.Mapped | None:
+        """What its memories become; None where nothing is known of the RAMs."""
+        if family not in ram.FAMILIES:
+            return None
+        if family not in self._mapped:
+            keeps = cores.shows_word_before(self.options["family"])
+            self._mapped[family] = ram.mapped(self._memories, ram.FAMILIES[family], keeps)
+        return self._mapped[family]
 
-
-def core_of(shape: WindowShape) -> Core:
-    options = shape.options
-    keeps = cores.shows_word_before(options["family"])
-    return Core(options, work_of(shape), ram.mapped(cores.memories_of(shape), ram.FAMILIES[BASE], keeps))
+    def memory_luts(self, family: str) -> int:
+        """LUT RAM, and what chooses among RAMs; where nothing is known of them, those of BASE."""
+        known = family if family in ram.FAMILIES else BASE
+        found = self.mapped(known)
+        return found.lut_rams * ram.FAMILIES[known].luts + found.choice_bits if found else 0
 
 
 def implemented() -> list[Implemented]:
@@ -88,38 +94,48 @@ def is_modelled(core: Implemented) -> bool:
 
 
 class Model:
-    def __init__(self, measured: Sequence[Implemented]) -> None:
+    def __init__(self, measured: Sequence[Implemented], known: Mapping[str, Core] | None = None) -> None:
+        """known: what was read of the cores before."""
         self._measured = [core for core in measured if is_modelled(core)]
-        self._cores = {core.name: core_of(cores.shape_of(core.options)) for core in self._measured}
+        self._cores: Mapping[str, Core] = known or {
+            core.name: Core(cores.shape_of(core.options)) for core in self._measured
+        }
 
     def without(self, name: str) -> Model:
         """Of all cores but one."""
-        return Model([core for core in self._measured if core.name != name])
+        return Model([core for core in self._measured if core.name != name], self._cores)
 
     @cached_property
     def work_luts(self) -> list[float]:
         """Of a bit of each kind of work."""
         known = [(self._cores[core.name], core.luts) for core in self._measured if core.target == BASE]
         rows = [[bits / luts for bits in core.work] for core, luts in known]
-        return fit(rows, [1 - core.memory_luts / luts for core, luts in known])
+        return fit(rows, [1 - core.memory_luts(BASE) / luts for core, luts in known])
+
+    def _worked_luts(self, core: Core) -> float:
+        """On BASE, without memories."""
+        return sum(bits * luts for bits, luts in zip(core.work, self.work_luts))
 
     def _base_luts(self, core: Core) -> float:
-        return core.memory_luts + sum(bits * luts for bits, luts in zip(core.work, self.work_luts))
+        return core.memory_luts(BASE) + self._worked_luts(core)
 
     @cached_property
     def family_luts(self) -> dict[str, float]:
-        """{family: its LUTs for one of BASE}, where a core was synthesised for it."""
+        """{family: its LUTs for one of BASE, without memories}, where a core was synthesised for it."""
         found = {}
         for family in devices.netlists():
-            of_family = [core for core in self._measured if core.target == family]
-            rows = [[self._base_luts(self._cores[core.name]) / core.luts] for core in of_family]
+            of_family = [(self._cores[core.name], core.luts) for core in self._measured if core.target == family]
+            rows = [[self._worked_luts(core) / luts] for core, luts in of_family]
             if rows:
-                found[family] = 1.0 if family == BASE else fit(rows, [1.0] * len(rows))[0]
+                found[family] = fit(rows, [1 - core.memory_luts(family) / luts for core, luts in of_family])[0]
         return found
 
     def luts(self, core: Core, target: str) -> int | None:
-        scale = self.family_luts.get(devices.netlist_of(target))
-        return None if scale is None else max(1, round(scale * self._base_luts(core)))
+        family = devices.netlist_of(target)
+        scale = self.family_luts.get(family)
+        if scale is None:
+            return None
+        return max(1, round(core.memory_luts(family) + scale * self._worked_luts(core)))
 
     @cached_property
     def sites(self) -> dict[str, float]:

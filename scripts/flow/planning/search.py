@@ -9,10 +9,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ..base.configurations import configurations
-from . import cores, ram
+from . import cores
 from .candidates import Algorithm, Camera, Candidate, candidates, key_of, twins
 from .devices import Device, netlist_of
-from .model import Implemented, Model, core_of, implemented
+from .model import Core, Implemented, Model, implemented
 
 MEASURED, ESTIMATE = "measured", "estimate"
 
@@ -41,6 +41,14 @@ class Numbers:
     luts: Number | None = None
     lut_sites: Number | None = None
     block_rams: Number | None = None
+    block_units: int | None = None  # the same as the device counts them, where that is another number
+
+    @property
+    def blocks(self) -> float | None:
+        """Of those that the device has."""
+        if self.block_units is not None:
+            return self.block_units
+        return self.block_rams.value if self.block_rams else None
 
 
 @dataclass(frozen=True)
@@ -130,15 +138,13 @@ class Planner:
         return None
 
     def _estimates(self, options: Mapping[str, Any], target: str) -> Numbers:
-        shape, family = cores.shape_of(options), ram.family_of(target)
-        core, block_rams = core_of(shape), None
-        if family:
-            keeps = cores.shows_word_before(options["family"])
-            block_rams = Number(ram.mapped(cores.memories_of(shape), family, keeps).block_rams)
+        core = Core(cores.shape_of(options))
+        mapped = core.mapped(netlist_of(target))
         return Numbers(
             mhz=_estimated(self.model.mhz(core, target)),
             luts=_estimated(self.model.luts(core, target)),
-            block_rams=block_rams,
+            block_rams=Number(mapped.block_rams) if mapped else None,
+            block_units=mapped.block_units if mapped else None,
         )
 
 
@@ -153,12 +159,12 @@ def _shares(numbers: Numbers, place: Place) -> Iterator[tuple[float, str]]:
         yield math.inf, f"no LUTs are known on {place.target}"
     else:
         yield taken.value / max(1, most), f"{taken.value:,} of {most:,} LUT sites"
-    block_rams = numbers.block_rams
-    if block_rams is None:
+    blocks = numbers.blocks
+    if blocks is None:
         yield math.inf, f"no block RAMs are known on {place.target}"
-    elif block_rams.value:
+    elif blocks:
         most = place.device.block_rams
-        yield block_rams.value / most if most else math.inf, f"{block_rams.value} of {most} block RAMs"
+        yield blocks / most if most else math.inf, f"{blocks} of {most} block RAMs"
 
 
 def wrong_pixels(planned: Planned) -> float:

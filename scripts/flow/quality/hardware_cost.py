@@ -19,7 +19,7 @@ from ..implementation import figures
 from ..implementation.record import Area
 from ..implementation.results import Configuration
 from ..planning import cores
-from ..planning.model import Model, core_of, implemented
+from ..planning.model import Core, Model, implemented
 from ..synthesis.manifest import with_use
 
 BASE = "study"
@@ -158,7 +158,7 @@ class Study:
 
 def _estimate(model: Model, choices: Iterable[Mapping[str, Any]]) -> Cost:
     """The smallest of some cores."""
-    luts = [luts for options in choices if (luts := model.luts(core_of(cores.shape_of(options)), TARGET))]
+    luts = [luts for options in choices if (luts := model.luts(Core(cores.shape_of(options)), TARGET))]
     return Cost(ESTIMATE, min(luts)) if luts else Cost(ABSENT, None)
 
 
