@@ -34,8 +34,8 @@ def netlist_of(target: str) -> str:
 
 
 def netlists() -> list[str]:
-    """The targets with a netlist of their own: one of each family."""
-    return [target for target in TARGETS if netlist_of(target) == target]
+    """One of each family."""
+    return list(dict.fromkeys(netlist_of(target) for target in TARGETS))
 
 
 def title_of(target: str) -> str:
@@ -43,8 +43,8 @@ def title_of(target: str) -> str:
     return TARGETS[target].short or target
 
 
-def lut_name(target: str) -> str:
-    return TARGETS[target].lut_name
+def lut_name(netlist: str) -> str:
+    return next(target.lut_name for name, target in TARGETS.items() if netlist_of(name) == netlist)
 
 
 def device_of(target: str) -> Device | None:

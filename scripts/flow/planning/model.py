@@ -124,7 +124,8 @@ class Model:
         """{family: its LUTs for one of BASE, without memories}, where a core was synthesised for it."""
         found = {}
         for family in devices.netlists():
-            of_family = [(self._cores[core.name], core.luts) for core in self._measured if core.target == family]
+            netlists = {core.name: core.luts for core in self._measured if devices.netlist_of(core.target) == family}
+            of_family = [(self._cores[name], luts) for name, luts in netlists.items()]
             rows = [[self._worked_luts(core) / luts] for core, luts in of_family]
             if rows:
                 found[family] = fit(rows, [1 - core.memory_luts(family) / luts for core, luts in of_family])[0]
