@@ -32,32 +32,31 @@ def pages() -> dict[Path, str]:
     planner = search.Planner(algorithms())
     found = compare(planner.known)
     text = TEXT.read_text().format(
-        devices=" | ".join(title_of(target) for target in _known_targets()),
-        lines="---|" * len(_known_targets()),
-        cameras="\n".join(_camera_row(planner, camera) for camera in CAMERAS),
+        cameras=" | ".join(_camera(camera) for camera in CAMERAS),
+        lines="---|" * len(CAMERAS),
+        devices="\n".join(_device_row(planner, target) for target in targets() if device_of(target)),
         work="\n".join(f"| {word} | {luts:.2f} |" for word, luts in zip(WORK, planner.model.work_luts)),
         families=_families(planner.model),
         clock="\n".join(_clock_rows(planner.model)),
-        sites=f"{planner.model.sites[BASE]:.2f}",
+        sites=_sites(planner.model),
         summary="\n".join(summary(found)),
         cores="\n".join(_core_row(one) for one in found),
     )
     return {PAGE: text, plan_picture.PICTURE: plan_picture.picture(planner)}
 
 
-def _known_targets() -> list[str]:
-    return [target for target in targets() if device_of(target)]
+def _camera(camera: Camera) -> str:
+    size = f"{camera.width_px}x{camera.height_px}, D={camera.disparities}"
+    return f"{size}, {camera.frames_per_second:g} a second"
 
 
-def _camera_row(planner: search.Planner, camera: Camera) -> str:
-    cells = []
-    for target in _known_targets():
-        device = device_of(target)
-        assert device is not None  # as _known_targets has it
+def _device_row(planner: search.Planner, target: str) -> str:
+    device, cells = device_of(target), []
+    assert device is not None  # as its caller has it
+    for camera in CAMERAS:
         fitting = search.best(planner.plan(camera, search.Place(target, device, FILL, MARGIN)))
         cells.append(_taken(fitting[search.recommended(fitting)]) if fitting else UNKNOWN)
-    size = f"{camera.width_px}x{camera.height_px}, D={camera.disparities}, {camera.frames_per_second:g} a second"
-    return f"| {size} | {' | '.join(cells)} |"
+    return f"| {title_of(target)} | {' | '.join(cells)} |"
 
 
 def _taken(planned: search.Planned) -> str:
@@ -65,12 +64,18 @@ def _taken(planned: search.Planned) -> str:
     row = f", {code(planned.row)}" if planned.row else ""
     luts, block_rams = (one.value if one else None for one in (planned.numbers.luts, planned.numbers.block_rams))
     taken = f"{number(luts)} LUTs, {number(block_rams)} block RAMs"
-    return f"{planned.candidate.algorithm.title}, {plan_text.speed(planned)}: {taken}{row}"
+    title, config = planned.candidate.algorithm.title, code(planned.candidate.algorithm.config)
+    name = title if config in title else f"{config}, {title}"
+    return f"{name}, {plan_text.speed(planned)}: {taken}{row}"
 
 
 def _families(model: Model) -> str:
     others = {name: scale for name, scale in model.family_luts.items() if name != BASE}
     return ", ".join(f"{scale:.2f} {lut_name(name)} on {name}" for name, scale in others.items()) or "none yet"
+
+
+def _sites(model: Model) -> str:
+    return ", ".join(f"{slope:.2f} and {beside:.0f} on {name}" for name, (slope, beside) in model.sites.items())
 
 
 def _clock_rows(model: Model) -> list[str]:

@@ -16,7 +16,6 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from statistics import median
 from typing import Any
 
 from ..base import committed
@@ -139,15 +138,27 @@ class Model:
         return max(1, round(core.memory_luts(family) + scale * self._worked_luts(core)))
 
     @cached_property
-    def sites(self) -> dict[str, float]:
-        """{family: LUT sites of a routed design for each look-up table}"""
+    def sites(self) -> dict[str, tuple[float, float]]:
+        """{family: LUT sites of a routed design for each look-up table, and those beside}: with flip-flops that have a
+        site for themselves, and what leads to carry chains."""
         found = {}
         for family in devices.netlists():
-            routed = [core for core in self._measured if devices.netlist_of(core.target) == family]
-            ratios = [core.result["lut_sites"] / core.luts for core in routed if "lut_sites" in core.result]
-            if ratios:
-                found[family] = median(ratios)
+            routed = [
+                (core.luts, core.result["lut_sites"])
+                for core in self._measured
+                if devices.netlist_of(core.target) == family and "lut_sites" in core.result
+            ]
+            if routed:
+                slope, beside = fit([[luts / sites, 1 / sites] for luts, sites in routed], [1.0] * len(routed))
+                found[family] = slope, beside
         return found
+
+    def lut_sites(self, luts: float, target: str) -> int | None:
+        """Of a design with so many look-up tables."""
+        if devices.netlist_of(target) not in self.sites:
+            return None
+        slope, beside = self.sites[devices.netlist_of(target)]
+        return max(1, round(slope * luts + beside))
 
     @cached_property
     def _clocked(self) -> list[str]:

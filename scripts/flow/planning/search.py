@@ -121,9 +121,8 @@ class Planner:
             found = replace(found, luts=luts, block_rams=block_rams, lut_sites=None)
             if "lut_sites" in netlist.result:
                 found = replace(found, lut_sites=Number(netlist.result["lut_sites"], netlist.name))
-        scale = self.model.sites.get(netlist_of(target))
-        if found.lut_sites is None and found.luts and scale:
-            found = replace(found, lut_sites=Number(round(found.luts.value * scale)))
+        if found.lut_sites is None and found.luts:
+            found = replace(found, lut_sites=_estimated(self.model.lut_sites(found.luts.value, target)))
         return replace(found, mhz=self._clock(target, measured) or found.mhz)
 
     def _clock(self, target: str, measured: Mapping[str, Implemented]) -> Number | None:
