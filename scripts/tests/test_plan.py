@@ -158,6 +158,16 @@ def test_a_threshold_of_another_value_is_the_same_hardware():
     assert candidates.key_of({**row, "left_right_threshold": -1}) == candidates.key_of(table["study"])
 
 
+def test_a_row_with_another_threshold_is_another_row(planner):
+    """Its hardware is measured; its row is to be added."""
+    plain = {"reference": "right", "slice_disparities": 8, "window_px": 5, "sign_memory": False}
+    size = Camera(320, 64, 16, 60, ("left_right",), plain)
+    for threshold in (1, 3):
+        camera = dataclasses.replace(size, settings={**size.settings, "left_right_threshold": threshold})
+        found = {planned.numbers.luts.of: planned for planned in planner.plan(camera, place()) if planned.numbers.luts}
+        assert found["study_left_right"].row == ("study_left_right" if threshold == 1 else None)
+
+
 def test_a_smaller_device_and_a_larger_margin_hold_less(planner):
     camera = Camera(640, 480, 64, 30)
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from ..base.configurations import configurations
+from ..base.configurations import configurations, option
 from . import cores
 from .candidates import Algorithm, Camera, Candidate, candidates, key_of, twins
 from .devices import Device, netlist_of
@@ -71,7 +71,7 @@ class Planned:
     numbers: Numbers
     reasons: tuple[str, ...]  # why it does not fit
     load: float = math.inf  # the largest share that it takes of LUT sites, block RAMs or clock
-    row: str | None = None  # that is there already
+    row: str | None = None  # that has the same options
 
     @property
     def fits(self) -> bool:
@@ -83,7 +83,8 @@ class Planner:
         self._algorithms = algorithms
         self.known = implemented() if known is None else known
         self.model = Model(self.known)
-        self._twins = twins(configurations())
+        self._table = configurations()
+        self._twins = twins(self._table)
 
     def plan(self, camera: Camera, place: Place) -> list[Planned]:
         """Every candidate that can be built or says why not, in the order of its algorithms and speeds."""
@@ -107,7 +108,8 @@ class Planner:
             shares.append((math.inf, f"no clock is known on {place.target}"))
         reasons = tuple(text for share, text in shares if share > 1)
         load = max(share for share, _ in shares)
-        return Planned(candidate, needed, numbers, reasons, load, name)
+        is_there = name is not None and all(option(self._table[name], o) == v for o, v in candidate.options.items())
+        return Planned(candidate, needed, numbers, reasons, load, name if is_there else None)
 
     def numbers(self, options: Mapping[str, Any] | None, target: str, measured: Mapping[str, Implemented]) -> Numbers:
         """measured: the same core by target, as far as it was implemented; options: None of a family without model."""
