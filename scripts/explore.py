@@ -164,21 +164,17 @@ def main() -> int:
     return EXIT_OK
 
 
-def notes_on(family: hardware_cost.Study, table: list[explore.Row]) -> list[str]:
+def notes_on(family: hardware_cost.Study) -> list[str]:
     """Where the look-up tables come from."""
     size = f"{family.base.parameters['width_px']}x{family.base.parameters['height_px']}"
-    notes = [
+    return [
         "measured: this very choice went through place and route. "
-        "estimate: the plain core plus what each option alone costs, "
-        f"and in proportion to the disparities where they are not {family.disparities}. "
-        "absent: an option is not measured.",
+        f"estimate: of a {size} core by the model of plan.py, which docs/plan.md sets beside all measured cores. "
+        "absent: not measured, and its family has no model.",
         f"Measured configurations: {', '.join(family.measured)}; "
         f"look-up tables of {size} and D={family.disparities} on ECP5, the smaller one of direct and recursive sums; "
         "wider images need more memory.",
     ]
-    if any(row["disparities"] != family.disparities for row in table) and family.scale_check():
-        notes.append(f"How good proportion is: {family.scale_check()}.")
-    return notes
 
 
 def show(
@@ -190,10 +186,9 @@ def show(
     size = f"{family.base.parameters['width_px']}x{family.base.parameters['height_px']}"
 
     def luts_title(disparities: int) -> str:
-        scaled = f", measured at D={family.disparities} and taken in proportion to D"
-        return f"LUT4 on ECP5 of a {size} core{'' if disparities == family.disparities else scaled}"
+        return f"LUT4 on ECP5 of a {size} core, D={disparities}"
 
-    notes = notes_on(family, table)
+    notes = notes_on(family)
     picture = front.draw(table, key, title, luts_title)
     content = {
         "format": explore.FORMAT,

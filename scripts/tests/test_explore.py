@@ -15,6 +15,9 @@ from flow.base import committed
 from flow.base.configurations import configurations
 from flow.base.tools import find_stereo_hls
 from flow.implementation import figures, results
+from flow.planning.model import Core, Model, implemented
+from flow.planning.path_shape import PathShape
+from flow.planning.window_shape import WindowShape
 from flow.quality import explore, front, hardware_cost
 from flow.quality.hardware_cost import ABSENT, ESTIMATE, MEASURED, Study
 from flow.synthesis import manifest
@@ -47,12 +50,14 @@ LUTS = {
     "study_left": 4900,
     "study_p2": 1,
     "study_cost1": 1,
-    "ambrosch2007": 15000,
 }
 
 
+KNOWN = {name: Known(name, luts) for name, luts in LUTS.items()}
+
+
 def made_up():
-    return Study({name: Known(name, luts) for name, luts in LUTS.items()})
+    return Study(KNOWN)
 
 
 def options(**changes):
@@ -65,33 +70,37 @@ def test_a_configuration_of_the_family_is_measured():
     assert made_up().cost(options(window_px=7)).luts == 8000
     assert made_up().cost(options(left_right_threshold=3)).sources == ("study_left_right",)
     assert made_up().measured == sorted(
-        name
-        for name, luts in LUTS.items()
-        if luts is not None and name not in ("study_p2", "study_cost1", "ambrosch2007")
+        name for name, luts in LUTS.items() if luts is not None and name not in ("study_p2", "study_cost1")
     )
 
 
-def test_several_options_are_estimated_by_what_each_costs_alone():
-    cost = made_up().cost(options(window_px=3, median=True))
-    assert cost == hardware_cost.Cost(
-        ESTIMATE, 4500 + (3000 - 4500) + (5300 - 4500), ("study", "study_w3", "study_median")
-    )
-    texture = made_up().cost(options(prefilter="xsobel", texture_threshold=9, median=True))
-    assert texture.luts == 4500 + (5600 - 4500) + (6100 - 5600) + (5300 - 4500), (
-        "the texture check alone, without its prefilter"
-    )
+def test_what_is_not_measured_is_estimated_by_the_model_of_plan():
+    """The smaller one of direct and recursive sums; of any number of disparities."""
+    model = Model(implemented())
+    for changes in ({"window_px": 9, "median": True}, {"cost": "census"}, {"disparities": 64}):
+        row = options(**changes)
+        luts = [model.luts(Core(WindowShape({**row, "aggregation": sums})), "ecp5") for sums in hardware_cost.SUMS]
+        assert made_up().cost(row) == hardware_cost.Cost(ESTIMATE, min(luts)), changes
+    assert made_up().cost(options(disparities=64)).luts > 2 * made_up().cost(options(disparities=17)).luts
 
 
-def test_other_disparities_are_in_proportion():
-    assert made_up().cost(options(disparities=64)) == hardware_cost.Cost(ESTIMATE, 4 * 4500, ("study_recursive",))
-    assert "gives 18,750 LUT4, measured are 15,000: +25 %" in made_up().scale_check()
-    assert Study({"study": Known("study", 1)}).scale_check() is None
+def test_nothing_measured_makes_the_cost_absent():
+    """Of all cores, or of a configuration whose family has no model."""
+    assert Study(KNOWN, Model([])).cost(options(median=True, window_px=9)) == hardware_cost.Cost(ABSENT, None)
+    assert hardware_cost.of_configuration("huge", 64) == hardware_cost.Cost(ABSENT, None, (), ("huge",))
+    unrouted = hardware_cost.of_configuration("tiny_trellis_median", 12)
+    assert unrouted == hardware_cost.Cost(ABSENT, None, (), ("tiny_trellis_median",))
 
 
-def test_an_option_that_is_not_measured_makes_the_cost_absent():
-    cost = made_up().cost(options(cost="census", window_px=9, median=True))
-    assert (cost.kind, cost.luts, cost.missing) == (ABSENT, None, ("window 9x9", "census 5x5"))
-    assert Study({"study": Known("study", None)}).cost(options(median=True)).missing == ("the plain core",)
+def test_configurations_with_other_disparities():
+    """By the model, or in proportion where there is none."""
+    model, row = Model(implemented()), TABLE["sgm_450"]
+    assert hardware_cost.of_configuration("sgm_450", 64).kind == MEASURED
+    luts = model.luts(Core(PathShape({**row, "disparities": 96})), "ecp5")
+    assert hardware_cost.of_configuration("sgm_450", 96) == hardware_cost.Cost(ESTIMATE, luts)
+    trellis = hardware_cost.of_configuration("trellis_1300", 64)
+    half = hardware_cost.of_configuration("trellis_1300", 32)
+    assert (trellis.kind, half.kind, half.luts) == (MEASURED, ESTIMATE, round(trellis.luts / 2))
 
 
 def test_committed_results():
@@ -212,13 +221,8 @@ def test_what_is_measured_is_said(explored):
         ("sad 3x3", {"study_w3", "study_w3_recursive"} & set(measured)),
         ("sad 5x5 left_right", {"study_left_right"} & set(measured)),
     ):
-        assert (choices[title]["luts_are"] == MEASURED) == bool(names) and set(choices[title]["luts_from"]) <= names | {
-            "study"
-        }
-    both = choices["sad 3x3 left_right"]
-    assert both["luts_are"] == (
-        ESTIMATE if plain and "study_w3" in measured and "study_left_right" in measured else ABSENT
-    )
+        assert (choices[title]["luts_are"] == MEASURED) == bool(names) and set(choices[title]["luts_from"]) <= names
+    assert choices["sad 3x3 left_right"]["luts_are"] == ESTIMATE
     assert all(name in process.stdout for name in measured)
     for word in ("measured:", "estimate:", "absent:", "Worth their LUTs, 16 disparities", "Measured configurations"):
         assert word in process.stdout

@@ -2,15 +2,14 @@
 """Look-up tables of a choice of options, from the committed results of the configurations that are there for a `study`:
 each was synthesised and routed at one size, most with one option beside the plain core.
 
-  measured  a configuration of the family has exactly these options
-  estimate  the plain core and, for each option, what that option alone costs; and for another number of disparities
-            than the family's, the look-up tables in proportion to it
-  absent    an option whose configuration is not measured yet
+  measured  a configuration of the study has exactly these options
+  estimate  of that size, by the model that plan.py has (flow/planning/model.py)
+  absent    of a configuration that is not measured, and whose family has no model
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol, Union
 
@@ -19,6 +18,8 @@ from ..base.configurations import Parameters
 from ..implementation import figures
 from ..implementation.record import Area
 from ..implementation.results import Configuration
+from ..planning import cores
+from ..planning.model import Core, Model, implemented
 from ..synthesis.manifest import with_use
 
 BASE = "study"
@@ -51,17 +52,15 @@ _BUILD = (
     "height_px",
     "disparities",
 )
-_NEEDS = {"texture": "prefilter"}  # an option that is only there with another one
-# Of two sizes of the plain 3x3 core, to see how far proportion to the disparities holds.
-_SCALE_CHECK = ("study_w3", "ambrosch2007")
+SUMS = ("direct", "recursive")  # which give the same map: the smaller core counts
 
 
 @dataclass(frozen=True)
 class Cost:
     kind: str
     luts: int | None
-    sources: tuple[str, ...] = ()  # configurations that were added up
-    missing: tuple[str, ...] = ()  # options without a measured configuration
+    sources: tuple[str, ...] = ()  # the configuration that was measured
+    missing: tuple[str, ...] = ()  # the one that was not
 
 
 Feature = Union[int, str, tuple[Union[str, int], ...]]
@@ -102,12 +101,12 @@ _Key = tuple[tuple[str, Feature], ...]
 
 
 class Study:
-    """The measured configurations. `known`: others than the committed folders, by name."""
+    """The measured configurations. `known`: others than the committed folders, by name; `model`: of other cores."""
 
-    def __init__(self, known: Mapping[str, Implemented] | None = None) -> None:
+    def __init__(self, known: Mapping[str, Implemented] | None = None, model: Model | None = None) -> None:
+        self._model = Model(implemented()) if model is None else model
         if known is None:
-            names = [*with_use("study"), *_SCALE_CHECK]
-            known = {name: Configuration(name, stale_is_none=True) for name in names}
+            known = {name: Configuration(name, stale_is_none=True) for name in with_use("study")}
         self._known = known
         self.base = known[BASE]
         self._members: dict[_Key, tuple[str, int | None]] = {}  # (configuration, LUTs)
@@ -148,78 +147,36 @@ class Study:
         return {key: ours[key] for key in OPTIONS if ours[key] != plain[key]}
 
     def cost(self, parameters: Parameters) -> Cost:
-        wanted = features(parameters)
-        exact = self._members.get(_key(wanted))
-        if exact and exact[1] is not None:
-            return self._scaled(MEASURED, exact[1], (exact[0],), parameters)
-        plain = features(self.base.parameters)
-        base_luts = self._members[_key(plain)][1]
-        if base_luts is None:
-            return Cost(ABSENT, None, (), ("the plain core",))
-        luts, sources = base_luts, [BASE]
-        missing: list[str] = []
-        for option, value in wanted.items():
-            if value == plain[option]:
-                continue
-            extra = self._extra(plain, option, wanted)
-            if extra is None:
-                missing.append(option if isinstance(value, bool) else _word(option, value))
-            else:
-                luts += extra[0]
-                sources.append(extra[1])
-        if missing:
-            return Cost(ABSENT, None, tuple(sources), tuple(missing))
-        return self._scaled(ESTIMATE, luts, tuple(sources), parameters)
+        exact = self._members.get(_key(features(parameters)))
+        if exact and exact[1] is not None and parameters["disparities"] == self.disparities:
+            return Cost(MEASURED, exact[1], (exact[0],))
+        chosen: Mapping[str, Any] = parameters
+        options = {**self.base.parameters, **{name: chosen[name] for name in OPTIONS}}
+        options["disparities"] = parameters["disparities"]
+        return _estimate(self._model, [{**options, "aggregation": sums} for sums in SUMS])
 
-    def _extra(self, plain: Features, option: str, wanted: Features) -> tuple[int, str] | None:
-        """(LUTs that one option adds, the configuration that says so), or None."""
-        without = dict(plain)
-        if option in _NEEDS:
-            without[_NEEDS[option]] = wanted[_NEEDS[option]]
-        before = self._members.get(_key(without))
-        after = self._members.get(_key({**without, option: wanted[option]}))
-        if not before or not after or before[1] is None or after[1] is None:
-            return None
-        return after[1] - before[1], after[0]
 
-    def _scaled(self, kind: str, luts: int, sources: tuple[str, ...], parameters: Parameters) -> Cost:
-        if parameters["disparities"] == self.disparities:
-            return Cost(kind, luts, sources)
-        return Cost(ESTIMATE, round(luts * parameters["disparities"] / self.disparities), sources)
-
-    def scale_check(self) -> str | None:
-        """A sentence on how far proportion to the disparities holds, or None when that is not measured."""
-        small, large = (self._known.get(name) for name in _SCALE_CHECK)
-        if not (small and large and TARGET in small.targets and TARGET in large.targets):
-            return None
-        scale = large.parameters["disparities"] / small.parameters["disparities"]
-        guess, truth = figures.lut_count(small.targets[TARGET]) * scale, figures.lut_count(large.targets[TARGET])
-        return (
-            f"{_SCALE_CHECK[0]} in proportion to the disparities of {_SCALE_CHECK[1]} gives {guess:,.0f} LUT4, "
-            f"measured are {truth:,}: {100 * (guess / truth - 1):+.0f} %"
-        )
+def _estimate(model: Model, choices: Iterable[Mapping[str, Any]]) -> Cost:
+    """The smallest of some cores."""
+    luts = [luts for options in choices if (luts := model.luts(Core(cores.shape_of(options)), TARGET))]
+    return Cost(ESTIMATE, min(luts)) if luts else Cost(ABSENT, None)
 
 
 def of_configuration(name: str, disparities: int, as_it_is: bool = True) -> Cost:
-    """What a committed configuration takes, in proportion to its disparities for another number of them. not as_it_is:
-    with the other image as reference, which costs about the same."""
+    """What a configuration takes, with another number of disparities by the model, of a family without one in
+    proportion to them. not as_it_is: with the other image as reference, which costs about the same."""
     if name not in committed.known_configurations():
         return Cost(ABSENT, None, (), (name,))
     known = Configuration(name, stale_is_none=True)
+    own = known.parameters["disparities"]
+    if TARGET in known.targets and disparities == own and as_it_is:
+        return Cost(MEASURED, figures.lut_count(known.targets[TARGET]), (name,))
+    if known.parameters["family"] in cores.FAMILIES:
+        return _estimate(Model(implemented()), [{**known.parameters, "disparities": disparities}])
     if TARGET not in known.targets:
         return Cost(ABSENT, None, (), (name,))
-    luts, own = figures.lut_count(known.targets[TARGET]), known.parameters["disparities"]
-    if disparities == own and as_it_is:
-        return Cost(MEASURED, luts, (name,))
-    return Cost(ESTIMATE, round(luts * disparities / own), (name,))
+    return Cost(ESTIMATE, round(figures.lut_count(known.targets[TARGET]) * disparities / own), (name,))
 
 
 def _key(values: Features) -> _Key:
     return tuple(sorted(values.items(), key=lambda item: item[0]))
-
-
-def _word(option: str, value: Feature) -> str:
-    if isinstance(value, tuple):
-        name, *size = value
-        return str(name) + (f" {size[0]}x{size[1]}" if size else "")
-    return f"window {value}x{value}" if option == "window" else f"{option} {value}"

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Look-up tables, block RAMs and clock of a core that was not implemented, from those that were.
+
+  block RAMs  counted: each memory of the core becomes what yosys makes of it (ram.py); nothing is fitted
+  LUTs        LUT RAM and what chooses among RAMs, counted too, and a number for each kind of work (work.py), fitted;
+              on a family that is not ECP5 one number more, for all work
+  clock       the logarithm of the period is a constant, a slope over the logarithm of the LUTs, three options that
+              leave more logic in a clock, and a constant for each device and grade
+
+Fits are plain least squares of relative errors, over the committed cores whose families work.py knows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from ..base import committed
+from ..implementation import figures
+from ..implementation.record import Result
+from ..implementation.results import Configuration
+from . import cores, devices, ram
+from .least_squares import fit
+from .window_shape import WindowShape
+from .work import work_of
+
+BASE = "ecp5"  # the target with most cores
+WORK = ("costs", "sums", "winners", "paths", "what is there once")  # as the fields of Work
+CLOCK = ("constant", "logarithm of the LUTs", "cost clock less than 3", "winner more in a group", "cost not SAD")
+
+
+@dataclass(frozen=True)
+class Implemented:
+    """A committed core on one target."""
+
+    name: str
+    options: Mapping[str, Any]
+    target: str
+    result: Result
+
+    @property
+    def luts(self) -> int:
+        return figures.lut_count(self.result)
+
+    @property
+    def mhz(self) -> float | None:
+        return self.result["fmax_mhz"]["median"] if "fmax_mhz" in self.result else None
+
+
+class Core:
+    """What the model reads of a core."""
+
+    def __init__(self, shape: WindowShape) -> None:
+        self.options = shape.options
+        self.work = work_of(shape)
+        self._memories = cores.memories_of(shape)
+        self._mapped: dict[str, ram.Mapped] = {}
+
+    def mapped(self, family: str) -> ram.Mapped | None:
+        """What its memories become; None where nothing is known of the RAMs."""
+        if family not in ram.FAMILIES:
+            return None
+        if family not in self._mapped:
+            keeps = cores.shows_word_before(self.options["family"])
+            self._mapped[family] = ram.mapped(self._memories, ram.FAMILIES[family], keeps)
+        return self._mapped[family]
+
+    def memory_luts(self, family: str) -> int:
+        """LUT RAM, and what chooses among RAMs; where nothing is known of them, those of BASE."""
+        known = family if family in ram.FAMILIES else BASE
+        found = self.mapped(known)
+        return found.lut_rams * ram.FAMILIES[known].luts + found.choice_bits if found else 0
+
+
+def implemented() -> list[Implemented]:
+    """Every committed core of any family, on each target of its record."""
+    found, known = [], devices.every_target()
+    for name in committed.known_configurations():
+        core = Configuration(name, stale_is_none=True)
+        found += [
+            Implemented(name, core.parameters, target, result)
+            for target, result in core.targets.items()
+            if target in known
+        ]
+    return found
+
+
+def is_modelled(core: Implemented) -> bool:
+    return core.options["family"] in cores.FAMILIES
+
+
+class Model:
+    def __init__(self, measured: Sequence[Implemented], known: Mapping[str, Core] | None = None) -> None:
+        """known: what was read of the cores before."""
+        self._measured = [core for core in measured if is_modelled(core)]
+        self._cores: Mapping[str, Core] = known or {
+            core.name: Core(cores.shape_of(core.options)) for core in self._measured
+        }
+
+    def without(self, name: str) -> Model:
+        """Of all cores but one."""
+        return Model([core for core in self._measured if core.name != name], self._cores)
+
+    @cached_property
+    def work_luts(self) -> list[float]:
+        """Of a bit of each kind of work."""
+        known = [(self._cores[core.name], core.luts) for core in self._measured if core.target == BASE]
+        rows = [[bits / luts for bits in core.work] for core, luts in known]
+        return fit(rows, [1 - core.memory_luts(BASE) / luts for core, luts in known])
+
+    def _worked_luts(self, core: Core) -> float:
+        """On BASE, without memories."""
+        return sum(bits * luts for bits, luts in zip(core.work, self.work_luts))
+
+    def _base_luts(self, core: Core) -> float:
+        return core.memory_luts(BASE) + self._worked_luts(core)
+
+    @cached_property
+    def family_luts(self) -> dict[str, float]:
+        """{family: its LUTs for one of BASE, without memories}, where a core was synthesised for it."""
+        found = {}
+        for family in devices.netlists():
+            netlists = {core.name: core.luts for core in self._measured if devices.netlist_of(core.target) == family}
+            of_family = [(self._cores[name], luts) for name, luts in netlists.items()]
+            rows = [[self._worked_luts(core) / luts] for core, luts in of_family]
+            if rows:
+                found[family] = fit(rows, [1 - core.memory_luts(family) / luts for core, luts in of_family])[0]
+        return found
+
+    def luts(self, core: Core, target: str) -> int | None:
+        family = devices.netlist_of(target)
+        scale = self.family_luts.get(family)
+        if scale is None:
+            return None
+        return max(1, round(core.memory_luts(family) + scale * self._worked_luts(core)))
+
+    @cached_property
+    def sites(self) -> dict[str, tuple[float, float]]:
+        """{family: LUT sites of a routed design for each look-up table, and those beside}: with flip-flops that have a
+        site for themselves, and what leads to carry chains."""
+        found = {}
+        for family in devices.netlists():
+            routed = [
+                (core.luts, core.result["lut_sites"])
+                for core in self._measured
+                if devices.netlist_of(core.target) == family and "lut_sites" in core.result
+            ]
+            if routed:
+                slope, beside = fit([[luts / sites, 1 / sites] for luts, sites in routed], [1.0] * len(routed))
+                found[family] = slope, beside
+        return found
+
+    def lut_sites(self, luts: float, target: str) -> int | None:
+        """Of a design with so many look-up tables."""
+        if devices.netlist_of(target) not in self.sites:
+            return None
+        slope, beside = self.sites[devices.netlist_of(target)]
+        return max(1, round(slope * luts + beside))
+
+    @cached_property
+    def _clocked(self) -> list[str]:
+        """Targets with a routed core."""
+        routed = {core.target for core in self._measured if core.mhz}
+        return [target for target in devices.targets() if target in routed]
+
+    @cached_property
+    def clock(self) -> list[float]:
+        """As CLOCK, then the constant of each target of _clocked but the first."""
+        routed = [(core, core.mhz) for core in self._measured if core.mhz]
+        rows = [self._clock_row(self._cores[core.name], core.target) for core, _ in routed]
+        return fit(rows, [-math.log(mhz) for _, mhz in routed])
+
+    def _clock_row(self, core: Core, target: str) -> list[float]:
+        o = core.options
+        is_direct_sad = o["cost"] == "sad" and o["aggregation"] == "direct"
+        own = [
+            1.0,
+            math.log(max(1.0, self._base_luts(core))),
+            float(3 - o["cost_clocks"]) if is_direct_sad else 0.0,
+            float(o["winner_group"] - 2),
+            float(o["cost"] != "sad"),
+        ]
+        return own + [float(target == other) for other in self._clocked[1:]]
+
+    def mhz(self, core: Core, target: str) -> float | None:
+        if target not in self._clocked:
+            return None
+        return math.exp(-sum(x * factor for x, factor in zip(self._clock_row(core, target), self.clock)))
+
+    def grades(self) -> dict[str, float]:
+        """{target: its clock for a MHz of the first one}"""
+        constants = [0.0, *self.clock[len(CLOCK) :]]
+        return {target: math.exp(-constant) for target, constant in zip(self._clocked, constants)}

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The memories of a semi-global core, as the blocks in hls/semi_global have them."""
+
+from __future__ import annotations
+
+from .path_shape import PathShape
+from .window_memories import DISPARITY_BITS, Memory, bank, front_end, left_right_check, packed, post_processing, slices
+from .window_shape import MARGIN_BITS, bits_for
+
+_BANK_WORDS = 4096  # hls/semi_global/phase_memory.hpp
+_LOW_PLACES = 16  # hls/semi_global/phase_row_path.hpp
+
+
+def _deep(words: int, lane_bits: int, lanes: int) -> list[Memory]:
+    """A row of the map with several words a column (phases.hpp, phase_memory.hpp)."""
+    widths = packed(lane_bits, lanes, word_bits=32 if words * 32 <= 100_000 else 16)
+    found, left = [], words
+    while left > _BANK_WORDS:
+        found += bank(_BANK_WORDS, widths)
+        left -= _BANK_WORDS
+    return found + bank(1 << bits_for(left - 1) if found else left, widths)
+
+
+def _at_once(shape: PathShape) -> list[Memory]:
+    """Paths of all disparities in a clock."""
+    s, found = shape, []
+    moves = s.levels + 1
+    if s.rows_paths:
+        found += bank(moves, packed(s.cost_bits, s.lanes))
+    if s.above:
+        found += bank(s.output_width, packed(bits_for(s.p2_above), s.lanes))
+        found += bank(moves, packed(s.above_bits, s.lanes))
+    if s.right:
+        if s.left or s.above:
+            found += bank(s.output_width, packed(s.forward_bits, s.lanes))
+            found += bank(4, packed(s.forward_bits, s.lanes))
+        found += bank(s.output_width, packed(s.cost_bits, s.lanes))
+        found.append(Memory(s.output_width, s.cost_bits + (s.relief_bits if s.largest_relief else 0)))
+    return found
+
+
+def _relief(shape: PathShape) -> list[Memory]:
+    s, found = shape, []
+    if not s.largest_relief:
+        return []
+    if s.offset > 0:
+        found.append(Memory(s.offset + 1, s.relief_bits))
+    if s.delay_groups:
+        found += bank(s.width, packed(s.relief_bits, s.delay_groups))
+    return found
+
+
+def _in_phases(shape: PathShape) -> list[Memory]:
+    """Paths of some disparities in a clock, all of them one phase behind the other."""
+    s = shape
+    phases, words, waits = s.passes, s.output_width * s.passes, s.passes + s.levels + 1
+    found = bank(phases, packed(s.feature_bits, s.taps * s.lanes))
+    if s.window > 1:
+        partial = bits_for(s.largest_column_cost * (s.window - 1))
+        found += bank(phases, packed(partial, (s.window - 1) * s.lanes))
+    if s.rows_paths:
+        found += bank(waits, packed(s.cost_bits, s.lanes))
+    for _ in range(s.rows_paths):
+        found += bank(phases, packed(s.row_path_bits, 2 * s.lanes))
+        found += [Memory(phases, s.row_path_bits), Memory(_LOW_PLACES, s.row_path_bits)]
+    if s.above:
+        found += _deep(words, bits_for(s.p2_above), s.lanes) + bank(waits, packed(s.above_bits, s.lanes))
+    if s.right:
+        if s.left or s.above:
+            found += _deep(words, s.forward_bits, s.lanes)
+        found += _deep(words, s.cost_bits, s.lanes) + [Memory(s.output_width, s.cost_bits)]
+    if s.left_right:
+        lane = max(s.sum_bits, s.disparity_bits)
+        found += bank(phases, packed(lane, 2 * s.lanes))
+    return found
+
+
+def semi_global(shape: PathShape) -> list[Memory]:
+    s = shape
+    found = front_end(s)
+    found += _in_phases(s) if s.is_folded else slices(s) + _at_once(s) + _relief(s)
+    if s.left_right:
+        found += left_right_check(s)
+    if s.right:
+        fraction, margin = (5 if s.subpixel else 0), (MARGIN_BITS if s.confidence else 0)
+        found.append(Memory(s.output_width, 9 + fraction + margin))
+    return found + post_processing(s, DISPARITY_BITS if s.is_folded else s.disparity_bits)
