@@ -29,8 +29,8 @@ DEVICES = {
 
 
 def netlist_of(target: str) -> str:
-    """The target whose netlist it takes: that of its family."""
-    return TARGETS[target].family or target
+    """The family whose netlist it takes."""
+    return TARGETS[target].family.name
 
 
 def netlists() -> list[str]:
@@ -44,7 +44,7 @@ def title_of(target: str) -> str:
 
 
 def lut_name(netlist: str) -> str:
-    return next(target.lut_name for name, target in TARGETS.items() if netlist_of(name) == netlist)
+    return next(target.family.lut_name for name, target in TARGETS.items() if netlist_of(name) == netlist)
 
 
 def device_of(target: str) -> Device | None:
