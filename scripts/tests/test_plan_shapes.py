@@ -148,7 +148,7 @@ def test_memories_are_those_of_the_vhdl(known):
     assert sum(m.depth * m.width for m in of_vhdl) == known.manifest["tool_report"]["memory_bits"]
     other_widths = same_first(memories, of_vhdl)
     assert differences(*other_widths) == ([], [])
-    keeps = cores.shows_word_before(known.parameters["family"])
+    keeps = cores.shows_word_before(known.parameters)
     for name, family in ram.FAMILIES.items():
         counts = [ram.mapped(list_, family, keeps).block_rams for list_ in (memories, of_vhdl)]
         # Where the bits that are left decide: on ECP5 they do for no committed core.
@@ -183,7 +183,7 @@ NOT_EXACT = {"masrani_640": -1}
 
 @pytest.mark.parametrize("known, target, result", list(recorded()), ids=lambda value: getattr(value, "name", None))
 def test_block_rams_are_those_of_the_record(known, target, result):
-    keeps = cores.shows_word_before(known.parameters["family"])
+    keeps = cores.shows_word_before(known.parameters)
     family = ram.family_of(target)
     found = ram.mapped(cores.memories_in_vhdl(known.name), family, keeps)
     assert found.block_rams - result["block_rams"] == NOT_EXACT.get(known.name, 0)

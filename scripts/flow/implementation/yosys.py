@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import os
 import re
+from collections.abc import Mapping
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
@@ -48,7 +49,7 @@ def memories_without_bypass(config: str, core: str = "") -> str:
     return f"m:{core}{LINE_MEMORIES}" if looks_at_no_word_being_written(configuration(config)) else ""
 
 
-def looks_at_no_word_being_written(row: dict[str, Any]) -> bool:
+def looks_at_no_word_being_written(row: Mapping[str, Any]) -> bool:
     return row["family"] == "block_matching" or (row["family"] == "semi_global" and row["clocks_per_pixel"] > 1)
 
 

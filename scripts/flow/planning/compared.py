@@ -40,7 +40,7 @@ def _block_rams(core: Implemented) -> int | None:
         return None
     has_shape = is_modelled(core)
     memories = cores.memories_of(cores.shape_of(core.options)) if has_shape else cores.memories_in_vhdl(core.name)
-    return ram.mapped(memories, family, cores.shows_word_before(core.options["family"])).block_rams
+    return ram.mapped(memories, family, cores.shows_word_before(core.options)).block_rams
 
 
 def compare(measured: Sequence[Implemented]) -> list[Compared]:

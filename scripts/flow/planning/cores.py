@@ -38,6 +38,6 @@ def memories_in_vhdl(config: str) -> list[Memory]:
     return [Memory(int(depth), int(width)) for depth, width in _MEMORY.findall(text)]
 
 
-def shows_word_before(family: str) -> bool:
-    """Whether what a read shows in the clock of a write to its address is left to the RAM, or not."""
-    return not yosys.memories_without_bypass(family)
+def shows_word_before(options: Mapping[str, Any]) -> bool:
+    """Whether a read must show the word before a write of the same clock; else that is left to the RAM."""
+    return not yosys.looks_at_no_word_being_written(options)

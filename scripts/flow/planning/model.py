@@ -64,7 +64,7 @@ class Core:
         if family not in ram.FAMILIES:
             return None
         if family not in self._mapped:
-            keeps = cores.shows_word_before(self.options["family"])
+            keeps = cores.shows_word_before(self.options)
             self._mapped[family] = ram.mapped(self._memories, ram.FAMILIES[family], keeps)
         return self._mapped[family]
 

@@ -11,13 +11,20 @@ _BANK_WORDS = 4096  # hls/semi_global/phase_memory.hpp
 _LOW_PLACES = 16  # hls/semi_global/phase_row_path.hpp
 
 
-def _deep(words: int, lane_bits: int, lanes: int) -> list[Memory]:
+def _dense(lane_bits: int, lanes: int, word_bits: int) -> list[int]:
+    """Widths of the words that hold so many numbers without a gap (hls/support/dense_packed.hpp)."""
+    whole, rest = divmod(lane_bits * lanes, word_bits)
+    return [word_bits] * whole + ([rest] if rest else [])
+
+
+def _deep(words: int, lane_bits: int, lanes: int, bank_words: int = _BANK_WORDS) -> list[Memory]:
     """A row of the map with several words a column (phases.hpp, phase_memory.hpp)."""
-    widths = packed(lane_bits, lanes, word_bits=32 if words * 32 <= 100_000 else 16)
+    word_bits = 16 if words * 16 <= 100_000 else 8
+    widths = (_dense if lane_bits <= word_bits else packed)(lane_bits, lanes, word_bits=word_bits)
     found, left = [], words
-    while left > _BANK_WORDS:
-        found += bank(_BANK_WORDS, widths)
-        left -= _BANK_WORDS
+    while left > bank_words:
+        found += bank(bank_words, widths)
+        left -= bank_words
     return found + bank(1 << bits_for(left - 1) if found else left, widths)
 
 
@@ -66,9 +73,10 @@ def _in_phases(shape: PathShape) -> list[Memory]:
     if s.above:
         found += _deep(words, bits_for(s.p2_above), s.lanes) + bank(waits, packed(s.above_bits, s.lanes))
     if s.right:
+        bank_words = 1 << 16 if phases == 4 else _BANK_WORDS
         if s.left or s.above:
-            found += _deep(words, s.forward_bits, s.lanes)
-        found += _deep(words, s.cost_bits, s.lanes) + [Memory(s.output_width, s.cost_bits)]
+            found += _deep(words, s.forward_bits, s.lanes, bank_words)
+        found += _deep(words, s.cost_bits, s.lanes, bank_words) + [Memory(s.output_width + 1, s.cost_bits)]
     if s.left_right:
         lane = max(s.sum_bits, s.disparity_bits)
         found += bank(phases, packed(lane, 2 * s.lanes))
@@ -83,5 +91,5 @@ def semi_global(shape: PathShape) -> list[Memory]:
         found += left_right_check(s)
     if s.right:
         fraction, margin = (5 if s.subpixel else 0), (MARGIN_BITS if s.confidence else 0)
-        found.append(Memory(s.output_width, 9 + fraction + margin))
+        found.append(Memory(s.output_width + s.is_folded, 9 + fraction + margin))
     return found + post_processing(s, DISPARITY_BITS if s.is_folded else s.disparity_bits)
