@@ -61,9 +61,13 @@ def test_semi_global_matching_looks_at_some(ghdl, tmp_path):
     assert not agrees("tiny_sgm", tmp_path, SAME_CLOCK)
 
 
+def attribute_of(config, core=""):
+    return yosys.memories_without_bypass(configuration(config), core)
+
+
 @pytest.mark.parametrize("family", {target.family for target in TARGETS.values()}, ids=lambda family: family.name)
 def test_only_they_get_the_attribute(family):
-    assert not any(yosys.memories_without_bypass(name) for name in ("tiny_sgm", "tiny_trellis", "tiny_phase"))
+    assert not any(attribute_of(name) for name in ("tiny_sgm", "tiny_trellis", "tiny_phase"))
     assert "no_rw_check" not in yosys.script(family) and "no-rw-check" not in family.synthesis
-    assert "setattr -set no_rw_check 1" in yosys.script(family, yosys.memories_without_bypass("tiny"))
-    assert yosys.memories_without_bypass("tiny_sgm_f4", "core.") == f"m:core.{yosys.LINE_MEMORIES}"
+    assert "setattr -set no_rw_check 1" in yosys.script(family, attribute_of("tiny"))
+    assert attribute_of("tiny_sgm_f4", "core.") == f"m:core.{yosys.LINE_MEMORIES}"

@@ -13,8 +13,8 @@
 namespace stereo::test {
 namespace {
 
-/// One memory of so many words, two or three clocks from a register of its address to its words, with pauses between the
-/// writes.
+/// One memory of so many words, two or three clocks from a register of its address to its words, with pauses between
+/// the writes.
 template <int Places>
 void expect_words() {
    constexpr int kCount = 2;

@@ -51,7 +51,7 @@ class Job:
 
     def design(self) -> Design:
         files = design.vhdl_files(self.config) if self.shell else manifest.vhdl_files(self.vhdl)
-        without_bypass = yosys.memories_without_bypass(self.config)
+        without_bypass = yosys.memories_without_bypass(manifest.read(self.vhdl)["parameters"])
         return Design(self.entity, files, self.seeds, self.router, without_bypass)
 
 

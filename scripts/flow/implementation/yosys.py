@@ -6,14 +6,13 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Mapping
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from ..base import venv
-from ..base.configurations import configuration
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import Say, Word, find_tool, run
 from . import pins
@@ -42,15 +41,19 @@ def version() -> str:
 
 
 # The memories of the cell line_memory.vhd, as ghdl names them. Some cores look at no word that is read in the clock in
-# which it is written (test_memory_collisions.py): without a bypass around the RAM, its output register is the RAM's own.
+# which it is written (test_memory_collisions.py): without a bypass around a RAM, its output register is the RAM's own.
 LINE_MEMORIES = "*column_n*_memory"
-def memories_without_bypass(config: str, core: str = "") -> str:
-    """For `script`, of the core of that configuration; `core`: what the names begin with that stand in it."""
-    return f"m:{core}{LINE_MEMORIES}" if looks_at_no_word_being_written(configuration(config)) else ""
 
 
-def looks_at_no_word_being_written(row: Mapping[str, Any]) -> bool:
-    return row["family"] == "block_matching" or (row["family"] == "semi_global" and row["clocks_per_pixel"] > 1)
+def memories_without_bypass(parameters: Mapping[str, Any], core: str = "") -> str:
+    """For `script`, of a core with those parameters in its manifest; `core`: what the names begin with that stand in
+    it."""
+    return f"m:{core}{LINE_MEMORIES}" if looks_at_no_word_being_written(parameters) else ""
+
+
+def looks_at_no_word_being_written(parameters: Mapping[str, Any]) -> bool:
+    family = parameters.get("family")  # a stage in front of a core has none
+    return family == "block_matching" or (family == "semi_global" and parameters["clocks_per_pixel"] > 1)
 
 
 def top(family: Family) -> str:

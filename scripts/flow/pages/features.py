@@ -57,6 +57,10 @@ FOLDED = (
     "ambrosch2007_f20",
     "miyajima_640",
     "miyajima_640_f5",
+    "sgm_640",
+    "sgm_640_f8",
+    "sgm_640_f16",
+    "sgm_640_64_f4",
     "sgm_640_64_f8",
 )
 # Pairs that differ in the bits of a pixel alone: (configuration of 8 bits, the deeper one)

@@ -3,11 +3,13 @@
 
 from pathlib import Path
 
+from ..base import committed
 from ..base.errors import EXIT_MISMATCH, FlowError
 from ..base.tools import find_ghdl
 from ..implementation import job, yosys
 from ..implementation.record import Result
 from ..implementation.targets import TARGETS
+from ..synthesis import manifest
 from .template import CORE, System, vhdl_files
 
 TARGET = "ecp5"
@@ -16,7 +18,8 @@ TARGET = "ecp5"
 def design(system: System, seeds: list[int], router: str) -> job.Design:
     """`bypasses` stay around the memories outside the matching core."""
     files: list[Path] = vhdl_files(system)
-    without_bypass = yosys.memories_without_bypass(system.matching, f"{CORE}.")
+    parameters = manifest.read(committed.folder(system.matching))["parameters"]
+    without_bypass = yosys.memories_without_bypass(parameters, f"{CORE}.")
     return job.Design(system.entity, files, seeds, router, without_bypass)
 
 
