@@ -215,7 +215,7 @@ def test_each_family_pins_its_own_tool(family):
 
 
 def test_nothing_else_knows_a_family_by_name():
-    """A new family is a class and a row, and where plan.py is to know it, the shapes of its RAM and its devices' sizes."""
+    """A new family is a class and a row; for plan.py also the shapes of its RAM and the sizes of its devices."""
     known = re.compile(rf"\b({'|'.join([*OTHERS, *(f.package for f in OTHERS.values())])})\b", re.IGNORECASE)
     files = [*(ROOT / "scripts").glob("*.py"), *(ROOT / "scripts" / "flow").rglob("*.py")]
     knowing = {path.name for path in files if known.search(path.read_text())}
