@@ -222,7 +222,14 @@ struct Config : Image, Matching, Structure {
       const int to_first_result = (clocks_per_pixel - 1) * pass_columns() + columns_before_pass() + columns_after() +
                                   other_lag + clocks_to_pass_result();
       const int row_clocks = width_px * clocks_per_pixel;
-      return passes_columns() <= row_clocks - 2 && to_first_result <= row_clocks;
+      return passes_columns() <= row_clocks - 2 && to_first_result <= row_clocks && passes_are_apart();
+   }
+   /// Whether what a pass finds is in memory before the next pass asks for it: the best candidate of the same column
+   /// (RowBest), and the best of the other image's pixel, which with a right reference is shown as many columns sooner
+   /// as a pass has disparities (RowCheck).
+   constexpr bool passes_are_apart() const {
+      const bool shows_sooner = has_left_right_check() && reference == Reference::right;
+      return pass_columns() >= 5 && (!shows_sooner || pass_columns() - pass_disparities() >= 4);
    }
    /// Whether the first disparity of a frame is checked before the next frame can start.
    constexpr bool holds_settings() const {

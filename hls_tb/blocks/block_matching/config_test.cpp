@@ -193,6 +193,27 @@ TEST(BlockMatchingConfig, SaysWhatSeveralClocksAPixelCannotBeCombinedWith) {
              "with so many clocks a pixel pair the image must be wider for its passes to fit in a row");
 }
 
+/// A pass reads what the pass before it wrote: these images are the widest that were wrong and the narrowest right
+/// ones.
+TEST(BlockMatchingConfig, PassesAreApart) {
+   using block_matching::Config;
+   const auto takes = [](int width, int disparities, int min_disparity, int left_right_threshold) {
+      Config c;
+      c.width_px = width;
+      c.height_px = 4;
+      c.window_px = 2;
+      c.clocks_per_pixel = 6;
+      c.disparities = disparities;
+      c.min_disparity = min_disparity;
+      c.left_right_threshold = left_right_threshold;
+      return c.problem().empty();
+   };
+   EXPECT_FALSE(takes(14, 12, 0, -1));
+   EXPECT_TRUE(takes(15, 12, 0, -1));
+   EXPECT_FALSE(takes(33, 30, -8, 0));
+   EXPECT_TRUE(takes(34, 30, -8, 0));
+}
+
 /// Plain core: the last window needs the rows below it, then the columns of its row that come after it.
 TEST(BlockMatchingConfig, FlushGroupsBringOutTheLastDisparity) {
    using block_matching::Core;

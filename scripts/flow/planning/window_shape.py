@@ -213,10 +213,12 @@ class WindowShape:
 
     @property
     def passes_fit(self) -> bool:
-        """Whether a row's passes end before the next row is there."""
+        """Whether a row's passes end before the next row is there, and a pass finds what the one before it wrote."""
         lag = 0 if not self.left_right else (self.lanes if self.is_right else self.disparities) - 1
         before = max(self.lanes - 1, self.columns_before)
         waits = 40 + self.disparities // self.options["slice_disparities"]
         first = (self.passes - 1) * self.pass_columns + before + self.columns_after + lag + waits
         clocks = self.width * self.passes
-        return self.passes_columns <= clocks - 2 and first <= clocks
+        sooner = self.lanes if self.left_right and self.is_right else 0
+        apart = self.pass_columns >= 5 and (not sooner or self.pass_columns - sooner >= 4)
+        return self.passes_columns <= clocks - 2 and first <= clocks and apart

@@ -23,6 +23,7 @@ PAGE_COMMANDS = (
     ("timing_diagrams.py", "--check"),
     ("quality.py", "--check"),
     ("post_processing.py", "--check"),
+    ("plan.py", "--check"),
 )
 VHDL_COMMANDS = (("synthesize.py", "--check"),)
 RESULTS = ROOT / "build" / "ci" / "results"  # where .ci/run leaves them
