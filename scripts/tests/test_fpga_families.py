@@ -215,11 +215,11 @@ def test_each_family_pins_its_own_tool(family):
 
 
 def test_nothing_else_knows_a_family_by_name():
-    """A new family is a class and a row; for plan.py also the shapes of its RAM and the sizes of its devices."""
+    """A new family is a class and a row; for plan.py also the shapes of its RAM."""
     known = re.compile(rf"\b({'|'.join([*OTHERS, *(f.package for f in OTHERS.values())])})\b", re.IGNORECASE)
     files = [*(ROOT / "scripts").glob("*.py"), *(ROOT / "scripts" / "flow").rglob("*.py")]
     knowing = {path.name for path in files if known.search(path.read_text())}
-    assert knowing == {f"{name}.py" for name in OTHERS} | {"targets.py", "ram.py", "devices.py"}
+    assert knowing == {f"{name}.py" for name in OTHERS} | {"targets.py", "ram.py"}
 
 
 @pytest.mark.parametrize("family", OTHERS.values(), ids=OTHERS)

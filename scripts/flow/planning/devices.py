@@ -1,31 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the devices hold."""
+"""The devices and families that a plan is made for."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
-from ..implementation.targets import ROUTED, TARGETS
-
-
-class Device(NamedTuple):
-    """As nextpnr counts them."""
-
-    lut_sites: int
-    block_rams: int  # on GateMate of 20 kbit, two of which can be one
-
-
-# By the beginning of a target's device. A target whose device is not here needs both numbers from the user.
-DEVICES = {
-    "LFE5U-25F": Device(24_288, 56),
-    "LFE5U-85F": Device(83_640, 208),
-    "GW1NR-LV9": Device(8_640, 26),
-    "GW2AR-LV18": Device(20_736, 46),
-    "iCE40UP5K": Device(5_280, 30),
-    "iCE40HX8K": Device(7_680, 32),
-    "LIFCL-40": Device(32_256, 84),
-    "CCGM1A1": Device(40_960, 64),
-}
+from ..implementation.targets import ROUTED, TARGETS, Device
 
 
 def netlist_of(target: str) -> str:
@@ -48,8 +26,7 @@ def lut_name(netlist: str) -> str:
 
 
 def device_of(target: str) -> Device | None:
-    device = TARGETS[target].device or ""
-    return next((held for part, held in DEVICES.items() if device.startswith(part)), None)
+    return TARGETS[target].holds
 
 
 def every_target() -> list[str]:
