@@ -5,22 +5,22 @@
 # path, beside hls/) stands <family>/family.hpp with the core, and <family>/configurations.hpp with the rows. <header>, seen
 # from hls_tb/: the family's models, compiled in the library.
 #
+# Rows of the user's own, for which STEREO_OWN_ROWS names a folder with <family>.hpp, stand behind those.
+#
 # For each row core_<name>, a module with the clocked core, is made in the folder `cores` of the build; `cores` are all of
 # them, `tested_cores` those that the fast set of the tests takes.
 function(stereo_add_family)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;SOURCES;MODELS;LINK" "")
+  set(entries "")
   set(folder "${PROJECT_SOURCE_DIR}/${arg_SOURCES}")
   stereo_read_rows("${folder}/${arg_NAME}/configurations.hpp")
-  set(entries "")
-  foreach(name use IN ZIP_LISTS names uses)
-    string(APPEND entries "      configuration_entry<Core<configurations::${name}>>("
-           "\"${name}\", \"${use}\", \"${arg_NAME}\", \"${arg_SOURCES}\"),\n")
-    stereo_add_core(NAME ${name} FAMILY ${arg_NAME} USE ${use} FOLDER "${folder}")
-    add_dependencies(cores core_${name})
-    if(name IN_LIST STEREO_TESTED)
-      add_dependencies(tested_cores core_${name})
-    endif()
-  endforeach()
+  stereo_add_rows(${arg_SOURCES})
+  set(own "${STEREO_OWN_ROWS}/${arg_NAME}.hpp")
+  if(STEREO_OWN_ROWS AND EXISTS "${own}")
+    stereo_read_rows("${own}")
+    stereo_write_own_rows(${arg_NAME} ${arg_SOURCES} "${own}")
+    stereo_add_rows(${STEREO_OWN_FOLDER})
+  endif()
   file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}_configurations.cpp" @ONLY CONTENT
 "// Made by CMake from ${arg_SOURCES}/${arg_NAME}/configurations.hpp.
 #include \"${arg_MODELS}\"
@@ -44,6 +44,44 @@ ${entries}   }, std::make_shared<AlgorithmOf<Matching>>(Matching()), &random_row
   target_include_directories(stereo_configurations PRIVATE "${folder}")
   target_link_libraries(stereo_configurations PUBLIC ${arg_LINK})
   set_property(GLOBAL APPEND PROPERTY STEREO_FAMILIES make_${arg_NAME})
+endfunction()
+
+# stereo_add_rows(<folder>): what stereo_add_family adds for the rows just read, whose table stands in the folder.
+macro(stereo_add_rows sources)
+  foreach(name use IN ZIP_LISTS names uses)
+    string(APPEND entries "      configuration_entry<Core<configurations::${name}>>("
+           "\"${name}\", \"${use}\", \"${arg_NAME}\", \"${sources}\"),\n")
+    stereo_add_core(NAME ${name} FAMILY ${arg_NAME} USE ${use} FOLDER "${PROJECT_SOURCE_DIR}/${sources}")
+    add_dependencies(cores core_${name})
+    if(name IN_LIST STEREO_TESTED)
+      add_dependencies(tested_cores core_${name})
+    endif()
+  endforeach()
+endmacro()
+
+# stereo_write_own_rows(<family> <sources> <file>): the table that takes the place of the family's for the user's own rows: the
+# family's, then theirs. It stands in STEREO_OWN_FOLDER, from the project's root, as the synthesis tool gets a copy of what is
+# below the root. `rtl` there is where their VHDL goes, in the user's folder.
+function(stereo_write_own_rows family sources file)
+  foreach(name use IN ZIP_LISTS names uses)
+    if(NOT use STREQUAL "own")
+      message(FATAL_ERROR "${file}: ${name}: the use of a row of your own is `own`, not `${use}`")
+    elseif(TARGET core_${name})
+      message(FATAL_ERROR "${file}: ${name}: another configuration has this name")
+    endif()
+  endforeach()
+  file(READ "${file}" rows)
+  set(folder "${PROJECT_SOURCE_DIR}/${STEREO_OWN_FOLDER}")
+  file(RELATIVE_PATH table "${folder}/${family}" "${PROJECT_SOURCE_DIR}/${sources}/${family}/configurations.hpp")
+  file(CONFIGURE OUTPUT "${folder}/${family}/configurations.hpp" @ONLY CONTENT
+"// Made by CMake from the rows of the family and ${file}.
+#pragma once
+
+#include \"${table}\"
+#line 1 \"${file}\"
+${rows}")
+  file(CREATE_LINK "${file}" "${folder}/${family}/rows.hpp" SYMBOLIC) # whose time says whether the program is older
+  target_include_directories(stereo_configurations BEFORE PRIVATE "${folder}")
 endfunction()
 
 # stereo_read_rows(<table>): sets `names` and `uses` to those of the rows of a table of configurations.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engines/clocked/heap_memories.hpp"
-#include "own_rows.hpp"
+#include "rows/block_matching.hpp"
 
 namespace {
 

@@ -231,7 +231,7 @@ def test_hanging_simulation_is_stopped(ghdl, pair, tmp_path):
 
 def simulations_of(folder):
     """The running processes that know a folder."""
-    lines = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True).stdout.splitlines()
+    lines = subprocess.run(["ps", "-ww", "-eo", "args"], capture_output=True, text=True, check=True).stdout.splitlines()
     return [line for line in lines if f"={folder}/observed.txt" in line]
 
 

@@ -98,7 +98,9 @@ def test_no_result_is_lost_when_a_worker_ends(ghdl, cluster, tmp_path):
 
 def children(number):
     """The cosim.py that a worker runs."""
-    lines = subprocess.run(["ps", "-eo", "ppid,args"], capture_output=True, text=True, check=True).stdout.splitlines()
+    lines = subprocess.run(
+        ["ps", "-ww", "-eo", "ppid,args"], capture_output=True, text=True, check=True
+    ).stdout.splitlines()
     return [line for line in lines if line.split()[0] == str(number) and "cosim.py" in line]
 
 

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """examples/own_core: a project that uses an installed stereo_hls has a configuration of its own, and its clocked core
-gives the map of the fast model."""
+gives the map of the fast model. From the folder of its rows, a clone makes VHDL."""
 
 import re
 import struct
 import subprocess
+import tempfile
 from pathlib import Path
 
 import pytest
 
+from conftest import need
 from flow.base.tools import ROOT, find_stereo_hls, run
-from flow_commands import random_pair
+from flow_commands import call, random_pair, refused
 
 EXAMPLE = ROOT / "examples" / "own_core"
 WIDTH, HEIGHT, DISPARITIES = 96, 48, 24
@@ -88,7 +90,77 @@ def test_wrong_images_are_refused(program, pair, tmp_path):
 
 
 def test_the_page_has_the_options_of_the_row():
-    row = re.search(r"STEREO_ROW\(own_96, (.*?)\);", (EXAMPLE / "own_rows.hpp").read_text(), re.DOTALL)[1]
+    row = re.search(r"STEREO_ROW\(own_96, (.*?)\);", (EXAMPLE / "rows" / "block_matching.hpp").read_text(), re.DOTALL)[
+        1
+    ]
     page = (EXAMPLE / "README.md").read_text()
     for option, value in re.findall(r"(?<!\w)(disparities|window_px|cost) = (?:Cost::)?(\w+)", row):
         assert f"--set {option}={value}" in page
+
+
+def configure(rows, build):
+    command = ["cmake", "--preset", "release", "-B", build, "-Wno-dev", f"-DSTEREO_OWN_ROWS={rows}"]
+    return subprocess.run(list(map(str, command)), cwd=ROOT, capture_output=True, text=True)
+
+
+ROWS = (EXAMPLE / "rows" / "block_matching.hpp").read_text()
+REFUSED = {  # {file: (its text, words)}
+    "block_matching.hpp": (ROWS.replace("own_96, own,", "own_96, system,"), "own_96: the use of a row of your own"),
+    "semi_global.hpp": (ROWS.replace("own_96,", "tiny,"), "tiny: another configuration has this name"),
+    "stereo.hpp": (ROWS, "no family stereo"),
+    "rows.txt": (ROWS, "has no FAMILY.hpp"),
+}
+
+
+@pytest.fixture
+def build():
+    """A build folder inside the clone."""
+    with tempfile.TemporaryDirectory(dir=ROOT / "build", prefix="own_rows_") as folder:
+        yield Path(folder)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("file", REFUSED)
+def test_rows_that_cannot_be_taken_are_refused(build, tmp_path, file):
+    text, words = REFUSED[file]
+    (tmp_path / file).write_text(text)
+    process = configure(tmp_path, build)
+    assert process.returncode == 1 and words in " ".join(process.stderr.split()), process.stderr
+
+
+@pytest.mark.slow
+def test_a_build_folder_elsewhere_is_refused(tmp_path):
+    process = configure(EXAMPLE / "rows", tmp_path / "build")
+    assert process.returncode == 1 and "must stand in the project's folder" in " ".join(process.stderr.split())
+
+
+@pytest.mark.slow
+def test_vhdl_of_ones_own_rows(ghdl, build, tmp_path):
+    rows = tmp_path / "rows"
+    rows.mkdir()
+    table = rows / "block_matching.hpp"
+    table.write_text(ROWS)
+    assert configure(rows, build).returncode == 0
+    run(["cmake", "--build", build, "--target", "stereo_hls", "core_own_96", "core_tiny"])
+    own = {"STEREO_HLS": str(build / "stereo_hls")}
+    refused(call("cosim.py", "--config", "own_96", environment=own), 2, "no generated VHDL for 'own_96'")
+    assert call("cosim.py", "--config", "tiny", "--out", tmp_path / "tiny", environment=own).returncode == 0
+    reference = call("reference.py", "--check", environment=own)
+    assert reference.returncode == 0, "the pages know the named configurations only: " + reference.stderr
+
+    need("bambu", "BAMBU")
+    made = call("synthesize.py", "--config", "own_96", environment=own)
+    assert made.returncode == 0, made.stderr
+    kept = rows / "rtl" / "block_matching" / "own_96"
+    names = {"manifest.json", "stereo_core_own_96.vhd", "stereo_ip_own_96.vhd"}
+    assert {path.name for path in kept.iterdir()} == names
+    compared = call("cosim.py", "--config", "own_96", "--out", tmp_path / "cosim", environment=own)
+    assert compared.returncode == 0 and "0 mismatches" in compared.stdout
+    kit = call("instantiate.py", "--config", "own_96", "--kit", "vivado", "--out", tmp_path / "kit", environment=own)
+    assert kit.returncode == 0 and (tmp_path / "kit" / "rtl" / "stereo_ip_own_96.vhd").is_file()
+    checked = call("synthesize.py", "--config", "own_96", "--check", environment=own)
+    assert checked.returncode == 0 and checked.stdout == "own_96: up to date\n"
+    table.write_text(ROWS.replace("slice_disparities = 12", "slice_disparities = 8"))
+    refused(call("synthesize.py", "--config", "own_96", "--check", environment=own), 1, "build it again")
+    run(["cmake", "--build", build, "--target", "stereo_hls"])
+    refused(call("synthesize.py", "--config", "own_96", "--check", environment=own), 1, "stale", "own_96")

@@ -11,14 +11,12 @@ from cover import fast, with_slow
 from flow.base import committed, ghdl as ghdl_flow, rtl
 from flow.base.configurations import designs
 from flow.base.errors import FlowError
-from flow.shell import design, example, template
-from flow.synthesis import manifest
+from flow.release import user_vhdl
+from flow.shell import design, example
 from flow.system import template as systems
+from flow_commands import call, refused
 
 STANDARDS = ("--std=93", "--std=08")
-EXAMPLE_FILES = [example.FOLDER / f"{name}.vhd" for name in example.SOURCES]
-
-
 TABLE = designs()
 
 
@@ -31,39 +29,20 @@ def those(in_short):
     return short if in_short else made
 
 
-def has_shell(name):
-    return not rtl.is_stage(TABLE[name])
-
-
-def user_files(names):
-    """In compile order, each once."""
-    cores = [file for name in names for file in manifest.core_files(name)]
-    shells = [template.path(name) for name in names if has_shell(name)]
-    cameras = [file for system in systems.SYSTEMS.values() for file in systems.own_files(system)]
-    return list(dict.fromkeys([*cores, *design.shell_files(), *shells, *cameras, *EXAMPLE_FILES]))
-
-
-def user_tops(names):
-    """All that stands on its own: the other files are parts of these."""
-    cores = [committed.entity(name) for name in names]
-    shells = [rtl.ip_entity(name) for name in names if has_shell(name)]
-    return [*cores, *shells, *(system.entity for system in systems.SYSTEMS.values()), "stereo_joiner", "example_top"]
-
-
 def test_no_file_is_forgotten():
     folders = [committed.GENERATED_RTL, rtl.HAND_WRITTEN, systems.FOLDER, example.FOLDER]
     folders += map(committed.folder, committed.known_designs())
     there = {file for folder in folders for file in folder.rglob("*.vhd") if not file.name.startswith("tb_")}
-    assert there == set(user_files(those(in_short=False)))
+    assert there == set(user_vhdl.files(those(in_short=False)))
 
 
 @pytest.mark.parametrize("in_short", with_slow([True, False], [True]))
 @pytest.mark.parametrize("standard", STANDARDS)
 def test_every_file_compiles_and_every_design_elaborates(ghdl, tmp_path, standard, in_short):
     names = those(in_short)
-    ghdl_flow.analyse(user_files(names), tmp_path, standard=standard)
-    tops = user_tops(names)
-    assert len(tops) > 2 * sum(map(has_shell, names)) > 80
+    ghdl_flow.analyse(user_vhdl.files(names), tmp_path, standard=standard)
+    tops = user_vhdl.tops(names)
+    assert len(tops) > 2 * sum(map(user_vhdl.has_shell, names)) > 80
     for top in tops:
         ghdl_flow.elaborate(tmp_path, top, standard)
 
@@ -108,3 +87,17 @@ def test_fault_is_found(ghdl, tmp_path, fault):
     (tmp_path / f"{name}.vhd").write_text(text.replace(old, new))
     with pytest.raises(FlowError, match=f"{name}.vhd"):
         ghdl_flow.analyse(design.shell_files(tmp_path), tmp_path, standard=standard)
+
+
+def test_command_counts_what_a_tool_takes(ghdl, tmp_path):
+    said = call("try_tools.py", "--config", "tiny", "--out", tmp_path / "out")
+    assert said.returncode == 0, said.stderr
+    assert said.stdout.count(": 4 of 4 designs\n") == len(said.stdout.splitlines()) == 3
+    refused(call("try_tools.py", "--config", "nobody"), 2, "nobody")
+
+
+def test_design_that_a_tool_refuses_is_named(ghdl, tmp_path, monkeypatch):
+    made = user_vhdl.tops(["tiny"])
+    monkeypatch.setattr(user_vhdl, "tops", lambda names: [*made, "nobody"])
+    found = user_vhdl.refusals(user_vhdl.Elaborated("--std=93"), ["tiny"], tmp_path / "work", 2)
+    assert list(found) == ["nobody"] and "nobody" in found["nobody"]

@@ -2,10 +2,11 @@
 """Where the VHDL of each configuration stands, with its manifest and its records: generated_rtl/FAMILY/NAME/ where
 people take it into designs; where only tests and studies need it, an archive for each family,
 hls_tb/evidence/FAMILY.tar.xz, which is unpacked into build/ when somebody asks for it. The `use` of a configuration
-decides."""
+decides. Configurations of the user's own stand in their folder: nothing that lists what is committed knows them."""
 
 from __future__ import annotations
 
+import os
 import shutil
 from collections.abc import Iterable, Mapping
 from itertools import groupby
@@ -18,11 +19,12 @@ from .errors import FlowError
 from .locks import exclusive
 from .places import build_folder
 from .rtl import CORE, STAGES
-from .tools import ROOT
+from .tools import ROOT, find_stereo_hls
 
 GENERATED_RTL = ROOT / "generated_rtl"
 EVIDENCE = ROOT / "hls_tb" / "evidence"
 TAKEN = ("paper", "system", "tiny")  # the uses of what people take
+OWN = "own"  # the use of configurations of the user's own
 MANIFEST = "manifest.json"
 
 Contents = Mapping[str, Union[str, bytes]]  # {file: content}
@@ -56,9 +58,19 @@ def folder(config: str) -> Path:
     """FAMILY/NAME of a configuration whose VHDL was made, to be read: `keep` changes what is in it."""
     found = [path.parent for path in GENERATED_RTL.glob(f"*/{config}/{MANIFEST}")]
     found = found or [root / config for root in _unpacked() if (root / config / MANIFEST).is_file()]
+    found = found or [path.parent for path in _own().glob(f"*/{config}/{MANIFEST}")]
     if len(found) != 1:
         raise FlowError(f"no generated VHDL for '{config}'; run scripts/synthesize.py --config {config}")
     return found[0]
+
+
+def _own() -> Path:
+    """FAMILY/NAME of the configurations of the user's own that the program knows: CMake makes it a link to their
+    folder."""
+    try:
+        return Path(find_stereo_hls()).resolve().parent / "own" / "rtl"
+    except FlowError:
+        return Path(os.devnull)
 
 
 def entity(config: str) -> str:
@@ -73,10 +85,24 @@ def keep(changes: Iterable[Change]) -> None:
     def family_of(change: Change) -> str:
         return change.family
 
+    changes = list(changes)
+    for change in changes:
+        if change.use == OWN:
+            _write(_own() / change.family / change.config, _as_bytes(change.contents))
+    changes = [change for change in changes if change.use != OWN]
     for family, of_family in groupby(sorted(changes, key=family_of), family_of):
         EVIDENCE.mkdir(parents=True, exist_ok=True)
         with exclusive(EVIDENCE):  # two runs that read the same archive would lose what the first one writes
             _keep(GENERATED_RTL / family, EVIDENCE / f"{family}{archive.SUFFIX}", list(of_family))
+
+
+def _as_bytes(contents: Contents) -> dict[str, bytes]:
+    return {name: text.encode() if isinstance(text, str) else text for name, text in contents.items()}
+
+
+def _write(folder: Path, contents: Mapping[str, bytes]) -> None:
+    for name, content in contents.items():
+        files.write(folder / name, content)
 
 
 def _keep(taken: Path, archived: Path, changes: Iterable[Change]) -> None:
@@ -84,12 +110,11 @@ def _keep(taken: Path, archived: Path, changes: Iterable[Change]) -> None:
     after, left = dict(before), []
     for change in changes:
         folder = taken / change.config
-        contents = {name: text.encode() if isinstance(text, str) else text for name, text in change.contents.items()}
+        contents = _as_bytes(change.contents)
         if change.use in TAKEN:
             moved = [name for name in after if name.startswith(f"{change.config}/")]
             contents = {name.partition("/")[2]: after.pop(name) for name in moved} | contents
-            for name, content in contents.items():
-                files.write(folder / name, content)
+            _write(folder, contents)
         else:
             if folder.is_dir():
                 contents = {path.name: path.read_bytes() for path in folder.iterdir()} | contents

@@ -39,10 +39,10 @@ def analyse(files: Iterable[Path], work: Path, log: str = "analyse.log", standar
     run([find_ghdl(), "-a", standard, *files], cwd=work, log=work / log)
 
 
-def elaborate(work: Path, top: str, standard: str = STANDARD) -> None:
+def elaborate(work: Path, top: str, standard: str = STANDARD, log: str = "elaborate.log") -> None:
     """`ghdl -e` of what was analysed in the folder `work`. By itself GHDL only warns of a component without its
     entity, whose outputs nothing drives then."""
-    run([find_ghdl(), "-e", standard, "-Werror=binding", top], cwd=work, log=work / "elaborate.log")
+    run([find_ghdl(), "-e", standard, "-Werror=binding", top], cwd=work, log=work / log)
 
 
 def options_of(generics: Generics | None) -> list[str]:

@@ -11,9 +11,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from ..base import builds, ghdl, rtl
+from ..base import builds, ghdl, nvc, rtl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, Word, find_ghdl, find_nvc, find_verilator, run, run_with_progress, tool_version
+from ..base.tools import ROOT, Word, find_ghdl, find_verilator, run, run_with_progress, tool_version
 from . import bench, coverage, vcd, waveform
 
 BENCH = ROOT / "hls_tb" / "cosim"
@@ -186,15 +186,15 @@ class Nvc(OfVhdl):
 
     @staticmethod
     def tools() -> dict[str, str]:
-        return {"nvc": tool_version(find_nvc())}
+        return {"nvc": nvc.version()}
 
     def _elaborate(self, work: Path, files: Iterable[Path]) -> None:
         """Analyses only: it elaborates with the generics, which name the files of a run."""
-        run([find_nvc(), ghdl.STANDARD, "-a", *files], cwd=work, log=work / "analyse.log")
+        run([*nvc.start(), "-a", *files], cwd=work, log=work / "analyse.log")
 
     def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
         elaborate = ["-e", "--jit", "--no-save", *self._generics(stimulus, observed), TOP]
-        command: list[Word] = [find_nvc(), ghdl.STANDARD, *elaborate, "-r"]
+        command: list[Word] = [*nvc.start(), *elaborate, "-r"]
         if wave is not None:
             command += [f"--wave={wave}", f"--stop-time={waveform.start_ns(wave_clocks[1] + 1)}ns"]
         return [*command, TOP]

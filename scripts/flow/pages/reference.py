@@ -20,7 +20,7 @@ PLACE = "@TABLES@"  # in the texts
 
 def pages() -> dict[Path, str]:
     """{page: its text}"""
-    rows = designs()
+    rows = {name: row for name, row in designs().items() if row["use"] != committed.OWN}
     made = {name: manifest.read(committed.folder(name)) for name in committed.known_designs() if name in rows}
     texts = {OPTIONS: _options(rows, made), CONFIGURATIONS: _configurations(rows, made)}
     return {page: (TEXTS / page.name).read_text().replace(PLACE, text) for page, text in texts.items()}

@@ -4,6 +4,7 @@ still fits."""
 
 import hashlib
 import json
+import os
 import re
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache
@@ -89,7 +90,8 @@ def _included(source_folder: str, family: str, top: str) -> tuple[Path, ...]:
     """The hardware top and all that it includes, as the compiler finds it: the same for every row of a family."""
     compiler = find_tool("c++", "CXX", "on Debian: apt-get install g++")
     rule = run([compiler, *top_options("any", family, source_folder, top), "-MM"], cwd=ROOT)
-    return tuple(sorted(ROOT / name for name in rule.replace("\\\n", " ").split(":", 1)[1].split()))
+    names = rule.replace("\\\n", " ").split(":", 1)[1].split()
+    return tuple(sorted({ROOT / os.path.normpath(name) for name in names}))
 
 
 def compiler_options(config: str, row: Configuration) -> list[str]:
@@ -99,12 +101,10 @@ def compiler_options(config: str, row: Configuration) -> list[str]:
 
 
 def hardware_digests(row: Configuration) -> Digests:
-    """The C++ of the core. The family's table of configurations is left out: a manifest holds the one row that counts,
-    so that a new configuration does not make the others stale."""
-    table = ROOT / row["source_folder"] / row["family"] / "configurations.hpp"
-    return _digests(
-        path for path in _included(row["source_folder"], row["family"], rtl.kind_of(row).top) if path != table
-    )
+    """The C++ of the core. The family's tables of configurations are left out: a manifest holds the one row that
+    counts, so that a new configuration does not make the others stale."""
+    included = _included(row["source_folder"], row["family"], rtl.kind_of(row).top)
+    return _digests(path for path in included if path.parts[-2:] != (row["family"], "configurations.hpp"))
 
 
 def source_digests(row: Configuration) -> Digests:
@@ -213,11 +213,12 @@ def check_program(table: Mapping[str, Configuration]) -> None:
     """Refuses a program that is older than a table of configurations: what it says of a row may be of yesterday."""
     program = Path(find_stereo_hls())
     for family, folder in sorted({(row["family"], row["source_folder"]) for row in table.values()}):
-        path = ROOT / folder / family / "configurations.hpp"
-        if path.is_file() and path.stat().st_mtime > program.stat().st_mtime:
-            raise FlowError(
-                f"{program} is older than {path.relative_to(ROOT)}; build it again (scripts/setup.sh)", EXIT_MISMATCH
-            )
+        # The second one leads to rows of the user's own.
+        for path in (ROOT / folder / family / name for name in ("configurations.hpp", "rows.hpp")):
+            if path.is_file() and path.stat().st_mtime > program.stat().st_mtime:
+                raise FlowError(
+                    f"{program} is older than {files.shown(path)}; build it again (scripts/setup.sh)", EXIT_MISMATCH
+                )
 
 
 def edit_reasons(directory: Path, reads_vhdl: bool = True) -> list[str]:
