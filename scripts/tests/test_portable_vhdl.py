@@ -89,6 +89,13 @@ def test_fault_is_found(ghdl, tmp_path, fault):
         ghdl_flow.analyse(design.shell_files(tmp_path), tmp_path, standard=standard)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("way", user_vhdl.WAYS["nvc"], ids=lambda way: way.standard)
+def test_nvc_takes_every_design(nvc, tmp_path, way):
+    """The largest core needs more memory than NVC gives by itself."""
+    assert user_vhdl.refusals(way, committed.known_designs(), tmp_path / "work", 2) == {}
+
+
 def test_command_counts_what_a_tool_takes(ghdl, tmp_path):
     said = call("try_tools.py", "--config", "tiny", "--out", tmp_path / "out")
     assert said.returncode == 0, said.stderr
