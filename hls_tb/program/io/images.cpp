@@ -43,6 +43,14 @@ bool is_gray_with_alpha(const std::string& path) {
    return file.read(head.data(), head.size()) && std::memcmp(head.data(), "\x89PNG", 4) == 0 && head[kColorType] == 4;
 }
 
+/// A medical image, whatever stands before its mark: OpenCV's decoder ends the program at a damaged one.
+bool is_dicom(const std::string& path) {
+   constexpr int kMark = 128;
+   std::array<char, 4> mark{};
+   std::ifstream file(path, std::ios::binary);
+   return file.seekg(kMark).read(mark.data(), mark.size()) && std::memcmp(mark.data(), "DICM", mark.size()) == 0;
+}
+
 /// Of an image that was read. Throws InputError where some of it is missing; stdout says what else the decoder says.
 void heed(const std::string& name, const std::string& complaint) {
    if (complaint.empty()) return;
@@ -67,6 +75,8 @@ GrayImage gray_of(const std::vector<Value>& plane, const DisparityMap& map, Shad
 
 cv::Mat read_image(const std::string& path, const std::string& name) {
    require_file(path, name);
+   if (is_dicom(path))
+      throw InputError(name + ": is a DICOM file, which is not read; give a PNG, PGM, JPEG, BMP or TIFF file");
    std::string complaint;
    cv::Mat mat = image_codecs().read(path, complaint);
    if (mat.empty()) throw InputError(name + ": not an image that can be read; give a PNG, PGM, JPEG, BMP or TIFF file");

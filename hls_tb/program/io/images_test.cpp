@@ -132,6 +132,11 @@ TEST(Images, DamagedJpegIsRefused) {
              std::string::npos);
 }
 
+TEST(Images, DicomIsRefused) {
+   for (const std::string& end : {""s, "\x7f"s, std::string(500, '\1')})
+      EXPECT_NE(refusal(std::string(128, '\0') + "DICM" + end, ".png").find("is a DICOM file"), std::string::npos);
+}
+
 /// A directory with the orientation alone, in either byte order.
 std::string exif(char orientation, bool little_endian) {
    if (little_endian) return "II*\0\x08\0\0\0\1\0\x12\1\3\0\1\0\0\0"s + orientation + "\0\0\0\0\0\0\0"s;
