@@ -11,8 +11,9 @@ from typing import NamedTuple
 ROOT = Path(__file__).resolve().parents[2]
 TABLES = ("hls/*/configurations.hpp", "hls_tb/*/*/configurations.hpp")
 TESTS = ("scripts/tests/test_*.py", "hls_tb/**/*_test.py", "hls_tb/**/*_test.cpp")
-# The uses of which a part stands for all; `study` repeats the options at one size, `system` is for the slow set.
-COVERED, LEFT_OUT = ("option", "example"), ("study", "system")
+# The uses of which a part stands for all; `study` repeats the options at one size, and the slow set takes the others,
+# which are large or have no VHDL: of them tests read figures only.
+COVERED, LEFT_OUT = ("option", "example"), ("study", "system", "planned")
 BY_VALUE = {"pixels_per_clock"}  # numbers that are choices
 _ROW = re.compile(r"^STEREO_ROW\((\w+), (\w+), ([\w():]+?)(?:,(.*?))?\);", re.MULTILINE | re.DOTALL)
 
@@ -42,27 +43,40 @@ def choices(row):
     return {(row.family, name, "" if name in numbers else value) for name, value in row.options.items()}
 
 
-def cover(table):
-    """The names of so few rows as a greedy choice finds, each time the one with most of what is left."""
-    left, chosen = set().union(*map(choices, table.values())), []
+def options(row):
+    """The options that it names, whatever its family."""
+    return {*row.options}
+
+
+def cover(table, met=choices):
+    """The names of so few rows as a greedy choice finds, each time the one with most of what is left. `met`: what a
+    test should meet."""
+    left, chosen = set().union(*map(met, table.values())), []
     while left:
-        chosen.append(max(sorted(table), key=lambda name: len(choices(table[name]) & left)))
-        left -= choices(table[chosen[-1]])
+        chosen.append(max(sorted(table), key=lambda name: len(met(table[name]) & left)))
+        left -= met(table[chosen[-1]])
     return chosen
 
 
 def fast():
-    """The configurations of the fast set, but for those that single tests name."""
+    """The configurations whose C++ cores the fast set tests, but for those that single tests name."""
     table = rows()
     covered = {name: row for name, row in table.items() if row.use in COVERED}
     return {name for name, row in table.items() if row.use not in (*COVERED, *LEFT_OUT)} | {*cover(covered)}
 
 
+def simulated():
+    """Those of them whose VHDL it simulates: the smallest of each family, and every option in one family."""
+    table = {name: row for name, row in rows().items() if name in fast()}
+    covered = {name: row for name, row in table.items() if row.use in COVERED}
+    return {name for name, row in table.items() if row.use == "tiny"} | {*cover(covered, options)}
+
+
 def named():
-    """The configurations that tests name, but for those of which they read figures only."""
+    """The configurations that tests name."""
     texts = [path.read_text() for pattern in TESTS for path in sorted(ROOT.glob(pattern))]
     words = {word for text in texts for word in re.findall(r"[\"'](\w+)[\"']", text)}
-    return {name for name, row in rows().items() if name in words and row.use != "study"}
+    return {name for name, row in rows().items() if name in words and row.use not in LEFT_OUT}
 
 
 def with_slow(values, fast_ones):

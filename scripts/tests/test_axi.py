@@ -24,6 +24,7 @@ def cocotb():
     return where_reachable(cocotb_runs.environment_folder)
 
 
+IN_FAST = ["tiny_all_p4", "tiny_f4_all", "tiny_size_all"]  # short frames, a pair in several clocks, settings and sizes
 SHORT = [
     "tiny",
     "tiny_p2",
@@ -37,6 +38,17 @@ SHORT = [
 ]
 
 
+def test_frames_in_verilator(ghdl, verilator, tmp_path):
+    """Some configurations of the short run."""
+    words = [word for config in IN_FAST for word in ("--config", config)]
+    process = call("verify_axi.py", *words, "--frames", 40, "--simulator", "verilator", "--out", tmp_path)
+    assert process.returncode == 0, process.stdout + process.stderr
+    report = json.loads((tmp_path / "report.json").read_text())
+    assert report["failed"] == 0 and report["broken_stream_cases"] >= 20 and {*IN_FAST} < {*SHORT}
+    assert len(report["exact_frames"]) == len(IN_FAST) and all(count >= 20 for count in report["exact_frames"].values())
+
+
+@pytest.mark.slow
 def test_short_run_in_verilator(ghdl, verilator, tmp_path):
     process = call("verify_axi.py", "--short", "--simulator", "verilator", "--out", tmp_path)
     assert process.returncode == 0, process.stdout + process.stderr

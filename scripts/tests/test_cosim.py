@@ -88,7 +88,7 @@ def test_crop_in_ghdl(ghdl, pairs, tmp_path, config):
     assert result["clocks_per_frame"] is None, "a crop is no frame"
 
 
-@pytest.mark.parametrize("simulator", ["ghdl", "verilator"])
+@pytest.mark.parametrize("simulator", with_slow(["ghdl", "verilator"], ["verilator"]))
 def test_two_whole_frames(ghdl, verilator, pairs, tmp_path, simulator):
     """Those of the other configurations are recorded: the next test."""
     process = cosim("ambrosch2007", pairs["ambrosch2007"], tmp_path, "--frames", 2, "--simulator", simulator)

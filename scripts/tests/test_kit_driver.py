@@ -9,8 +9,8 @@ import kits
 from conftest import need
 from cover import with_slow
 from flow.base.tools import ROOT
-from flow.cosim import simulators
 from flow.kit import naming
+from flow.simulation.simulators import Design, Verilator
 
 BENCHES = ROOT / "hls_tb" / "kit"
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
@@ -86,8 +86,9 @@ def test_driver_on_the_vhdl(gcc, ghdl, verilator, tmp_path, config):
     kit = kits.make(tmp_path / "kit", "vivado", config)
     driver = compiled(gcc, kit, tmp_path / "driver.o", "-c")
     options = ["-CFLAGS", f"-I{kit.folder / 'software'}"]
-    simulators.verilate(tmp_path, kit.sources(), kit.top, [named(kit, tmp_path, "driver_bench.cpp"), driver], options)
-    bench = simulators.verilated_bench(tmp_path)
+    bench_files = [named(kit, tmp_path, "driver_bench.cpp"), driver]
+    Verilator().build(tmp_path, Design(kit.top, kit.sources(), bench_files, options=options))
+    bench = Verilator.program(tmp_path)
     process = subprocess.run([bench], capture_output=True, text=True)
     assert process.returncode == 0 and process.stdout == "288 of 288 disparities right, 0 wrong\n", process.stdout
 

@@ -10,9 +10,9 @@ import kits
 from conftest import need
 from flow.base import ghdl as vhdl
 from flow.base.tools import ROOT
-from flow.cosim import simulators
 from flow.kit import naming
 from flow.shell import template
+from flow.simulation.simulators import Design, Verilator
 
 CONFIGURATIONS = ("tiny", "tiny_sgm")
 BENCH = ROOT / "hls_tb" / "kit" / "two_cores_bench.cpp"
@@ -89,10 +89,11 @@ def drivers(pair, folder):
     return made, [word for kit in pair for word in ("-CFLAGS", f"-I{kit.folder / 'software'}")]
 
 
+@pytest.mark.slow
 def test_one_program_drives_both(ghdl, verilator, pair, tmp_path):
     files, (objects, options) = design(pair, tmp_path), drivers(pair, tmp_path)
-    simulators.verilate(tmp_path, files, TOP, [BENCH, *objects], options)
-    bench = simulators.verilated_bench(tmp_path)
+    Verilator().build(tmp_path, Design(TOP, files, [BENCH, *objects], options=options))
+    bench = Verilator.program(tmp_path)
     process = subprocess.run([bench], capture_output=True, text=True)
     assert process.returncode == 0 and process.stdout == "0 wrong\n", process.stdout
 

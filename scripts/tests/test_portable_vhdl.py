@@ -7,7 +7,7 @@ import shutil
 import pytest
 
 import kits
-from cover import fast, with_slow
+from cover import simulated, with_slow
 from flow.base import committed, ghdl as ghdl_flow, rtl
 from flow.base.configurations import designs
 from flow.base.errors import FlowError
@@ -25,7 +25,7 @@ def those(in_short):
     every option."""
     made = committed.known_designs()
     parts = {name for system in systems.SYSTEMS.values() for name in (system.rectification, system.matching)}
-    short = [name for name in made if name in fast() | parts or TABLE[name]["use"] in committed.TAKEN]
+    short = [name for name in made if name in simulated() | parts or TABLE[name]["use"] in committed.TAKEN]
     return short if in_short else made
 
 

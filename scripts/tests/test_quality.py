@@ -27,6 +27,7 @@ def teddy():
     return quality.measure(quality.pair_images(PAIR), quality.PAIR_DISPARITIES)
 
 
+@pytest.mark.slow
 def test_stereo_bm_is_measured_as_opencv_measures_it(teddy):
     bm = dict(teddy)[quality.BM]
     assert (bm["parameters"]["disparities"], bm["parameters"]["block_px"]) == (48, 15)
@@ -34,6 +35,7 @@ def test_stereo_bm_is_measured_as_opencv_measures_it(teddy):
         assert quality.bad_1(bm, mask) == pytest.approx(stored, abs=quality.OPENCV_TOLERANCE), mask
 
 
+@pytest.mark.slow
 def test_the_best_of_ours_are_as_good_as_those_of_opencv(teddy):
     title, best = quality.best_of_family(teddy, "block_matching")
     assert quality.bad_1(best) <= quality.bad_1(dict(teddy)[quality.BM]), title
@@ -42,6 +44,7 @@ def test_the_best_of_ours_are_as_good_as_those_of_opencv(teddy):
         assert quality.bad_1(best) <= quality.bad_1(dict(teddy)[mode]), f"{title}, {mode}"
 
 
+@pytest.mark.slow
 def test_the_committed_page_shows_what_is_measured(teddy):
     text = quality.PAGE.read_text()
     for part in (quality.regions_table([teddy]), quality.measures_table(teddy), quality.verdict(teddy)):

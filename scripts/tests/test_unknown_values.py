@@ -12,8 +12,9 @@ import pytest
 from conftest import ROOT, need, where_reachable
 from cover import with_slow
 from flow.base import ghdl as ghdl_flow, venv
-from flow.base.tools import run
 from flow.shell import design
+from flow.simulation.simulation import Simulation
+from flow.simulation.simulators import Design, Icarus
 
 BENCHES = ROOT / "hls_tb" / "shell"
 TRAFFIC = BENCHES / "idle_traffic.vhd"
@@ -92,11 +93,12 @@ def test_a_broken_rule_is_noticed(ghdl, vunit, tmp_path, rule):
 
 def unknown_in_four_values(work, files):
     """(disparities, unknown ones, clocks with unknown flags) of GHDL's Verilog in Icarus."""
-    icarus, player = need("iverilog"), need("vvp")
-    (work / "design.v").write_text(ghdl_flow.to_verilog(files, work, "stereo_ip_tiny"))
-    run([icarus, "-g2005-sv", "-o", "bench", "design.v", BENCHES / "tb_unknown.v"], cwd=work)
-    said = run([player, "bench"], cwd=work)
-    found = re.search(r"(\d+) disparities, (\d+) unknown, (\d+) clocks with unknown flags", said)
+    need("iverilog")
+    design_with_bench = Design("stereo_ip_tiny", files, [BENCHES / "tb_unknown.v"])
+    simulation, said = Simulation(Icarus(), design_with_bench, work / "icarus"), []
+    simulation.build()
+    simulation.run_bench({}, 60, said.append)
+    found = re.search(r"(\d+) disparities, (\d+) unknown, (\d+) clocks with unknown flags", "\n".join(said))
     assert found, said
     return tuple(map(int, found.groups()))
 

@@ -31,7 +31,7 @@ def install(say: Say = print) -> Path:
         "--disable-pip-version-check",
         "--no-build-isolation",
         "--no-deps",
-        f"--config-settings=cmake.define.STEREO_WERROR={_warnings_are_errors()}",
+        *(f"--config-settings=cmake.define.{name}={value}" for name, value in _of_native_build().items()),
         ROOT,
     ]
     with exclusive(ROOT / "build" / "python-module.lock"):
@@ -42,14 +42,14 @@ def install(say: Say = print) -> Path:
     return programs
 
 
-def _warnings_are_errors() -> str:
-    """As in the native build: with the same options, the compiler cache has most objects from there."""
+def _of_native_build() -> dict[str, str]:
+    """What is given to CMake as the native build has it: with the same compiler, of the same name, and the same options
+    the compiler cache has most objects from there. By itself the module takes the compiler that made Python."""
     try:
         cache = Path(find_stereo_hls()).with_name("CMakeCache.txt").read_text()
     except (FlowError, OSError):  # the module does not need that build
-        return "OFF"
-    found = re.search(r"^STEREO_WERROR:BOOL=(\w+)$", cache, re.MULTILINE)
-    return found[1] if found else "OFF"
+        return {"STEREO_WERROR": "OFF"}
+    return dict(re.findall(r"^(STEREO_WERROR|CMAKE_CXX_COMPILER):\w+=(.+)$", cache, re.MULTILINE))
 
 
 def site_packages(programs: Path) -> Path:

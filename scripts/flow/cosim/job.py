@@ -21,7 +21,7 @@ from ..synthesis.bambu import original_files
 from ..synthesis.lowering.naming import Trace, read_trace
 from . import checker, coverage, mismatch, registers, report, vectors
 from .report import Report, summary
-from .simulators import SIMULATORS, Clocks, Covered, Ghdl, Simulator
+from .simulators import IN_GHDL, SIMULATORS, Clocks, CoreSimulation, Covered, Ghdl
 
 AUTOMATIC_WAVE_CLOCKS = 100_000  # later mismatches would take GHDL minutes
 STAGE_DISPARITIES = 16  # of the scene that a stage gets
@@ -174,13 +174,13 @@ def _run(job: Job, out: Path) -> Report:
     for path in given:
         vectors.check_fits(path, job.config, parameters)
 
-    simulator = _simulator(job, design, parameters)
+    simulation = _simulation(job, design, parameters)
     started = time.monotonic()
     print(f"{job.config}: building the {job.simulator} simulation ...", flush=True)
-    is_new = simulator.build()
+    is_new = simulation.build()
     build_seconds = time.monotonic() - started
 
-    seconds = _simulate(job, simulator, stimulus_path, out / "observed.txt", len(stimulus))
+    seconds = _simulate(job, simulation, stimulus_path, out / "observed.txt", len(stimulus))
     observed, clocks = vectors.read_observed(out / "observed.txt")
     if clocks != len(stimulus):
         raise FlowError(f"the simulation ran {clocks} of {len(stimulus)} clocks", EXIT_TOOL_FAILED)
@@ -192,27 +192,27 @@ def _run(job: Job, out: Path) -> Report:
         timing = checker.measure(*checker.part_from(images_from, stimulus, observed), parameters)
     result = make_report(job, verdict, timing, clocks, seconds, build_seconds)
     result["is_cached"] = not is_new
-    result["tools"] = simulator.tools()
+    result["tools"] = simulation.simulator.tools()
     result["environment"] = facts()
     if edited:
         result["edited"] = edited
-    if isinstance(simulator, Covered):
-        result["coverage"] = _coverage(simulator, out)
+    if job.coverage:
+        result["coverage"] = _coverage(simulation, out)
     if job.wave is not None:
-        result["wave"] = _dump_wave(job.wave, job, simulator, verdict, clocks)
+        result["wave"] = _dump_wave(job.wave, job, simulation, verdict, clocks)
     report.write(out, result)
     print(summary(result))
     if verdict.first_mismatch:
-        _explain(job, parameters, simulator, verdict.first_mismatch, clocks)
+        _explain(job, parameters, simulation, verdict.first_mismatch, clocks)
     return result
 
 
-def _coverage(simulator: Covered, out: Path) -> coverage.Coverage:
-    print(f"{simulator.config}: what has never moved is given to yosys-abc ...", flush=True)
-    texts = {path.name: path.read_text() for path in simulator.vhdl_files}
+def _coverage(simulation: CoreSimulation, out: Path) -> coverage.Coverage:
+    print(f"{simulation.config}: what has never moved is given to yosys-abc ...", flush=True)
+    texts = {path.name: path.read_text() for path in simulation.vhdl_files}
     with tempfile.TemporaryDirectory() as work:
-        top = simulator.kind.entity(simulator.config)
-        found = coverage.read(out / coverage.DATA, simulator.verilog, texts, top, Path(work))
+        verilog = Covered.verilog(simulation.work, simulation.design.top)
+        found = coverage.read(out / coverage.DATA, verilog, texts, simulation.design.top, Path(work))
     coverage.write(out, found, out / coverage.DATA)
     return found
 
@@ -305,58 +305,56 @@ def _folder(job: Job) -> Path:
     return out
 
 
-def _simulator(job: Job, design: list[Path], parameters: Parameters) -> Simulator:
-    if job.coverage:
-        lanes, bits = parameters["pixels_per_clock"], vectors.row_bits(parameters)
-        folder = _simulations() / f"{job.config}-coverage"
-        return Covered(job.config, design, folder, lanes, bits, kind=rtl.kind_of(parameters))
-    folder = _simulations() / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
-    lanes, bits = parameters["pixels_per_clock"], vectors.row_bits(parameters)
-    return SIMULATORS[job.simulator](
-        job.config, design, folder, lanes, bits, trace=job.wave is not None, kind=rtl.kind_of(parameters)
-    )
+def _simulation(job: Job, design: list[Path], parameters: Parameters) -> CoreSimulation:
+    simulator = Covered() if job.coverage else SIMULATORS[job.simulator]
+    name = f"{job.config}-coverage" if job.coverage else f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
+    lanes, bits, kind = parameters["pixels_per_clock"], vectors.row_bits(parameters), rtl.kind_of(parameters)
+    folder = _simulations() / name
+    return CoreSimulation(simulator, job.config, design, folder, lanes, bits, job.wave is not None, kind)
 
 
-def _simulate(job: Job, simulator: Simulator, stimulus: Path, observed: Path, clocks: int) -> float:
+def _simulate(job: Job, simulation: CoreSimulation, stimulus: Path, observed: Path, clocks: int) -> float:
     """The seconds that it took."""
     with progress.bar(f"{job.config} in {job.simulator}", clocks, "clocks") as bar:
-        seconds = simulator.run(stimulus, observed, bar.show, job.watchdog_seconds)
+        seconds = simulation.run(stimulus, observed, bar.show, job.watchdog_seconds)
         bar.show(clocks)
     return seconds
 
 
-def _rerun(job: Job, simulator: Simulator, wave: Path, window: Clocks) -> None:
+def _rerun(job: Job, simulation: CoreSimulation, wave: Path, window: Clocks) -> None:
     """Simulates again, for a waveform."""
     out = job.out_directory()
     observed = out / "observed_wave.txt"
-    simulator.run(out / "stimulus.txt", observed, lambda clock: None, job.watchdog_seconds, wave.resolve(), window)
+    simulation.run(out / "stimulus.txt", observed, lambda clock: None, job.watchdog_seconds, wave.resolve(), window)
     observed.unlink(missing_ok=True)
 
 
-def _dump_wave(wave: Path, job: Job, simulator: Simulator, verdict: checker.Verdict, clocks: int) -> str:
+def _dump_wave(wave: Path, job: Job, simulation: CoreSimulation, verdict: checker.Verdict, clocks: int) -> str:
     """Around the first mismatch, or the first clocks when there is none."""
     around = verdict.first_mismatch.clock if verdict.first_mismatch else mismatch.CLOCKS_BEFORE
-    _rerun(job, simulator, wave, mismatch.window(around, clocks))
+    _rerun(job, simulation, wave, mismatch.window(around, clocks))
     return str(wave.resolve())
 
 
-def _explain(job: Job, parameters: Parameters, simulator: Simulator, first: checker.Mismatch, clocks: int) -> None:
+def _explain(
+    job: Job, parameters: Parameters, simulation: CoreSimulation, first: checker.Mismatch, clocks: int
+) -> None:
     """Waveform and page of the first mismatch. After a run in another simulator GHDL runs the same
     VHDL for it."""
 
     def dump(path: Path, window: Clocks) -> None:
         if first.clock > AUTOMATIC_WAVE_CLOCKS:
             raise FlowError(f"it lies beyond clock {AUTOMATIC_WAVE_CLOCKS:,}; --wave FILE makes one")
-        source = simulator
-        if not isinstance(simulator, Ghdl):
+        source = simulation
+        if job.simulator not in IN_GHDL:
             folder = _simulations() / f"{job.config}-ghdl"
-            lanes, bits = simulator.pixels, simulator.disparity_bits
-            source = Ghdl(job.config, simulator.vhdl_files, folder, lanes, bits, kind=simulator.kind)
+            lanes, bits = simulation.pixels, simulation.disparity_bits
+            source = Ghdl(job.config, simulation.vhdl_files, folder, lanes, bits, kind=simulation.kind)
             source.build()
         _rerun(job, source, path, window)
 
     has_names = job.simulator != "original" and not job.stimulus
-    trace = _CppTrace(job, parameters, simulator.vhdl_files) if has_names else None
+    trace = _CppTrace(job, parameters, simulation.vhdl_files) if has_names else None
     for line in mismatch.explain(job.out_directory(), parameters, first, clocks, dump, trace):
         print(line)
 

@@ -23,7 +23,7 @@ from ..synthesis.lowering.naming import Trace
 from . import checker, registers, vcd, vectors, waveform
 from .frame_maps import Around, FrameMaps
 from .report import Report
-from .simulators import SIMULATORS, Clocks, Ghdl
+from .simulators import IN_GHDL, Clocks
 from .vcd import Values
 
 PAGE, DUMP, SAVE = "failure.html", "failure.vcd", "failure.gtkw"
@@ -99,7 +99,7 @@ def _differ(report: Report) -> list[str]:
 def _notes(folder: Path, report: Report, first: checker.Mismatch) -> list[str]:
     """About what differs first, and about a waveform of another simulator."""
     notes = [f"{report['first_register'].capitalize()}."] if "first_register" in report else []
-    if issubclass(SIMULATORS[report["simulator"]], Ghdl):
+    if report["simulator"] in IN_GHDL:
         return notes
     notes += ["The waveform is GHDL's, of the same VHDL and stimulus."]
     if first.expected and waveform.output(folder / DUMP, first.expected.clock) == (1, first.expected.disparity):

@@ -165,7 +165,7 @@ class Regression:
         program = Path(find_stereo_hls())
         core = Path(os.environ.get("STEREO_CORES") or program.parent / "cores") / f"{config}.so"
         flow = ROOT / "scripts" / "flow"
-        folders = (BENCH, flow / "cosim", flow / "base")
+        folders = (BENCH, flow / "cosim", flow / "simulation", flow / "base")
         sources = [path for folder in folders for path in sorted(folder.iterdir()) if path.is_file()]
         design = [path for path in sorted(committed.folder(config).iterdir()) if path.suffix in (".vhd", ".vhdl")]
         design.append(committed.folder(config) / "manifest.json")

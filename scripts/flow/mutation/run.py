@@ -20,6 +20,7 @@ from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Say
 from ..cosim import checker, simulators, vectors
 from ..shell import broken, cocotb_runs, contract, design, formal, pool, script, selections
+from ..simulation import simulation, simulators as programs
 from ..synthesis import manifest
 from . import differences, equivalence, judges, mutants
 from .equivalence import Design, NotSynthesizedError, Prover
@@ -57,7 +58,10 @@ class EarlierVerdicts:
     @staticmethod
     def _sources(config: str) -> list[Path]:
         """Everything that decides a verdict."""
-        of_base, of_shell = (aiger, ghdl), (broken, cocotb_runs, contract, design, formal, pool, script, selections)
+        of_base, of_shell = (
+            (aiger, ghdl, simulation, programs),
+            (broken, cocotb_runs, contract, design, formal, pool, script, selections),
+        )
         modules = (*of_base, *of_shell, checker, simulators, vectors, differences, equivalence, judges, mutants)
         benches = sorted((ROOT / "hls_tb" / "shell").glob("*.py"))
         return [

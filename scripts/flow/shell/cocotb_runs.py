@@ -12,11 +12,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from ..base import builds, committed, ghdl, rtl, venv
+from ..base import committed, ghdl, rtl, venv
 from ..base.configurations import configuration
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, Say, find_ghdl, run, run_with_progress
+from ..base.tools import ROOT, Say, run
 from ..cosim import vectors
+from ..simulation import simulators
+from ..simulation.simulation import Simulation
 from ..synthesis import manifest
 from . import design, pool, template
 
@@ -56,8 +58,8 @@ def environment_folder(say: Say = print) -> Path:
     return venv.ensure("venv-axi", REQUIREMENTS, "cocotb", say)
 
 
-class Ghdl:
-    """The stereo_ip of one configuration, analysed once in its folder. `files`: others for the core and the shell;
+class Ghdl(Simulation):
+    """The stereo_ip of one configuration. `files`: others for the core and the shell;
     `generics`: of the shell, that are not those of its core, and enabled_at_reset."""
 
     def __init__(
@@ -70,32 +72,16 @@ class Ghdl:
     ) -> None:
         self.config = config
         self.parameters = configuration(config)
-        self.entry = manifest.read(committed.folder(config))
-        self.top = rtl.ip_entity(config)
-        self.files = files or [*manifest.core_files(config), *design.shell_files()]
         self.generics = dict(generics or {})
         enabled = self.generics.pop("enabled_at_reset", None)  # the only one that a user of the stereo_ip chooses
-        self.options = {} if enabled is None else {"enabled_at_reset": enabled}
+        self.given = {} if enabled is None else {"enabled_at_reset": enabled}
         names = [f"{name}_{value}" for name, value in self.generics.items()]
-        self.root = work.resolve().joinpath("-".join([config, *names]))
-        self._built: builds.Build | None = None
+        top = rtl.ip_entity(config)
+        texts = {f"{top}.vhd": template.entity(config, manifest.read(committed.folder(config)), self.generics)}
+        own = simulators.Design(top, files or [*manifest.core_files(config), *design.shell_files()], texts=texts)
+        # Analysed only: the run elaborates, and what fails there fails the tests.
+        super().__init__(simulators.Ghdl(elaborates=False), own, work.resolve().joinpath("-".join([config, *names])))
         self.bin = environment_folder(say)
-
-    def build(self) -> None:
-        text = template.entity(self.config, self.entry, self.generics)
-
-        def analyse(folder: Path, files: list[Path]) -> None:
-            wrapper = folder / f"{self.top}.vhd"
-            wrapper.write_text(text)
-            ghdl.analyse([*files, wrapper], folder)
-
-        options = (text, ghdl.version())
-        self._built = builds.build_once(self.root, self.files, [Path(ghdl.__file__)], options, analyse)
-
-    @property
-    def work(self) -> Path:
-        assert self._built is not None
-        return self._built.folder
 
     def run(
         self,
@@ -122,8 +108,12 @@ class Ghdl:
             environment["TESTCASE"] = ",".join(tests)
         log = out / f"{module}.log"
         with log.open("w") as text:
-            run_with_progress(
-                self._command(environment), lambda line: text.write(line + "\n"), watchdog_seconds, cwd=self.work
+            self.run_bench(
+                self.given,
+                watchdog_seconds,
+                lambda line: text.write(line + "\n"),
+                [f"--vpi={library_paths(self.bin)[0]}", "--ieee-asserts=disable-at-0"],
+                environment=environment,
             )
         return read_results(results, log)
 
@@ -131,7 +121,7 @@ class Ghdl:
         _, python = library_paths(self.bin)
         return {
             "MODULE": module,
-            "TOPLEVEL": self.top,
+            "TOPLEVEL": self.design.top,
             "TOPLEVEL_LANG": "vhdl",
             "COCOTB_RESULTS_FILE": str(results),
             "RANDOM_SEED": str(seed),
@@ -144,12 +134,6 @@ class Ghdl:
             "VIRTUAL_ENV": str(self.bin.parent),
             "PATH": f"{self.bin}{os.pathsep}{os.environ['PATH']}",
         }
-
-    def _command(self, environment: dict[str, str]) -> list[str]:
-        interface, _ = library_paths(self.bin)
-        variables = [f"{name}={value}" for name, value in environment.items()]
-        options = [*ghdl.options_of(self.options), f"--vpi={interface}", "--ieee-asserts=disable-at-0"]
-        return ["env", *variables, find_ghdl(), "-r", ghdl.STANDARD, self.top, *options]
 
     def _write_pool(self, out: Path, filled: Path | None, seed: int) -> None:
         folder = filled or out / "pool"

@@ -8,10 +8,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ..base import builds, ghdl, rtl
+from ..base import rtl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, run_with_progress
-from ..cosim import simulators, vectors
+from ..base.tools import ROOT
+from ..cosim import vectors
+from ..simulation.simulation import Simulation
+from ..simulation.simulators import Design, Verilator
 from . import design
 from .script import Step, as_text
 
@@ -29,35 +31,19 @@ class Observation:
     hangs: bool = False
 
 
-class Verilated:
-    """One configuration, built once in its folder."""
+class Verilated(Simulation):
+    """One configuration."""
 
     def __init__(self, config: str, work: Path, files: list[Path] | None = None) -> None:
-        self.config = config
-        self.files = files or design.vhdl_files(config)
-        self.root = work
-        self._built: builds.Build | None = None
-
-    def build(self) -> None:
-        makers = [BENCH, *(Path(module) for module in (__file__, simulators.__file__, ghdl.__file__))]
-        self._built = builds.build_once(self.root, self.files, makers, simulators.Verilator.tools(), self._build)
-
-    @property
-    def work(self) -> Path:
-        assert self._built is not None
-        return self._built.folder
-
-    def _build(self, work: Path, files: list[Path]) -> None:
-        simulators.verilate(work, files, rtl.ip_entity(self.config), [BENCH])
+        built = Design(rtl.ip_entity(config), files or design.vhdl_files(config), [BENCH])
+        super().__init__(Verilator(), built, work)
 
     def play(self, steps: Iterable[Step], seed: int, out: Path) -> Observation:
         out = out.resolve()
         out.mkdir(parents=True, exist_ok=True)
         stream, observed = out / "stream.txt", out / "observed.txt"
         stream.write_text(as_text(steps, seed))
-        observed.unlink(missing_ok=True)
-        command = [simulators.verilated_bench(self.work), stream, observed]
-        run_with_progress(command, lambda line: None, WATCHDOG_SECONDS, cwd=out)
+        self.run_bench({"stream_file": stream, "observed_file": observed}, WATCHDOG_SECONDS, writes=observed)
         return read_observation(observed)
 
 

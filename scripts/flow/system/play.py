@@ -9,11 +9,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from ..base import builds, ghdl, rtl
+from ..base import rtl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, Word, find_ghdl, run_with_progress
-from ..cosim import simulators
+from ..base.tools import ROOT, Word
 from ..shell.template import lane_bits
+from ..simulation import simulation, simulators
+from ..simulation.simulators import Design
 from . import pipeline
 from .pipeline import Image, Table
 from .template import System, vhdl_files
@@ -69,27 +70,21 @@ def beats(image: Image) -> list[Beat]:
     ]
 
 
-class Simulation:
+class Simulation(simulation.Simulation):
     """A system, built once and played any number of times."""
 
-    bench = BENCHES / "camera_bench.cpp"
+    in_simulator: simulators.Simulator
+    options: Sequence[Word] = ()
 
     def __init__(self, system: System, files: list[Path] | None = None) -> None:
-        self.system, self.files = system, files or vhdl_files(system)
+        self.system = system
         self._pixel_bits = rtl.pixel_bits_of(pipeline.rows_of(system)[1])
         self._lane_bits = lane_bits(self._pixel_bits)
-        makers = [self.bench, *(Path(module) for module in (__file__, simulators.__file__, ghdl.__file__))]
         folder = WORK / type(self).__name__.lower() / system.name
-        self._built = builds.build_once(folder, self.files, makers, self._tools(), self._build)
+        super().__init__(self.in_simulator, self._design(system, files or vhdl_files(system)), folder)
+        self.build()
 
-    @staticmethod
-    def _tools() -> dict[str, str]:
-        raise NotImplementedError
-
-    def _build(self, work: Path, files: list[Path]) -> None:
-        raise NotImplementedError
-
-    def _command(self, stream: Path, observed: Path) -> list[Word]:
+    def _design(self, system: System, files: list[Path]) -> Design:
         raise NotImplementedError
 
     def play(
@@ -103,12 +98,11 @@ class Simulation:
         """`sink`: how often it waits in percent, and the seed."""
         out.mkdir(parents=True, exist_ok=True)
         stream, observed = out / "stream.txt", out / "observed.txt"
-        observed.unlink(missing_ok=True)
         lines = [f"t {address:02x} {data:08x}" for address, data in writes] + [f"s {sink[0]} {sink[1]}"]
         lines += self._camera_lines("l", left) + self._camera_lines("r", right)
         stream.write_text("\n".join(lines) + "\n")
-        command = self._command(stream.resolve(), observed.resolve())
-        run_with_progress(command, lambda line: None, WATCHDOG_SECONDS, cwd=self._built.folder)
+        given = {"stream_file": stream.resolve(), "observed_file": observed.resolve()}
+        self.run_bench(given, WATCHDOG_SECONDS, options=self.options, writes=observed)
         return read(observed)
 
     def _camera_lines(self, camera: str, beats: Iterable[Beat]) -> list[str]:
@@ -122,34 +116,21 @@ class Simulation:
 
 
 class Verilated(Simulation):
-    @staticmethod
-    def _tools() -> dict[str, str]:
-        return simulators.Verilator.tools()
+    in_simulator = simulators.SIMULATORS["verilator"]
 
-    def _build(self, work: Path, files: list[Path]) -> None:
-        simulators.verilate(work, files, self.system.entity, [self.bench])
-
-    def _command(self, stream: Path, observed: Path) -> list[Word]:
-        return [simulators.verilated_bench(self._built.folder), stream, observed]
+    def _design(self, system: System, files: list[Path]) -> Design:
+        return Design(system.entity, files, [BENCHES / "camera_bench.cpp"])
 
 
 class InGhdl(Simulation):
-    bench = BENCHES / "tb_camera_system.vhd"
+    in_simulator = simulators.SIMULATORS["ghdl"]
+    options = ("--ieee-asserts=disable-at-0",)
 
-    @staticmethod
-    def _tools() -> dict[str, str]:
-        return simulators.Ghdl.tools()
-
-    def _build(self, work: Path, files: list[Path]) -> None:
-        copy = work / self.bench.name
-        text = self.bench.read_text().replace("camera_system_NAME", self.system.entity)
-        copy.write_text(text.replace("lane_bits : positive := 8", f"lane_bits : positive := {self._lane_bits}"))
-        ghdl.analyse([*files, copy], work)
-        ghdl.elaborate(work, self.bench.stem)
-
-    def _command(self, stream: Path, observed: Path) -> list[Word]:
-        generics = ghdl.options_of({"stream_file": str(stream), "observed_file": str(observed)})
-        return [find_ghdl(), "-r", ghdl.STANDARD, self.bench.stem, *generics, "--ieee-asserts=disable-at-0"]
+    def _design(self, system: System, files: list[Path]) -> Design:
+        bench = BENCHES / "tb_camera_system.vhd"
+        text = bench.read_text().replace("camera_system_NAME", system.entity)
+        text = text.replace("lane_bits : positive := 8", f"lane_bits : positive := {self._lane_bits}")
+        return Design(bench.stem, files, texts={bench.name: text})
 
 
 def read(path: Path) -> Observation:
