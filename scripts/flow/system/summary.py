@@ -46,9 +46,8 @@ def of_frame(system: System, seen: record.Frame) -> list[str]:
     mhz = routed_mhz(system)
     for which, clocks in (("first", seen["latency"]["first_clocks"]), ("last", seen["latency"]["last_clocks"])):
         at_clock = f", {clocks / mhz:.1f} us at {mhz} MHz" if mhz else ""
-        lines.append(
-            f"  from a row's last pixel to its {which} depth: {clocks} clocks, {clocks / line_clocks:.2f} lines{at_clock}"
-        )
+        took = f"{clocks} clocks, {clocks / line_clocks:.2f} lines{at_clock}"
+        lines.append(f"  from a row's last pixel to its {which} depth: {took}")
     return lines
 
 
