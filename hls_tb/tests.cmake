@@ -52,7 +52,9 @@ stereo_add_unit_tests(
   blocks/block_matching/config_test.cpp
   blocks/block_matching/disparity_slice_test.cpp
   blocks/block_matching/row_best_test.cpp
+  blocks/block_matching/row_check_test.cpp
   blocks/block_matching/row_passes_test.cpp
+  blocks/block_matching/row_winners_test.cpp
   blocks/block_matching/texture_test.cpp
   blocks/dynamic_range/coarse_pixels_test.cpp
   blocks/dynamic_range/search_rows_test.cpp
@@ -70,10 +72,15 @@ stereo_add_unit_tests(
   blocks/semi_global/cost_slice_test.cpp
   blocks/semi_global/path_above_test.cpp
   blocks/semi_global/phase_above_test.cpp
+  blocks/semi_global/phase_mask_test.cpp
   blocks/semi_global/phase_memory_test.cpp
+  blocks/semi_global/phase_other_test.cpp
   blocks/semi_global/phase_pixels_test.cpp
   blocks/semi_global/phase_row_path_test.cpp
   blocks/semi_global/phase_shift_test.cpp
+  blocks/semi_global/phase_turn_test.cpp
+  blocks/semi_global/phase_window_test.cpp
+  blocks/semi_global/phase_winners_test.cpp
   blocks/semi_global/row_order_test.cpp
   blocks/semi_global/row_path_test.cpp
   blocks/trellis/config_test.cpp

@@ -130,6 +130,8 @@ struct Config : Image, Matching, Structure {
    constexpr int passes_columns() const { return clocks_per_pixel * pass_columns() + columns_behind_last_pass(); }
    /// Rows by which a folded core is behind one that is not: one that is matched, and one that leaves.
    constexpr int folded_rows() const { return is_folded() ? 2 : 0; }
+   /// Columns of a pass from one that asks a memory of the passes before to the first one that finds its result there.
+   static constexpr int kColumnsToBest = 5, kColumnsToOther = 4;
    /// Clocks that are enough from a pass's column to its disparity.
    constexpr int clocks_to_pass_result() const { return 40 + disparities / slice_disparities; }
 
@@ -229,7 +231,8 @@ struct Config : Image, Matching, Structure {
    /// as a pass has disparities (RowCheck).
    constexpr bool passes_are_apart() const {
       const bool shows_sooner = has_left_right_check() && reference == Reference::right;
-      return pass_columns() >= 5 && (!shows_sooner || pass_columns() - pass_disparities() >= 4);
+      return pass_columns() >= kColumnsToBest &&
+             (!shows_sooner || pass_columns() - pass_disparities() >= kColumnsToOther);
    }
    /// Whether the first disparity of a frame is checked before the next frame can start.
    constexpr bool holds_settings() const {

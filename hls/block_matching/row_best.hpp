@@ -21,6 +21,7 @@ struct RowBest {
    using Value = typename Best::Value;
    static constexpr int kPixels = 1;
    static constexpr int kClocks = 5;
+   static_assert(kClocks == C.kColumnsToBest, "Config counts the clocks in which a pass's candidates come into memory");
    static constexpr int kPasses = C.clocks_per_pixel;
    static constexpr int kLanes = Best::kHasNeighbours ? 5 : 2;
    static constexpr int kCostBits = bits_for(C.largest_window_cost());

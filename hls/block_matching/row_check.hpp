@@ -3,6 +3,7 @@
 
 #include "block_matching/folding.hpp"
 #include "block_matching/row_winners.hpp"
+#include "cost/costs.hpp"
 #include "support/memory_bank.hpp"
 #include "support/packed.hpp"
 #include "support/settings.hpp"
@@ -24,6 +25,9 @@ struct RowCheck {
    using Best = Candidate<CandidateKind{.largest_cost = C.largest_window_cost(), .ties = C.ties}>;
    static constexpr bool kFalls = C.reference == Reference::right;
    static constexpr int kClocks = 3;
+   static constexpr int kClocksToKeep = 4;  ///< of another image's pixel: 2 ... 5 below
+   static_assert(kClocksToKeep == C.kColumnsToOther,
+                 "Config counts the clocks in which a pass's pixels come into memory");
    static constexpr int kPasses = C.clocks_per_pixel;
    static constexpr int kLanes = C.pass_disparities();
    static constexpr int kShown = C.output_width_px() + kLanes - 1;  ///< pixels that a pass shows

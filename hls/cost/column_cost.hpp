@@ -87,7 +87,7 @@ struct RecursiveColumn {
    static constexpr int kClocks = PixelCost<C, Count>::kClocks + 2;
    static constexpr int kPixels = C.pixels_per_clock;
    static constexpr int kCostBits = bits_for(C.largest_column_cost());
-   using Pack = Packed<kCostBits, Count>;
+   using Pack = Packed<kCostBits, Count, word_bits_of(C.width_px, 32)>;  // the width of a folded core: of all passes
    static constexpr int kMemories = Pack::kWords;
    using Word = typename Pack::Word;
    using Change = int32_t;

@@ -13,7 +13,9 @@
 -- Whatever a camera loses, pixel, line or frame: that frame does not come out whole. A pair of zeros ends it at once, whose
 -- tlast is wrong for its column: from it the stereo_ip behind knows that it must fill the frame up, and has done so when
 -- the next one comes. If it learned that from the next start of frame only, the queues would overflow meanwhile, and the
--- next frame would be lost, too. The next frame that both cameras send whole is joined again.
+-- next frame would be lost, too. But where one camera has begun the next frame and the other has not, the end waits for
+-- the other's start, too: behind a frame that has ended the stereo_ip flushes, which nothing stops, and would be late for
+-- the next one. The next frame that both cameras send whole is joined again.
 -- Pixels of different frames are never joined, as long as `depth` and the distance of the cameras are less than a frame
 -- together, and no frame is damaged on both sides: a start of frame that waits for longer than `depth` pixels is dropped
 -- with its frame.
@@ -60,7 +62,7 @@ architecture rtl of stereo_joiner is
   signal right_valid, right_ready, right_start, right_end : std_logic;
   signal left_pixel, right_pixel : std_logic_vector(pixel_bits - 1 downto 0);
   signal left_lines, right_lines : unsigned(14 downto 0);
-  signal both, starts, alike, differs, left_drops, right_drops : std_logic;
+  signal both, starts, alike, differs, ahead, left_drops, right_drops : std_logic;
   -- As it was in the last clock, and whether a joined frame began to leave in it: who reads it may be far away.
   signal distance : signed(15 downto 0);
   signal began : std_logic := '0';
@@ -102,12 +104,13 @@ begin
   starts <= left_start and right_start;
   alike <= starts when left_start = '1' or right_start = '1' else joined;
   same <= both and alike and not (left_end xor right_end);
-  differs <= both and not same;
+  ahead <= both and joined and incomplete and (left_start xor right_start);  -- the next frame begins on one side
+  differs <= both and not same and not ahead;
   cuts <= same and starts and joined and incomplete;  -- the next frame begins on both sides
   lost <= differs or cuts or left_drops or right_drops;
   joins <= same and not cuts and not breaks;
-  left_ready <= (joins and room) or (not joined and left_valid and not left_start) or (differs and starts);
-  right_ready <= (joins and room) or (not joined and right_valid and not right_start) or (differs and starts);
+  left_ready <= (joins and room) or ((ahead or (not joined and left_valid)) and not left_start) or (differs and starts);
+  right_ready <= (joins and room) or ((ahead or (not joined and right_valid)) and not right_start) or (differs and starts);
 
   pair_valid <= joins or breaks;
   pair_start <= left_start and not breaks;

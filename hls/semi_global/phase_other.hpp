@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "cost/costs.hpp"
 #include "semi_global/phases.hpp"
 #include "support/memory_bank.hpp"
 #include "support/packed.hpp"

@@ -34,9 +34,8 @@ struct Stages {
    static constexpr int kEnd = kBest > kLow ? kBest : kLow + 1;
 };
 
-/// Bits of the words of a deep memory: of one of more than 100,000 bits the tool makes another cell. Words of 32 bits
-/// are no numbers to the lowering.
-constexpr int deep_word_bits(int words) { return words * 16 <= 100'000 ? 16 : 8; }
+/// Bits of the words of a deep memory. Words of 32 bits are no numbers to the lowering.
+constexpr int deep_word_bits(int words) { return word_bits_of(words, 16); }
 
 /// How the numbers of a phase stand in a memory of so many words.
 template <int LaneBits, int Lanes, int Words>

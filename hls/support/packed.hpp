@@ -5,6 +5,12 @@
 
 namespace stereo {
 
+/// Bits of the words of a memory that has so many, `wished` where it can: of a memory of more than 100,000 bits the
+/// tool makes another cell, which the lowering does not know.
+constexpr int word_bits_of(int words, int wished) {
+   return wished == 8 || words * wished <= 100'000 ? wished : word_bits_of(words, wished / 2);
+}
+
 /// `Lanes` numbers of `LaneBits` side by side in as few words of at most `WordBits` bits as hold them, or one to a word
 /// where they are wider, lane 0 in the lowest bits of word 0: how numbers that share an address share a memory. (The
 /// front end cuts registers of more than 32 bits into pieces.)

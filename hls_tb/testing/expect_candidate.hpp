@@ -10,7 +10,7 @@
 namespace stereo::test {
 
 /// Compares what the configuration needs of a candidate of the whole range.
-template <const block_matching::Config& C>
+template <const auto& C>
 void expect_candidate(const NaiveWinner& expected, const WindowCandidate<C>& got) {
    ASSERT_EQ(int(got.index), expected.index);
    ASSERT_EQ(int(got.cost), expected.cost);
@@ -25,7 +25,7 @@ void expect_candidate(const NaiveWinner& expected, const WindowCandidate<C>& got
 }
 
 /// The same of the losers, which come a clock after the candidate.
-template <const block_matching::Config& C>
+template <const auto& C>
 void expect_losers(const NaiveWinner& expected, const WindowLosers<C>& got) {
    if constexpr (C.has_uniqueness_check()) {
       ASSERT_EQ(int(got.cost), expected.cost);

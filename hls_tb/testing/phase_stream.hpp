@@ -36,6 +36,13 @@ class PhaseStream {
       return {};
    }
 
+   /// The column of the windows that are there: the tags that the line shows are those of their centres.
+   Place centre_at(int stage) const {
+      Place place = at(stage);
+      if (place.column >= 0) place.column -= semi_global::kWindowConfig<C>.columns_after();
+      return place;
+   }
+
    /// The clock edge. tag: of the next column, which comes now or later; not valid: none comes any more.
    void clock(const PixelTag& tag) {
       PixelTag now = tag;

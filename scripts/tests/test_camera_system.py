@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from camera_streams import changed, check_all_exact, played
 from conftest import need
 from flow.base.configurations import option
 from flow.base.errors import FlowError
@@ -15,6 +16,7 @@ from flow.system import frame, pipeline, play, record, streams, summary, templat
 from flow_commands import call, refused
 
 TINY, CHECKED, DEEP, VGA = (template.SYSTEMS[name] for name in ("tiny", "tiny_checked", "tiny_12bit", "vga"))
+FOLDED, FOLDED_VGA = (template.SYSTEMS[name] for name in ("tiny_sgm_f8", "vga_sgm_f8"))
 STAGE, CORE = pipeline.rows_of(TINY)
 WIDTH, HEIGHT = CORE["width_px"], CORE["height_px"]
 DEPTHS = pipeline.depth_table(TINY, streams.FOCAL_BASELINE)
@@ -32,19 +34,6 @@ def simulation():
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory):
     return streams.material(TINY, 5, 12, tmp_path_factory.mktemp("frames"))
-
-
-def played(simulation, scene, out, pairs=None, **conditions):
-    """Frames without faults; `conditions`: of streams.streams, and `sink`."""
-    sink = conditions.pop("sink", 0)
-    left, right = streams.streams(scene.pairs[:pairs], random.Random(1), **conditions)
-    return simulation.play(play.table_writes(scene.tables, scene.depths), left, right, out, (sink, 3))
-
-
-def check_all_exact(seen, frames):
-    assert [shown.error for shown in seen.frames] == [False] * len(frames)
-    for number, (shown, words) in enumerate(zip(seen.frames, frames)):
-        assert shown.words == words, f"frame {number}"
 
 
 @pytest.mark.parametrize("name", template.SYSTEMS)
@@ -75,16 +64,17 @@ def test_bad_options_are_refused(words, sentence):
     refused(call("camera_system.py", *words), 2, sentence)
 
 
-def test_a_whole_frame_of_vga_is_exact():
+@pytest.mark.parametrize("system", [VGA, FOLDED_VGA], ids=lambda system: system.name)
+def test_a_whole_frame_of_vga_is_exact(system):
     """As recorded; of the VHDL that is here, else there is no record."""
-    found = record.read(VGA)
-    assert found, "run scripts/camera_system.py --system vga --frame --record"
-    core, seen = pipeline.rows_of(VGA)[1], found["frame"]
+    found = record.read(system)
+    assert found, f"run scripts/camera_system.py --system {system.name} --frame --record"
+    core, seen = pipeline.rows_of(system)[1], found["frame"]
     assert (core["width_px"], core["height_px"], core["disparities"]) == (640, 480, 64)
     assert seen["mismatches"] == 0 and seen["depths"] == core["output_width_px"] * core["output_height_px"]
     assert seen["known"] > seen["depths"] // 2
-    shown = call("camera_system.py", "--system", "vga", "--show").stdout
-    assert f"{seen['latency']['last_clocks'] / core['width_px']:.2f} lines" in shown
+    shown = call("camera_system.py", "--system", system.name, "--show").stdout
+    assert f"{seen['latency']['last_clocks'] / pipeline.line_clocks(system):.2f} lines" in shown
 
 
 @pytest.fixture
@@ -123,7 +113,7 @@ def test_latency_is_shown_at_the_routed_clock(monkeypatch):
     assert "64 clocks, 2.00 lines, 2.0 us" in shown and "96 clocks, 3.00 lines, 3.0 us" in shown
 
 
-@pytest.mark.parametrize("system", [TINY, DEEP], ids=lambda system: system.name)
+@pytest.mark.parametrize("system", [TINY, DEEP, FOLDED], ids=lambda system: system.name)
 def test_500_frames_of_random_streams_are_exact(system):
     """As recorded."""
     found = record.read(system)
@@ -189,7 +179,7 @@ def deep_scene(tmp_path_factory):
     return made
 
 
-DEEP_STREAM = {"gap_percent": 20, "skew_clocks": -40, "blanking_clocks": streams.BLANKING_CLOCKS, "sink": 10}
+DEEP_STREAM = {"gap_percent": 20, "skew_clocks": -40, "blanking_clocks": streams.LEAST_BLANKING_CLOCKS, "sink": 10}
 
 
 def test_pixels_of_12_bits(ghdl, verilator, deep_scene, tmp_path):
@@ -228,10 +218,7 @@ DEEP_FAULTS = {
 @pytest.mark.parametrize("fault", DEEP_FAULTS)
 def test_fault_of_pixels_of_12_bits_is_caught(ghdl, deep_scene, tmp_path, fault):
     pattern, replacement = DEEP_FAULTS[fault]
-    text, count = re.subn(pattern, replacement, DEEP.path.read_text(), count=1)
-    assert count == 1
-    (tmp_path / DEEP.path.name).write_text(text)
-    files = [tmp_path / DEEP.path.name if file == DEEP.path else file for file in template.vhdl_files(DEEP)]
+    files = changed(DEEP, DEEP.path, pattern, replacement, tmp_path)
     seen = played(play.InGhdl(DEEP, files), deep_scene, tmp_path, 3, **DEEP_STREAM)
     assert [shown.words for shown in seen.frames] != deep_scene.frames[:3]
 
@@ -313,11 +300,7 @@ FAULTS = {
 @pytest.mark.parametrize("fault", FAULTS)
 def test_fault_is_caught(ghdl, scene, tmp_path, fault):
     path, pattern, replacement = FAULTS[fault]
-    text, count = re.subn(pattern, replacement, path.read_text())
-    assert count == 1
-    (tmp_path / path.name).write_text(text)
-    files = [tmp_path / path.name if file == path else file for file in template.vhdl_files(TINY)]
-    faulty = play.InGhdl(TINY, files)
+    faulty = play.InGhdl(TINY, changed(TINY, path, pattern, replacement, tmp_path))
     try:
         seen = played(faulty, scene, tmp_path, 3)
     except FlowError as error:

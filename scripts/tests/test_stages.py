@@ -91,7 +91,7 @@ def test_the_stress_stream(ghdl, tmp_path, config):
 
 
 def test_there_are_stages():
-    assert STAGES == ["rectify_tiny", "rectify_tiny_12bit", "rectify_vga"]
+    assert STAGES == ["rectify_tiny", "rectify_tiny_12bit", "rectify_tiny_40", "rectify_vga"]
     assert {committed.folder(name).parent.name for name in STAGES} == set(rtl.STAGES)
     assert not set(STAGES) & set(committed.known_configurations()) and set(STAGES) < set(committed.known_designs())
     assert set(STAGES) < set(regression.select(["all"]))

@@ -66,6 +66,14 @@ TARGETS = {
             short="25F, grade 6",
             holds=Device(24_288, 56),
         ),
+        Target(
+            "ecp5_45f_grade6",
+            ECP5,
+            "LFE5U-45F-6BG381",
+            ("--45k", "--package", "CABGA381", "--speed", "6"),
+            short="45F, grade 6",
+            holds=Device(43_848, 108),
+        ),
         # The Tang Nano 20K and 9K.
         Target(
             "gw2ar_18",

@@ -4,7 +4,17 @@
 from __future__ import annotations
 
 from .path_shape import PathShape
-from .window_memories import DISPARITY_BITS, Memory, bank, front_end, left_right_check, packed, post_processing, slices
+from .window_memories import (
+    DISPARITY_BITS,
+    Memory,
+    bank,
+    front_end,
+    left_right_check,
+    packed,
+    post_processing,
+    slices,
+    word_bits_of,
+)
 from .window_shape import MARGIN_BITS, bits_for
 
 _BANK_WORDS = 4096  # hls/semi_global/phase_memory.hpp
@@ -19,7 +29,7 @@ def _dense(lane_bits: int, lanes: int, word_bits: int) -> list[int]:
 
 def _deep(words: int, lane_bits: int, lanes: int, bank_words: int = _BANK_WORDS) -> list[Memory]:
     """A row of the map with several words a column (phases.hpp, phase_memory.hpp)."""
-    word_bits = 16 if words * 16 <= 100_000 else 8
+    word_bits = word_bits_of(words, 16)
     widths = (_dense if lane_bits <= word_bits else packed)(lane_bits, lanes, word_bits=word_bits)
     found, left = [], words
     while left > bank_words:

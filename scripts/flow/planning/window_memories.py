@@ -26,6 +26,11 @@ def packed(lane_bits: int, lanes: int, top_bits: int | None = None, word_bits: i
     return [lane_bits * (count - 1) + top_bits for count in counts]
 
 
+def word_bits_of(words: int, wished: int) -> int:
+    """Of a memory with so many words (hls/support/packed.hpp)."""
+    return wished if wished == 8 or words * wished <= 100_000 else word_bits_of(words, wished // 2)
+
+
 def bank(depth: int, widths: list[int]) -> list[Memory]:
     return [Memory(depth, width) for width in widths]
 
@@ -46,7 +51,8 @@ def front_end(shape: WindowShape, delays: bool = True) -> list[Memory]:
 def column_and_window(shape: WindowShape, lanes: int, columns: int, column_bits: int) -> list[Memory]:
     """Of recursive sums of so many disparities: a row of column costs, and a ring of the window's columns."""
     ring = packed(column_bits, shape.pixels * lanes)
-    return bank(columns, packed(column_bits, lanes)) + bank(shape.window + 1, ring)
+    above = packed(column_bits, lanes, word_bits=word_bits_of(columns, 32))
+    return bank(columns, above) + bank(shape.window + 1, ring)
 
 
 def slices(shape: WindowShape) -> list[Memory]:

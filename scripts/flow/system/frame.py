@@ -130,7 +130,7 @@ def run_frame(system: System, pair: Path | None, work: Path) -> record.Frame:
     """Plays it and compares. FlowError where a depth differs."""
     work.mkdir(parents=True, exist_ok=True)
     made = scene(system, pair, work)
-    left, right = (play.beats(camera) for camera in made.cameras)
+    left, right = (play.beats(camera, pipeline.line_clocks(system)) for camera in made.cameras)
     seen = play.Verilated(system).play(play.table_writes(made.tables, made.depths), left, right, work)
     wrong = mismatches(seen.frames, made.words)
     if wrong or set(seen.responses) != {play.OKAY}:

@@ -12,8 +12,6 @@ from ..implementation.targets import TARGETS
 from ..synthesis import manifest
 from .template import CORE, System, vhdl_files
 
-TARGET = "ecp5"
-
 
 def design(system: System, seeds: list[int], router: str) -> job.Design:
     """`bypasses` stay around the memories outside the matching core."""
@@ -27,8 +25,8 @@ def implement(system: System, seeds: list[int], router: str) -> dict[str, Result
     """{target: result}; prints what it found."""
     find_ghdl()
     yosys.find_yosys()
-    result, lost = job.implement_target(design(system, seeds, router), TARGETS[TARGET], {})
-    print("\n".join(job.area_and_clock(system.entity, TARGET, result)), flush=True)
+    result, lost = job.implement_target(design(system, seeds, router), TARGETS[system.target], {})
+    print("\n".join(job.area_and_clock(system.entity, system.target, result)), flush=True)
     if lost:
         raise FlowError(f"{system.entity}: a memory became flip-flops instead of RAM: {', '.join(lost)}", EXIT_MISMATCH)
-    return {TARGET: result}
+    return {system.target: result}

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..base import files, rtl
-from ..base.configurations import Configuration, configuration, designs, option
+from ..base.configurations import Configuration, clocks_per_pixel, configuration, designs, option
 from ..base.tools import Word, find_stereo_hls, run
 from ..cosim import vectors
 from .template import System, depths_of
@@ -112,6 +112,19 @@ def read_table(path: Path, row: Configuration) -> list[list[Node]]:
     nodes = [Node(signed(word), signed(word >> bits)) for word in words]
     columns = option(row, "table_columns")
     return [nodes[at : at + columns] for at in range(0, len(nodes), columns)]
+
+
+def line_clocks(system: System) -> int:
+    """That a camera's line takes at least, with its pause: as many as the core takes for its pairs."""
+    core = rows_of(system)[1]
+    return core["width_px"] * clocks_per_pixel(core)
+
+
+def pause_clocks(system: System) -> int:
+    """Between two frames, for a frame that a camera damages to cost no other: the last rows come out, and two lines'
+    time makes up what is late."""
+    stage, core = rows_of(system)
+    return (stage["flush_groups"] + core["flush_groups"] + 2 * core["width_px"]) * clocks_per_pixel(core)
 
 
 def rows_of(system: System) -> tuple[Configuration, Configuration]:

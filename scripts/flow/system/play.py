@@ -60,11 +60,12 @@ def table_writes(tables: Sequence[Table], depths: Sequence[int]) -> list[tuple[i
     return writes + [(DEPTH, disparity << 16 | mm) for disparity, mm in enumerate(depths)]
 
 
-def beats(image: Image) -> list[Beat]:
-    """A frame of one camera at full speed."""
+def beats(image: Image, line_clocks: int = 0) -> list[Beat]:
+    """A frame of one camera, each line at full speed and `line_clocks` or more after the one before."""
     width = len(image[0])
+    pause = max(line_clocks - width, 0)
     return [
-        Beat(0, pixel, (y == 0 and x == 0) + 2 * (x == width - 1))
+        Beat(pause if x == 0 < y else 0, pixel, (y == 0 and x == 0) + 2 * (x == width - 1))
         for y, row in enumerate(image)
         for x, pixel in enumerate(row)
     ]

@@ -3,7 +3,7 @@
 frames; and the judge of what came out."""
 
 import random
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,7 +18,7 @@ FRAMES = 12  # of a run
 BROKEN = 2  # of them
 FIRST_TO_BREAK = (1, 4, 7)
 FOCAL_BASELINE = 16 * 400  # in sixteenths of pixels times millimetres
-BLANKING_CLOCKS = 400
+LEAST_BLANKING_CLOCKS = 400  # between two frames
 Pair = tuple[Image, Image]
 
 
@@ -91,21 +91,25 @@ def material(system: System, seed: int, pairs: int, folder: Path) -> Material:
 
 
 def streams(
-    pairs: Iterable[Pair],
+    pairs: Sequence[Pair],
     generator: random.Random,
     gap_percent: int = 0,
     skew_clocks: int = 0,
     blanking_clocks: int = 0,
+    line_clocks: int = 0,
 ) -> tuple[list[play.Beat], list[play.Beat]]:
-    """Both cameras' beats; the same gaps, more before each frame, and the right one some clocks later."""
-    left: list[play.Beat] = []
-    right: list[play.Beat] = []
-    for pair in pairs:
-        pixels = len(pair[0]) * len(pair[0][0])
-        gaps = [generator.randrange(4) if generator.randrange(100) < gap_percent else 0 for _ in range(pixels)]
-        gaps[0] += blanking_clocks
-        for stream, image in ((left, pair[0]), (right, pair[1])):
-            stream += [beat._replace(gap=gap) for beat, gap in zip(play.beats(image), gaps)]
+    """Both cameras' beats; the same gaps, more before each line, so that it begins `line_clocks` or more after the one
+    before, and before each frame, and the right one some clocks later."""
+    left = [beat for pair in pairs for beat in play.beats(pair[0])]
+    right = [beat for pair in pairs for beat in play.beats(pair[1])]
+    width = len(pairs[0][0][0])
+    gaps = [generator.randrange(4) if generator.randrange(100) < gap_percent else 0 for _ in left]
+    for at in range(width, len(gaps), width):
+        gaps[at] += max(0, line_clocks - width - sum(gaps[at - width + 1 : at + 1]))
+    for at in range(0, len(gaps), width * len(pairs[0][0])):
+        gaps[at] += blanking_clocks
+    for stream in (left, right):
+        stream[:] = [beat._replace(gap=gap) for beat, gap in zip(stream, gaps)]
     late = right if skew_clocks > 0 else left
     late[0] = late[0]._replace(gap=late[0].gap + abs(skew_clocks))
     return left, right
@@ -141,8 +145,10 @@ def play_broken(simulation: play.Simulation, made: Material, seed: int, out: Pat
     core = pipeline.rows_of(simulation.system)[1]
     width, pixels = core["width_px"], core["width_px"] * core["height_px"]
     order = [generator.randrange(len(made.pairs)) for _ in range(FRAMES)]
-    skew = generator.randrange(-3 * width, 3 * width)
-    left, right = streams([made.pairs[number] for number in order], generator, 20, skew, BLANKING_CLOCKS)
+    clocks = pipeline.line_clocks(simulation.system)
+    skew = generator.randrange(-3 * clocks, 3 * clocks)
+    blanking = max(LEAST_BLANKING_CLOCKS, pipeline.pause_clocks(simulation.system))
+    left, right = streams([made.pairs[number] for number in order], generator, 20, skew, blanking, clocks)
     for frame in sorted(generator.sample(FIRST_TO_BREAK, BROKEN), reverse=True):  # never on both sides of one frame
         count = generator.choice((1, width, pixels))
         at = frame * pixels + generator.randrange(pixels - count + 1)  # of this frame only

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from ..base.configurations import clocks_per_pixel
 from ..implementation import figures, job
 from . import pipeline, record
 from .template import System
@@ -18,8 +19,10 @@ def of_record(system: System) -> list[str]:
         lines += job.area_and_clock(system.entity, target, result)
         if "fmax_mhz" in result:
             core = pipeline.rows_of(system)[1]
-            frames = figures.frames_per_second(core, result["fmax_mhz"]["median"])
-            lines.append(f"  {frames:.1f} frames a second at most")
+            mhz = result["fmax_mhz"]["median"]
+            lines.append(f"  {figures.frames_per_second(core, mhz):.1f} frames a second at most")
+            if clocks_per_pixel(core) > 1:
+                lines.append(of_cameras(system, mhz))
     if "frame" in found:
         lines += of_frame(system, found["frame"])
     if "streams" in found:
@@ -27,8 +30,15 @@ def of_record(system: System) -> list[str]:
     return lines
 
 
+def of_cameras(system: System, mhz: float) -> str:
+    """What the cameras of a system may send at most."""
+    line, pause = pipeline.line_clocks(system), pipeline.pause_clocks(system)
+    frames = mhz * 1e6 / (line * pipeline.rows_of(system)[1]["height_px"] + pause)
+    return f"  {frames:.1f} with a line in {line} clocks and {pause} clocks, {pause / line:.1f} lines, between frames"
+
+
 def of_frame(system: System, seen: record.Frame) -> list[str]:
-    width = pipeline.rows_of(system)[1]["width_px"]
+    line_clocks = pipeline.line_clocks(system)
     lines = [
         f"{system.entity}, {seen['scene']}: {seen['depths']} depths, {seen['known']} of them known, "
         f"{seen['mismatches']} mismatches, {seen['clocks']} clocks"
@@ -36,9 +46,8 @@ def of_frame(system: System, seen: record.Frame) -> list[str]:
     mhz = routed_mhz(system)
     for which, clocks in (("first", seen["latency"]["first_clocks"]), ("last", seen["latency"]["last_clocks"])):
         at_clock = f", {clocks / mhz:.1f} us at {mhz} MHz" if mhz else ""
-        lines.append(
-            f"  from a row's last pixel to its {which} depth: {clocks} clocks, {clocks / width:.2f} lines{at_clock}"
-        )
+        took = f"{clocks} clocks, {clocks / line_clocks:.2f} lines{at_clock}"
+        lines.append(f"  from a row's last pixel to its {which} depth: {took}")
     return lines
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple, cast
 
 from ..base import committed, rtl
-from ..base.configurations import Parameters, option
+from ..base.configurations import Parameters, clocks_per_pixel, option
 from ..base.errors import FlowError
 from ..base.tools import ROOT
 from ..shell import design, registers
@@ -21,7 +21,6 @@ PARTS = ("camera_tables", "camera_depth")
 DEPTH_CLOCKS = 2  # of camera_depth
 DEPTH_BITS = 16
 NODE_BITS = 16  # of a node's place and offsets
-SKEW_LINES = 8  # that either camera may be ahead
 CORE = "core"  # the matching core's instance
 
 
@@ -29,6 +28,8 @@ class System(NamedTuple):
     name: str
     rectification: str
     matching: str
+    skew_lines: int = 8  # that either camera may be ahead
+    target: str = "ecp5"  # of implement.py: what it is placed and routed on
 
     @property
     def entity(self) -> str:
@@ -65,6 +66,8 @@ SYSTEMS = {
         System("tiny_checked", "rectify_tiny", "tiny_all"),
         System("tiny_12bit", "rectify_tiny_12bit", "tiny_12bit_all"),
         System("vga", "rectify_vga", "vga_64"),
+        System("tiny_sgm_f8", "rectify_tiny_40", "tiny_sgm_f8_all", skew_lines=4),
+        System("vga_sgm_f8", "rectify_vga", "sgm_640_64_f8", target="ecp5_45f_grade6"),
     )
 }
 _MAP = (
@@ -156,6 +159,13 @@ def _check(system: System, stage: dict[str, int], core: dict[str, int], lowest: 
         raise FlowError(f"{system.matching} has disparities below 0, which camera_system does not take")
 
 
+def queue_lines(system: System, parameters: Parameters) -> int:
+    """Lines that the joiner's queue of a camera holds: those by which it may be ahead, and where a pair takes several
+    clocks two more. One comes faster than it is matched; and a frame that lacks a line may be known by the start of
+    the next one only, which then waits while the line is made up."""
+    return system.skew_lines + (2 if clocks_per_pixel(parameters) > 1 else 0)
+
+
 def text(system: System) -> str:
     """The VHDL of a system."""
     entry, before = (manifest.read(committed.folder(name)) for name in (system.matching, system.rectification))
@@ -198,7 +208,7 @@ def text(system: System) -> str:
         "core_disparity_end_of_line": "depth_end_of_line",
     }
     joined: dict[str, int] = {name: core[name] for name in ("width_px", "height_px")}
-    joined |= {"depth": SKEW_LINES * core["width_px"], **pixel_generics(pixel_bits)}
+    joined |= {"depth": queue_lines(system, entry["parameters"]) * core["width_px"], **pixel_generics(pixel_bits)}
     joiner = clocked | {name: same[name] for name, _, _ in cameras}
     joiner |= {f"m_axis_{name}": f"pair_{name}" for name in ("tvalid", "tready", "tdata", "tuser", "tlast")}
     joiner |= {"skew_lines": "skew_lines", "faults": "faults"}
