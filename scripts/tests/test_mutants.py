@@ -115,7 +115,7 @@ def blind(monkeypatch, tmp_path):
 
 def test_every_mutant_is_killed_or_equivalent_or_has_survived(blind):
     said = []
-    survived = run.Run(1, 20, 20, jobs=1, say=said.append).run().report(blind)
+    survived = run.Run([1], 20, 20, jobs=1, say=said.append).run().report(blind)
     report = json.loads((blind / "report.json").read_text())
     outcomes = [verdict["outcome"] for verdict in report["verdicts"]]
     assert report["mutants"] == len(outcomes) == 40
@@ -130,32 +130,32 @@ def test_every_mutant_is_killed_or_equivalent_or_has_survived(blind):
 def test_verdicts_are_remembered(blind):
     reports = []
     for _ in range(2):
-        run.Run(1, 20, 20, jobs=1, say=lambda line: None).run().report(blind)
+        run.Run([1], 20, 20, jobs=1, say=lambda line: None).run().report(blind)
         reports.append(json.loads((blind / "report.json").read_text())["verdicts"])
         judged = Blind.count
     assert reports[0] == reports[1]
-    run.Run(1, 20, 20, jobs=1, say=lambda line: None).run()
+    run.Run([1], 20, 20, jobs=1, say=lambda line: None).run()
     assert Blind.count == judged
 
 
 def test_a_verdict_that_was_broken_off_is_given_again(blind):
     """By Ctrl-C or a full disk, in the middle of a line."""
-    run.Run(1, 5, 5, jobs=1, say=lambda line: None).run()
+    run.Run([1], 5, 5, jobs=1, say=lambda line: None).run()
     [kept] = (blind / "work").glob("verdicts_*.jsonl")
     text = kept.read_text()
     kept.write_text(text[: len(text) - 20])
     judged, said = Blind.count, []
-    run.Run(1, 5, 5, jobs=1, say=said.append).run().report(blind)
+    run.Run([1], 5, 5, jobs=1, say=said.append).run().report(blind)
     assert Blind.count - judged in (1, 2) and json.loads((blind / "report.json").read_text())["mutants"] == 10
     judged = Blind.count
-    run.Run(1, 5, 5, jobs=1, say=said.append).run()
+    run.Run([1], 5, 5, jobs=1, say=said.append).run()
     assert Blind.count == judged, "the one behind it is whole"
 
 
 def test_what_a_test_notices_is_not_proved(blind, monkeypatch):
     monkeypatch.setattr(Blind, "noticed", lambda self, *files_and_folder: "a test")
     monkeypatch.setattr(Believer, "objection", lambda self, *files_and_folder: pytest.fail("asked for a proof"))
-    assert run.Run(1, 5, 5, jobs=1, say=lambda line: None).run().report(blind) == 0
+    assert run.Run([1], 5, 5, jobs=1, say=lambda line: None).run().report(blind) == 0
 
 
 def test_what_synthesis_refuses_is_killed(blind, monkeypatch):
@@ -164,7 +164,7 @@ def test_what_synthesis_refuses_is_killed(blind, monkeypatch):
 
     monkeypatch.setattr(Blind, "noticed", lambda self, *files_and_folder: "")
     monkeypatch.setattr(Believer, "objection", refuses)
-    assert run.Run(1, 5, 5, jobs=1, say=lambda line: None).run().report(blind) == 0
+    assert run.Run([1], 5, 5, jobs=1, say=lambda line: None).run().report(blind) == 0
     assert "latch inferred" in json.loads((blind / "report.json").read_text())["verdicts"][0]["by"]
 
 

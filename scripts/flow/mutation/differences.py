@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import random
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -90,7 +90,9 @@ def write(graph: Graph, path: Path) -> None:
         number(2 * node - first) + number(first - second)
         for node, (first, second) in enumerate(graph.gates, graph.first_gate)
     )
-    path.write_bytes(f"aig {head}\n{text}".encode() + body)
+    symbols = [f"i{number} {name}\n" for number, name in enumerate(graph.inputs) if name]
+    symbols += [f"l{number} {name}\n" for number, name in enumerate(graph.names) if name]
+    path.write_bytes(f"aig {head}\n{text}".encode() + body + "".join(symbols).encode())
 
 
 class _Builder:
@@ -234,6 +236,17 @@ def without(graph: Graph, numbers: list[int]) -> Graph:
     edges = made.copied(graph, set(numbers))
     made.graph.registers = [0 if number in numbers else at(edges, edge) for number, edge in enumerate(graph.registers)]
     made.graph.outputs = [at(edges, edge) for edge in graph.outputs]
+    return made.graph
+
+
+def with_inputs(graph: Graph, known: Mapping[str, int]) -> Graph:
+    """The same where these inputs have these values."""
+    made = _Builder(graph.inputs, len(graph.registers))
+    inputs = [known.get(name, 2 * node) for node, name in enumerate(graph.inputs, 1)]
+    edges = made.values(graph, [0, *inputs, *map(made.register, range(len(graph.registers)))])
+    made.graph.registers = [at(edges, edge) for edge in graph.registers]
+    made.graph.outputs = [at(edges, edge) for edge in graph.outputs]
+    made.graph.names = graph.names
     return made.graph
 
 

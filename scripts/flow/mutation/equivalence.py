@@ -104,7 +104,8 @@ def compare(original: Path, changed: Path, work: Path) -> str:
     differs = Differences(where, work) if where else None
     if differs and differs.never():
         return ""
-    merged = f"miter {original} {changed}; scleanup; lcorr; scorr"
+    aiger.ask(f"miter {original} {changed}; scleanup; lcorr; scorr; write both.aig", work)
+    merged = "read both.aig"
     answer = aiger.simulate(merged, work, SIMULATED_SECONDS)
     if not answer.clock:
         answer = aiger.prove(merged, work, SECONDS)

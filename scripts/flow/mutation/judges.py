@@ -58,15 +58,16 @@ class Core:
 
     def __init__(self, config: str) -> None:
         self.config, self.parameters = config, configuration(config, designs())
+        self.kind, self.lanes = rtl.kind_of(self.parameters), self.parameters["pixels_per_clock"]
+        self.bits, self.entity = vectors.row_bits(self.parameters), self.kind.entity(config)
         folder = WORK / f"vectors_{config}"
         run([find_stereo_hls(), "vectors", "--config", config, "--stress", "--out", folder], passes_errors=True)
         self.stimulus = folder / "stimulus.txt"
         self.expected, _ = vectors.read_expected(folder / "expected.txt")
-        self.clocks = len(vectors.read_stimulus(self.stimulus, rtl.kind_of(self.parameters)))
+        self.clocks = len(vectors.read_stimulus(self.stimulus, self.kind))
 
     def noticed(self, core: list[Path], shell: list[Path], folder: Path) -> str:
-        lanes, bits = self.parameters["pixels_per_clock"], vectors.row_bits(self.parameters)
-        simulator = Ghdl(self.config, core, folder / "core", lanes, bits, kind=rtl.kind_of(self.parameters))
+        simulator = Ghdl(self.config, core, folder / "core", self.lanes, self.bits, kind=self.kind)
         simulator.build()
         observed_path = folder / "observed.txt"
         try:
@@ -74,7 +75,7 @@ class Core:
             observed, simulated = vectors.read_observed(observed_path)
         except FlowError as error:
             return f"co-simulation: {error}"
-        verdict = checker.compare(self.expected, observed, bits)
+        verdict = checker.compare(self.expected, observed, self.bits)
         return "" if verdict.passed and simulated == self.clocks else f"co-simulation: {verdict.first_mismatch}"
 
 

@@ -110,3 +110,16 @@ def shuffled(paths: Iterable[Path], seed: int) -> Iterator[Mutant]:
         for kind in sorted(by_kind):
             if by_kind[kind]:
                 yield by_kind[kind].pop()
+
+
+def samples(paths: Iterable[Path], seeds: Iterable[int]) -> Iterator[Iterator[Mutant]]:
+    """For each seed its mutants without those that an earlier one gave."""
+    paths, given = list(paths), set[str]()
+
+    def new(seed: int) -> Iterator[Mutant]:
+        for mutant in shuffled(paths, seed):
+            if mutant.key not in given:
+                given.add(mutant.key)
+                yield mutant
+
+    return (new(seed) for seed in seeds)

@@ -9,7 +9,7 @@ import json
 import shutil
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,11 +18,12 @@ from typing import Any
 from ..base import aiger, files, ghdl, json_lines
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Say
-from ..cosim import checker, simulators, vectors
+from ..cosim import bench, checker, simulators, vectors
 from ..shell import broken, cocotb_runs, contract, design, formal, pool, script, selections
 from ..simulation import simulation, simulators as programs
 from ..synthesis import manifest
-from . import differences, equivalence, judges, mutants
+from . import batch, differences, equivalence, judges, mutants, schemata
+from .batch import Batch
 from .equivalence import Design, NotSynthesizedError, Prover
 from .judges import CONFIG_OF_SHORT_FRAMES, WORK, Core, Shell, compiles, refuted, shell_stages
 
@@ -58,11 +59,11 @@ class EarlierVerdicts:
     @staticmethod
     def _sources(config: str) -> list[Path]:
         """Everything that decides a verdict."""
-        of_base, of_shell = (
-            (aiger, ghdl, simulation, programs),
-            (broken, cocotb_runs, contract, design, formal, pool, script, selections),
-        )
-        modules = (*of_base, *of_shell, checker, simulators, vectors, differences, equivalence, judges, mutants)
+        of_base = (aiger, ghdl, simulation, programs)
+        of_shell = (broken, cocotb_runs, contract, design, formal, pool, script, selections)
+        of_cosim = (bench, checker, simulators, vectors)
+        of_mutation = (batch, differences, equivalence, judges, mutants, schemata)
+        modules = (*of_base, *of_shell, *of_cosim, *of_mutation)
         benches = sorted((ROOT / "hls_tb" / "shell").glob("*.py"))
         return [
             *manifest.core_files(config),
@@ -72,6 +73,7 @@ class EarlierVerdicts:
             *(path for path in benches if path.name != "diagrams.py"),
             *sorted((ROOT / "hls_tb" / "formal").iterdir()),
             *(Path(str(module.__file__)) for module in modules),
+            batch.BENCH,
             Path(__file__),
         ]
 
@@ -87,15 +89,28 @@ class Run:
     """A number of mutants of the core and of the shell, some at a time."""
 
     def __init__(
-        self, seed: int, core_count: int, shell_count: int, jobs: int = 2, say: Say = print, config: str = "tiny"
+        self,
+        seeds: Sequence[int],
+        core_count: int,
+        shell_count: int,
+        jobs: int = 2,
+        say: Say = print,
+        config: str = "tiny",
+        together: bool = False,
     ) -> None:
+        """So many of the core and of the shell for each seed. `together`: those of the core in one build."""
         self.core_files = manifest.core_files(config)
-        self.seed, self.counts, self.jobs, self.say = seed, (core_count, shell_count), jobs, say
+        self.seeds, self.counts, self.jobs, self.say = seeds, (core_count, shell_count), jobs, say
+        self.batch: Batch | None = None
         # Each for mutants of the core and for those of the shell.
         self.short: dict[bool, Core | Shell] = {}
         self.provers: dict[bool, Prover] = {}
         if core_count:
-            self.short[True] = Core(config)
+            core = Core(config)
+            self.short[True] = core
+            if together:
+                streams = mutants.samples(self.core_files, seeds)
+                self.batch = Batch(core, self.core_files, streams, core_count, WORK / f"together_{config}")
             self._prove_with(True, config, [Design(config, True)])
         if shell_count:
             short, thorough = shell_stages(config)
@@ -115,6 +130,9 @@ class Run:
     def judge(self, mutant: mutants.Mutant, is_core: bool, number: int) -> Verdict:
         folder = WORK / "mutants" / f"{self.config}_{'core' if is_core else 'shell'}_{number}"
         shutil.rmtree(folder, ignore_errors=True)
+        if is_core and self.batch and mutant.key in self.batch.known:
+            folder.mkdir(parents=True)
+            return self._of_batch(self.batch, mutant, folder)
         changed = mutants.write(mutant, folder / "rtl")
         core, shell = (
             [changed if path.name == changed.name else path for path in files]
@@ -134,6 +152,22 @@ class Run:
         outcome = "killed" if by else "survived" if objection else "equivalent"
         shutil.rmtree(folder, ignore_errors=True)
         return Verdict(mutant, outcome, objection if outcome == "survived" else by, time.monotonic() - started)
+
+    def _of_batch(self, batch: Batch, mutant: mutants.Mutant, folder: Path) -> Verdict:
+        """GHDL, which is slow, runs only what is neither shown in Verilator nor proved: it sees values outside their
+        ranges, too."""
+        started = time.monotonic()
+        if mutant in batch.invalid:
+            return Verdict(mutant, "invalid")
+        by = batch.shown.get(mutant.key, "")
+        objection = by or batch.objection(mutant, folder)
+        if objection and not by:
+            changed = mutants.write(mutant, folder / "rtl")
+            core = [changed if path.name == changed.name else path for path in self.core_files]
+            by = self.short[True].noticed(core, [], folder)
+        outcome = "killed" if by else "survived" if objection else "equivalent"
+        shutil.rmtree(folder, ignore_errors=True)
+        return Verdict(mutant, outcome, by or objection, time.monotonic() - started)
 
     def _next(self, stream: Iterator[mutants.Mutant], is_core: bool, count: int) -> None:
         """Judges mutants from a stream until `count` of them compiled; runs in several threads."""
@@ -164,17 +198,24 @@ class Run:
             reason = f" ({verdict.by})" if verdict.by else ""
             self.say(f"{verdict.outcome}{reason}: {verdict.mutant.key}")
         if len(self.verdicts) % 10 == 0:
-            self.say(f"{len(self.verdicts)} of {sum(self.counts)} mutants, {time.monotonic() - self.began:.0f} s ...")
+            every = len(self.seeds) * sum(self.counts)
+            self.say(f"{len(self.verdicts)} of {every} mutants, {time.monotonic() - self.began:.0f} s ...")
 
     def run(self) -> Run:
+        if self.batch and any(self.earlier.recall(mutant) is None for mutant in self.batch.inside.values()):
+            self.batch.judge()
+            shown, inside = len(self.batch.shown), len(self.batch.inside)
+            self.say(f"{shown} of {inside} shown, {time.monotonic() - self.began:.0f} s ...")
         for is_core, sources, count in (
             (True, self.core_files, self.counts[0]),
             (False, design.shell_files(), self.counts[1]),
         ):
-            stream = mutants.shuffled(sources, self.seed)
-            with ThreadPoolExecutor(self.jobs) as workers:
-                for future in [workers.submit(self._next, stream, is_core, count) for _ in range(self.jobs)]:
-                    future.result()
+            for number, stream in enumerate(mutants.samples(sources, self.seeds), 1):
+                with ThreadPoolExecutor(self.jobs) as workers:
+                    for future in [
+                        workers.submit(self._next, stream, is_core, number * count) for _ in range(self.jobs)
+                    ]:
+                        future.result()
         return self
 
     def report(self, out: Path) -> int:
@@ -191,7 +232,7 @@ class Run:
         kinds = [verdict.mutant.kind for verdict in self.verdicts]
         result = {
             "config": self.config,
-            "seed": self.seed,
+            "seeds": list(self.seeds),
             "mutants": len(self.verdicts),
             "killed": killed,
             "equivalent": equivalent,
@@ -203,7 +244,7 @@ class Run:
         }
         files.write(out / "report.json", json.dumps(result, indent=2) + "\n")
         self.say(
-            f"{self.config}, seed {self.seed}: {len(self.verdicts)} mutants, {killed} killed, "
+            f"{self.config}, seed {' '.join(map(str, self.seeds))}: {len(self.verdicts)} mutants, {killed} killed, "
             f"{equivalent} proved equivalent, {survived} survived: score {score:.2f} %, {seconds:.0f} s; "
             f"{out / 'report.json'}"
         )

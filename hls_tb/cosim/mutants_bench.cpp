@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a design with many faults to choose from (scripts/flow/mutation/schemata.py) once for each, up to the first
+// output that is not the one without a fault, and writes down where that was.
+//   mutants_bench STIMULUS OBSERVED RESULT MUTANTS
+// OBSERVED is written as verilator_bench.cpp does, without a fault. RESULT has a line "NUMBER CLOCK" for each fault
+// that shows, NUMBER from 1 to MUTANTS.
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include "bench_ports.hpp"
+#include "verilated.h"
+
+namespace {
+
+struct Record {
+   unsigned long long fields[kFields];
+};
+
+struct Output {
+   long clock;
+   unsigned long long word, flags;
+   bool operator==(const Output&) const = default;
+};
+
+/// Its lines behind the first, which is checked before the simulation starts.
+std::vector<Record> read_stimulus(std::FILE* file) {
+   char line[256];
+   std::vector<Record> records;
+   if (!std::fgets(line, sizeof line, file)) return records;
+   for (Record record; true; records.push_back(record))
+      for (unsigned long long& field : record.fields)
+         if (std::fscanf(file, "%llx", &field) != 1) return records;
+}
+
+void clock_edge(Vdesign& model) {
+   model.clock = 0;
+   model.eval();
+   model.clock = 1;
+   model.eval();
+}
+
+/// Gives each output to `is_as_wanted`, until it says no; returns the clock of that, or -1.
+template <class Judge>
+long play(const std::vector<Record>& stimulus, int mutant, Judge is_as_wanted) {
+   const auto model = std::make_unique<Vdesign>();
+   model->mutant_number = mutant;
+   model->reset = 1;
+   for (int clock = 0; clock < 2; ++clock) clock_edge(*model);
+   model->reset = 0;
+   for (long clock = 0; clock < static_cast<long>(stimulus.size()); ++clock) {
+      drive_inputs(*model, stimulus[static_cast<std::size_t>(clock)].fields);
+      model->clock = 0;
+      model->eval();
+      if (!is_as_wanted(clock, is_valid(*model), Output{clock, word(*model), shown_flags(*model)})) return clock;
+      clock_edge(*model);
+   }
+   return -1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+   if (argc != 5) {
+      std::fprintf(stderr, "usage: mutants_bench STIMULUS OBSERVED RESULT MUTANTS\n");
+      return 2;
+   }
+   std::FILE* file = std::fopen(argv[1], "r");
+   std::FILE* observed = std::fopen(argv[2], "w");
+   std::FILE* result = std::fopen(argv[3], "w");
+   if (!file || !observed || !result) {
+      std::fprintf(stderr, "cannot open a file\n");
+      return 2;
+   }
+   const std::vector<Record> stimulus = read_stimulus(file);
+   std::vector<Output> wanted;
+   play(stimulus, 0, [&](long, bool valid, const Output& output) {
+      if (valid) wanted.push_back(output);
+      return true;
+   });
+   for (const Output& output : wanted)
+      std::fprintf(observed, "%ld %llx %llu\n", output.clock, output.word, output.flags);
+   std::fprintf(observed, "end %zu\n", stimulus.size());
+   for (int mutant = 1; mutant <= std::atoi(argv[4]); ++mutant) {
+      auto next = wanted.begin();
+      const long clock = play(stimulus, mutant, [&](long now, bool valid, const Output& output) {
+         const bool comes = next != wanted.end() && next->clock == now;
+         if (comes != valid) return false;
+         return !valid || output == *next++;
+      });
+      if (clock >= 0) std::fprintf(result, "%d %ld\n", mutant, clock);
+      if (mutant % 10 == 0) std::printf("progress %d\n", mutant), std::fflush(stdout);
+   }
+   return std::fclose(observed) == 0 && std::fclose(result) == 0 ? 0 : 1;
+}

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Hundreds of mutants of a core in one build: Verilator runs the stress stream once for each, up to its first wrong
+output, and one graph serves the proofs of those that show nothing."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections.abc import Callable, Iterable, Iterator
+from itertools import islice
+from pathlib import Path
+
+from ..base import aiger, ghdl
+from ..base.errors import EXIT_TOOL_FAILED, FlowError
+from ..base.tools import Word, run_with_progress
+from ..cosim import bench, checker, vectors
+from ..simulation.simulators import SIMULATORS, Design
+from . import differences, equivalence, schemata
+from .judges import WATCHDOG_SECONDS, Core
+from .mutants import Mutant
+
+BENCH = bench.FOLDER / "mutants_bench.cpp"
+_PLACE = re.compile(r"(?:^|error: )(\S+\.vhd):(\d+):\d+:(?!warning)", re.MULTILINE)
+
+
+class Batch:
+    """Mutants of a core: which of them do not compile, which the stress stream shows, and proofs for the rest. Those in
+    `outside` cannot stand in one text with others; nothing is known of them."""
+
+    def __init__(
+        self, core: Core, core_files: list[Path], streams: Iterable[Iterator[Mutant]], count: int, work: Path
+    ) -> None:
+        """Takes mutants from each stream until `count` of them compiled, as far as the text shows that."""
+        self.core, self.work = core, work
+        shutil.rmtree(work, ignore_errors=True)
+        work.mkdir(parents=True)
+        *self.others, self.file = core_files
+        self.inside: dict[int, Mutant] = {}
+        self.outside: list[Mutant] = []
+        self.invalid: list[Mutant] = []
+        self.last = 0  # number that a mutant has
+        for stream in streams:
+            before = len(self.inside) + len(self.outside)
+            while more := list(islice(stream, before + count - len(self.inside) - len(self.outside))):
+                self._take(more)
+        self.known = {mutant.key for mutant in (*self.inside.values(), *self.invalid)}
+        self.number_of = {mutant.key: number for number, mutant in self.inside.items()}
+        self.shown: dict[str, str] = {}  # {key: where}
+        self.graphs: Graphs | None = None
+
+    def _take(self, mutants: list[Mutant]) -> None:
+        for mutant in mutants:
+            if mutant.file == self.file:
+                self.last += 1
+                self.inside[self.last] = mutant
+            else:
+                self.outside.append(mutant)
+        while refused := self._refused(ghdl.analyse):
+            self.invalid += [self.inside.pop(number) for number in refused]
+        while refused := self._refused(self._to_verilog):  # of constants outside a range
+            self.outside += [self.inside.pop(number) for number in refused]
+
+    def _write(self, numbers: Iterable[int]) -> list[Path]:
+        """The files of the core with these mutants to choose from."""
+        text = schemata.with_mutants(self.file, {number: self.inside[number] for number in numbers})
+        self.line_of = text.line_of
+        self.outside += [self.inside.pop(number) for number in text.outside]
+        changed = self.work / self.file.name
+        changed.write_text(text.text)
+        return [*self.others, changed]
+
+    def _refused(self, step: Callable[[list[Path], Path], object]) -> list[int]:
+        """The numbers of the mutants that a step of GHDL does not take."""
+        made = self._write(list(self.inside))
+        try:
+            step(made, self.work)
+            return []
+        except FlowError as error:
+            logs = [self.work / "analyse.log", self.work / "synth" / "synth.log"]
+            said = "\n".join([str(error), *(log.read_text() for log in logs if log.is_file())])
+        lines = {int(line) for path, line in _PLACE.findall(said) if Path(path).name == self.file.name}
+        found = {self.line_of[line] for line in lines if line in self.line_of}
+        if not found:
+            raise FlowError(f"GHDL refuses {made[-1]}, for no mutant: {said[:500]}", EXIT_TOOL_FAILED)
+        return sorted(found)
+
+    def _to_verilog(self, made: list[Path], work: Path) -> str:
+        return ghdl.to_verilog(made, work, self.core.entity)
+
+    def judge(self) -> None:
+        """What the stress stream shows; for the rest the graph. The text without a fault must show what is expected."""
+        core, ports = self.core, bench.Ports(self.core.kind, self.core.lanes, self.core.bits)
+        made, verilator = self._write(list(self.inside)), SIMULATORS["verilator"]
+        verilator.build(self.work, Design(core.entity, made, [BENCH], {bench.CPP_PORTS: ports.cpp()}))
+        observed, result = self.work / "observed.txt", self.work / "result.txt"
+        given: dict[str, Word] = {"stimulus": core.stimulus, "observed": observed, "result": result, "last": self.last}
+        command = verilator.command(self.work, core.entity, given)
+        run_with_progress(command, lambda line: None, WATCHDOG_SECONDS, cwd=self.work)
+        verdict = checker.compare(core.expected, vectors.read_observed(observed)[0], core.bits)
+        if not verdict.passed:
+            raise FlowError(f"{made[-1]} differs without a mutant: {verdict.first_mismatch}", EXIT_TOOL_FAILED)
+        for number, clock in map(str.split, result.read_text().splitlines()):
+            if int(number) in self.inside:
+                self.shown[self.inside[int(number)].key] = f"co-simulation: clock {clock}"
+        left = [number for number, mutant in self.inside.items() if mutant.key not in self.shown]
+        if left:
+            verilog = self._to_verilog(self._write(left), self.work)
+            text = equivalence.observed(verilog, core.entity)
+            path = aiger.write(text, "observed", self.work / "graph", starts_at_zero=True)
+            self.graphs = Graphs(differences.read(path), self.work / "original.aig")
+
+    def objection(self, mutant: Mutant, folder: Path) -> str:
+        """Why one that was not shown may show something else all the same; "" where it is proved that it does not."""
+        assert self.graphs is not None
+        return self.graphs.objection(self.number_of[mutant.key], folder)
+
+
+class Graphs:
+    """The graph of all, and what becomes of it when one is chosen."""
+
+    def __init__(self, graph: differences.Graph, original: Path) -> None:
+        self.graph, self.original = graph, original
+        self.write(0, original)
+
+    def write(self, number: int, path: Path) -> None:
+        known = {f"{schemata.INPUT}[{bit}]": number >> bit & 1 for bit in range(schemata.BITS)}
+        differences.write(differences.with_inputs(self.graph, known), path)
+
+    def objection(self, number: int, folder: Path) -> str:
+        changed = folder / "changed.aig"
+        self.write(number, changed)
+        return equivalence.compare(self.original, changed, folder)
