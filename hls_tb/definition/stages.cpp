@@ -174,6 +174,18 @@ GrayImage uniqueness_check(const CostVolume& sums, const DisparityMap& winners, 
    return passes;
 }
 
+GrayImage distance_check(const CostVolume& sums, const DisparityMap& winners, int distance) {
+   GrayImage passes(sums.width, sums.height, 1);
+   for (int y = 0; y < passes.height; ++y)
+      for (int x = 0; x < passes.width; ++x) {
+         const int winner = winners.at(x, y), smallest = sums.at(x, y, winner);
+         for (int d = 0; d < sums.disparities; ++d)
+            if (std::abs(d - winner) > 1 && sums.at(x, y, d) != kNoCandidate && sums.at(x, y, d) - smallest < distance)
+               passes.at(x, y) = 0;
+      }
+   return passes;
+}
+
 void keep_passing(DisparityMap& map, const GrayImage& passes) {
    for (std::size_t i = 0; i < map.valid.size(); ++i) map.valid[i] = map.valid[i] && passes.pixels[i] ? 1 : 0;
 }

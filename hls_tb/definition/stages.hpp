@@ -89,9 +89,24 @@ DisparityMap other_winners(const CostVolume& sums, Ties ties = Ties::smallest);
 // 5. The checks: 1 where the pixel passes, else 0. `winners` are those of the same sums.
 GrayImage left_right_check(const DisparityMap& winners, const DisparityMap& other_winners, int threshold);
 GrayImage uniqueness_check(const CostVolume& sums, const DisparityMap& winners, int percent);
+/// Semi-global matching's: no disparity but the winner and its neighbours comes closer than `distance`.
+GrayImage distance_check(const CostVolume& sums, const DisparityMap& winners, int distance);
 
 /// Pixels that do not pass a check are not valid.
 void keep_passing(DisparityMap& map, const GrayImage& passes);
+
+/// The checks that are on, of those that families share. `of_other`: the sums that have the other image's winners.
+template <class Matching>
+void keep_checked(DisparityMap& map, const CostVolume& sums, const DisparityMap& winners, const CostVolume& of_other,
+                  const Matching& matching) {
+   if (matching.has_left_right_check())
+      keep_passing(map,
+                   left_right_check(winners, other_winners(of_other, matching.ties), matching.left_right_threshold));
+   if (!matching.has_uniqueness_check()) return;
+   if constexpr (requires { matching.uniqueness_distance; })
+      keep_passing(map, distance_check(sums, winners, matching.uniqueness_distance));
+   else keep_passing(map, uniqueness_check(sums, winners, matching.uniqueness_percent));
+}
 
 /// 6. Sixteenths of a pixel, validity as in `winners`.
 DisparityMap subpixel_disparities(const CostVolume& sums, const DisparityMap& winners);

@@ -73,9 +73,7 @@ DisparityMap match(const RasterImage<Pixel>& left, const RasterImage<Pixel>& rig
                                : window_sums(costs, matching.window_px);
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
-   if (matching.has_left_right_check())
-      keep_passing(map, left_right_check(best, other_winners(sums, matching.ties), matching.left_right_threshold));
-   if (matching.has_uniqueness_check()) keep_passing(map, uniqueness_check(sums, best, matching.uniqueness_percent));
+   keep_checked(map, sums, best, sums, matching);
    if (matching.has_texture_check())
       keep_passing(map, has_texture(prefiltered(right, matching.prefilter_cap), matching));
    map = post_processed(map, margins(sums, best, matching.margin_shift), matching);

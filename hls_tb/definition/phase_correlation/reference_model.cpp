@@ -93,9 +93,7 @@ DisparityMap match(const Image& left, const Image& right, const Matching& matchi
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
    if (matching.median) map = median_filtered(map);
-   if (matching.has_left_right_check())
-      keep_passing(map, left_right_check(best, other_winners(sums, matching.ties), matching.left_right_threshold));
-   if (matching.has_uniqueness_check()) keep_passing(map, uniqueness_check(sums, best, matching.uniqueness_percent));
+   keep_checked(map, sums, best, sums, matching);
    return map;
 }
 

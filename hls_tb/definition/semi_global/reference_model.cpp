@@ -132,10 +132,7 @@ DisparityMap matched(const Image& left, const Image& right, const Matching& matc
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
    if (matching.has_border_cost()) keep_passing(map, partner_check(best, range_of(matching)));
-   if (matching.has_left_right_check())
-      keep_passing(map,
-                   left_right_check(best, other_winners(candidates, matching.ties), matching.left_right_threshold));
-   if (matching.has_uniqueness_check()) keep_passing(map, distance_check(sums, best, matching.uniqueness_distance));
+   keep_checked(map, sums, best, candidates, matching);
    map = post_processed(map, margins(sums, best, matching.margin_shift), matching);
    if (matching.median) map = median_filtered(map);
    return map;
@@ -197,18 +194,6 @@ CostVolume path_sums(const CostVolume& costs, const DeepImage& relief, const Mat
    if (matching.path_right) add(row_path(costs, relief, RowDirection::from_right, matching));
    if (matching.path_above) add(path_from_above(costs, matching));
    return sums;
-}
-
-GrayImage distance_check(const CostVolume& sums, const DisparityMap& winners, int distance) {
-   GrayImage passes(sums.width, sums.height, 1);
-   for (int y = 0; y < passes.height; ++y)
-      for (int x = 0; x < passes.width; ++x) {
-         const int winner = winners.at(x, y), smallest = sums.at(x, y, winner);
-         for (int d = 0; d < sums.disparities; ++d)
-            if (std::abs(d - winner) > 1 && sums.at(x, y, d) != kNoCandidate && sums.at(x, y, d) - smallest < distance)
-               passes.at(x, y) = 0;
-      }
-   return passes;
 }
 
 DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {

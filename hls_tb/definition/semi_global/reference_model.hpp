@@ -26,9 +26,6 @@ CostVolume path_from_above(const CostVolume& costs, const Matching& matching);
 /// The sum of the paths that are on.
 CostVolume path_sums(const CostVolume& costs, const DeepImage& relief, const Matching& matching);
 
-/// 1 where no disparity but the winner and its neighbours comes closer than `distance` to the smallest sum.
-GrayImage distance_check(const CostVolume& sums, const DisparityMap& winners, int distance);
-
 /// All of it, for either reference. Throws std::invalid_argument as check_matching_input does.
 DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching);
 DisparityMap match_reference(const DeepImage& left, const DeepImage& right, const Matching& matching);

@@ -225,7 +225,7 @@ TEST(SemiGlobalReference, DistanceCheckLooksBeyondTheNeighbours) {
    CostVolume sums(4, 1, 4);
    sums.values = {5, 6, 9, 9, 5, 6, 8, 9, 5, 9, 9, 5, 5, 5, 9, 9};
    DisparityMap best(4, 1);
-   EXPECT_EQ(semi_global::distance_check(sums, best, 4).pixels, (std::vector<uint8_t>{1, 0, 0, 1}));
+   EXPECT_EQ(distance_check(sums, best, 4).pixels, (std::vector<uint8_t>{1, 0, 0, 1}));
 }
 
 TEST(SemiGlobalReference, FindsAKnownShiftEverywhere) {

@@ -11,6 +11,7 @@
 #include <limits>
 #include <vector>
 
+#include "definition/disparity_map.hpp"
 #include "engines/fast/vector_clones.hpp"
 #include "support/matching_options.hpp"
 
@@ -97,6 +98,17 @@ STEREO_INTO_CLONES uint16_t refined(const Sum* sums, int disparities, PixelResul
    const int64_t u = int64_t(sums[d - 1]) - pixel.smallest, v = int64_t(sums[d + 1]) - pixel.smallest;
    const int64_t larger = std::max(u, v), offset = larger == 0 ? 0 : (u - v) * 128 / larger;
    return uint16_t((256 * d + offset + 15) >> 4);
+}
+
+/// What a pixel of the map is by its sums. `close`: the largest sum with which a runner-up is too close to the winner.
+template <class Sum, class Matching>
+STEREO_INTO_CLONES void settle(DisparityMap& map, int x, int y, const Sum* sums, int lanes, PixelResult<Sum> pixel,
+                               uint64_t close, const Matching& matching) {
+   const int disparities = matching.disparities;
+   map.at(x, y) = matching.subpixel ? refined(sums, disparities, pixel) : uint16_t(pixel.winner);
+   if (matching.has_uniqueness_check() && !is_unique(sums, disparities, lanes, pixel, close)) map.valid_at(x, y) = 0;
+   if (matching.has_confidence())
+      map.confidence_at(x, y) = margin_of(sums, disparities, pixel, matching.margin_shift, matching.kLargestMargin);
 }
 
 /// Offers the sums of map column x to the pixels x+d of the other image. Columns come from left to right, so that each

@@ -120,14 +120,7 @@ struct Matcher {
       if (matching.has_left_right_check()) fast::offer(other, x, of_pixel.data(), lanes, matching.ties);
       const PixelResult<Sum> pixel = fast::find_winner(of_pixel.data(), lanes, matching.ties);
       winners[std::size_t(x)] = pixel.winner;
-      const int disparities = matching.disparities;
-      map.at(x, y) = matching.subpixel ? fast::refined(of_pixel.data(), disparities, pixel) : uint16_t(pixel.winner);
-      if (matching.has_uniqueness_check() &&
-          !fast::is_unique(of_pixel.data(), disparities, lanes, pixel, close_sum(pixel.smallest)))
-         map.valid_at(x, y) = 0;
-      if (matching.has_confidence())
-         map.confidence_at(x, y) =
-             fast::margin_of(of_pixel.data(), disparities, pixel, matching.margin_shift, matching.kLargestMargin);
+      fast::settle(map, x, y, of_pixel.data(), lanes, pixel, close_sum(pixel.smallest), matching);
    }
 
    /// The largest sum that is too close to the smallest one.

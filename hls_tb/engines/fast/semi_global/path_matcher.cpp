@@ -164,16 +164,9 @@ class Matcher {
    /// Gives the winner.
    STEREO_INTO_CLONES int match_pixel(int x, int y) {
       const Lane* const sums = total_.data();
-      const int disparities = matching_.disparities;
       const fast::PixelResult<Lane> pixel = fast::find_winner(sums, Fixed > 0 ? Fixed : lanes_, matching_.ties);
-      map_.at(x, y) = matching_.subpixel ? fast::refined(sums, disparities, pixel) : uint16_t(pixel.winner);
-      if (matching_.has_uniqueness_check()) {
-         const uint64_t close = uint64_t(pixel.smallest) + uint64_t(matching_.uniqueness_distance) - 1;
-         if (!fast::is_unique(sums, disparities, lanes_, pixel, close)) map_.valid_at(x, y) = 0;
-      }
-      if (matching_.has_confidence())
-         map_.confidence_at(x, y) =
-             fast::margin_of(sums, disparities, pixel, matching_.margin_shift, matching_.kLargestMargin);
+      const uint64_t close = uint64_t(pixel.smallest) + uint64_t(matching_.uniqueness_distance) - 1;
+      fast::settle(map_, x, y, sums, lanes_, pixel, close, matching_);
       return pixel.winner;
    }
 
