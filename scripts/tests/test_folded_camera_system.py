@@ -4,6 +4,7 @@
 import pytest
 
 from camera_streams import changed, check_all_exact, played
+from conftest import need
 from flow.system import pipeline, play, record, streams, template
 from flow_commands import call
 
@@ -32,7 +33,9 @@ def folded_scene(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def folded(ghdl, verilator):
+def folded():
+    need("ghdl", "GHDL")
+    need("verilator", "VERILATOR")
     return play.Verilated(FOLDED)
 
 
