@@ -99,7 +99,7 @@ def main() -> int:
     work = jobs(options)
     find_ghdl()
     yosys.find_yosys()
-    if len(work) == 1 or (options.jobs == 1 and not options.scheduler):
+    if not options.scheduler and (len(work) == 1 or options.jobs == 1):
         return max(job.run_job(one) for one in work)
     words = [word for target in options.target or [] for word in ("--target", target)]
     words += ["--seeds", *map(str, options.seeds), *(["--shell"] if options.shell else [])]

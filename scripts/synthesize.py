@@ -108,7 +108,7 @@ def main() -> int:
         return refresh(names, table)
     check_program(table)
     find_bambu()
-    if len(names) > 1 and (options.jobs != 1 or options.scheduler):
+    if options.scheduler or (len(names) > 1 and options.jobs != 1):
         words = ["--out", str(options.out.resolve())] if options.out else []
         with farm.of(options, versions) as workers:
             commands = {name: ["--config", name, *words] for name in names}

@@ -12,7 +12,7 @@ import time
 
 import pytest
 
-from conftest import where_reachable
+from conftest import need, where_reachable
 from cover import with_slow
 from flow.base import farm, venv
 from flow.base.errors import FlowError
@@ -109,6 +109,44 @@ def test_other_commands_run_there(cluster, tmp_path):
     cluster.worker()
     process = cluster.call("random_configurations.py", "--family", "absolute_difference", "--count", 2, "--seed", 1)
     assert process.returncode == 0 and "2 of 2 configurations exact" in process.stdout, process.stdout + process.stderr
+
+
+@pytest.fixture
+def two_workers(cluster):
+    cluster.worker()
+    cluster.worker()
+    return cluster
+
+
+@pytest.mark.slow
+def test_two_workers_implement(ghdl, yosys, two_workers, tmp_path):
+    words = ["--config", "tiny", "--config", "tiny_p2", "--target", "xc7", "--out", tmp_path / "out"]
+    process = two_workers.call("implement.py", *words)
+    assert process.returncode == 0, process.stdout + process.stderr
+    made = {name: json.loads((tmp_path / "out" / name / "implementation.json").read_text()) for name in CONFIGS[:2]}
+    luts = [entry["targets"]["xc7"]["luts"] for entry in made.values()]
+    assert 0 < luts[0] < luts[1], made
+
+
+@pytest.mark.slow
+def test_two_workers_explore(two_workers, tmp_path):
+    """The evaluations are those of this machine."""
+    words = ["--scenes", 1, "--window", 3, 5, "--cost", "sad", "--range", 16, "--switch", "--config"]
+    process = two_workers.call("explore.py", *words, "--out", tmp_path / "there")
+    assert process.returncode == 0, process.stdout + process.stderr
+    here = call("explore.py", *words, "--jobs", 2, "--out", tmp_path / "here")
+    assert here.returncode == 0, here.stdout + here.stderr
+    tables = [(tmp_path / name / "explore.csv").read_text() for name in ("there", "here")]
+    assert tables[0] == tables[1] and len(tables[0].splitlines()) == 3
+
+
+@pytest.mark.slow
+def test_two_workers_synthesize(two_workers, tmp_path):
+    need("bambu", "BAMBU")
+    process = two_workers.call("synthesize.py", "--config", "example", "--config", "tiny", "--out", tmp_path / "out")
+    assert process.returncode == 0, process.stdout + process.stderr
+    for name in ("example", "tiny"):
+        assert (tmp_path / "out" / name / f"stereo_core_{name}.vhd").read_text().count("architecture ") > 0
 
 
 @pytest.mark.slow
