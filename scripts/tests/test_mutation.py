@@ -7,7 +7,10 @@ import pytest
 
 from conftest import need, where_reachable
 from cover import with_slow
+from flow.mutation import judges, mutants
+from flow.mutation.batch import Batch
 from flow.shell import cocotb_runs
+from flow.synthesis import manifest
 from flow_commands import call
 
 
@@ -17,9 +20,23 @@ def tools(ghdl, yosys):
     where_reachable(cocotb_runs.environment_folder)
 
 
-@pytest.mark.parametrize("core, shell", with_slow([(2, 1), (8, 4)], [(2, 1)]))
+@pytest.mark.parametrize("core, shell", with_slow([(2, 1), (12, 4)], [(2, 1)]))
 def test_short_run(tmp_path, core, shell):
     process = call("mutate.py", "--core", core, "--shell", shell, "--seed", 1, "--out", tmp_path)
     assert process.returncode == 0, process.stdout + process.stderr
     report = json.loads((tmp_path / "report.json").read_text())
     assert report["mutants"] == core + shell and report["score_percent"] >= 98 and report["survivors"] == []
+
+
+@pytest.mark.slow
+def test_many_in_one_build_are_judged_as_alone(tmp_path):
+    """By Verilator as by GHDL."""
+    core, files = judges.Core("tiny"), manifest.core_files("tiny")
+    made = Batch(core, files, mutants.samples(files, [1]), 14, tmp_path / "batch")
+    made.judge()
+    assert 0 < len(made.shown) < len(made.inside)
+    for number, mutant in made.inside.items():
+        folder = tmp_path / str(number)
+        changed = mutants.write(mutant, folder / "rtl")
+        alone = core.noticed([*files[:-1], changed], [], folder)
+        assert bool(alone) == (mutant.key in made.shown), f"{mutant.key}: {alone}"
