@@ -7,10 +7,10 @@
 #include "frontend/raster.hpp"
 #include "frontend/single_row.hpp"
 #include "frontend/transform.hpp"
+#include "postprocessing/post_processor.hpp"
 #include "semi_global/config.hpp"
 #include "semi_global/cost_slice.hpp"
 #include "semi_global/forward_paths.hpp"
-#include "semi_global/map_end.hpp"
 #include "semi_global/path_entry.hpp"
 #include "semi_global/path_sums.hpp"
 #include "semi_global/path_winners.hpp"
@@ -21,6 +21,8 @@
 #include "support/optional_block.hpp"
 #include "support/schedule.hpp"
 #include "winner/left_right_check.hpp"
+#include "winner/map_group.hpp"
+#include "winner/median.hpp"
 #include "winner/refinement.hpp"
 
 namespace stereo::semi_global {
@@ -39,6 +41,11 @@ struct Core {
    static constexpr const auto& kWindows = kWindowConfig<C>;
 
    using Refine = Refinement<kSumConfig<C>>;
+   /// What makes the map of the winners. Whole disparities without a median are ready as they are.
+   using MapBlock = std::conditional_t<
+       C.has_post_processing(), PostProcessor<C>,
+       std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>>;
+   static constexpr bool kHasMapBlock = C.median || C.subpixel || C.has_post_processing();
    static constexpr bool kTurnsRows = C.path_right;
    using Settings = std::conditional_t<C.run_time_size, SizedSettings<semi_global::Settings>, semi_global::Settings>;
    using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
@@ -79,7 +86,7 @@ struct Core {
    BLOCK(leftright,                                                                                                    \
          Optional<C.has_left_right_check(), LeftRightCheck<kSumConfig<C>, PathWinners<C>::kLevels + Refine::kClocks>>) \
    BLOCK(turn, Optional<C.path_right, WinnerTurn<C>>)                                                                  \
-   BLOCK(map, MapBlock<C>)                                                                                             \
+   BLOCK(map, MapBlock)                                                                                                \
    BESIDE(relief, Optional<C.has_relief(), ReliefStream<C>>)
    STEREO_CORE(STEREO_BLOCKS);
 #undef STEREO_BLOCKS
@@ -93,11 +100,13 @@ struct Core {
                  "the bound in Config is too low");
 
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE auto output() const { return shown(shown_group<C>(*this)); }
+   HLS_INLINE auto output() const { return shown(shown_group()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      clock_map<C>(*this, size);
+      if constexpr (C.median || C.has_post_processing()) map.clock(turned(), size);
+      else if constexpr (kHasMapBlock) map.clock(turned());
+      if constexpr (C.path_right) turn.clock(checked(), size);
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(winners, NoTexture(), settings);
       winners.clock(sums);
@@ -132,9 +141,28 @@ struct Core {
    }
 
   private:
+   struct NoTexture {};
+
    HLS_INLINE void check() {
       uint8_t other_winner[1] = {winners.other.winner[0][PathWinners<C>::Other::kOldest]};
       leftright.clock(refinement.output(winners, NoTexture()), other_winner, settings);
+   }
+
+   HLS_INLINE Winners<kSumConfig<C>> checked() const {
+      if constexpr (C.has_left_right_check()) return leftright.checked;
+      else return refinement.output(winners, NoTexture());
+   }
+
+   /// In raster order.
+   HLS_INLINE Winners<kSumConfig<C>> turned() const {
+      if constexpr (C.path_right) return turn.output();
+      else return checked();
+   }
+
+   HLS_INLINE auto shown_group() const {
+      if constexpr (C.has_post_processing()) return map.group();
+      else if constexpr (kHasMapBlock) return map.out;
+      else return map_group<kSumConfig<C>>(turned());
    }
 };
 

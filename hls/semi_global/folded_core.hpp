@@ -22,11 +22,15 @@ struct Core<C> {
    static constexpr const auto& kWindows = kWindowConfig<C>;
 
    using Refine = Refinement<kSumConfig<C>>;
+   using MapBlock = std::conditional_t<
+       C.has_post_processing(), PostProcessor<C>,
+       std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>>;
+   static constexpr bool kHasMapBlock = C.median || C.subpixel || C.has_post_processing();
    using Check = LeftRightCheck<kSumConfig<C>, Stages<C>::kWinnerLevels + Refine::kClocks>;
    using Line = ColumnLine<C, 1 - PhaseCosts<C>::kClocks>;
-   using Settings = semi_global::Settings;
+   using Settings = std::conditional_t<C.run_time_size, SizedSettings<semi_global::Settings>, semi_global::Settings>;
    using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
-   using Size = FixedSize<kWindowConfig<C>>;
+   using Size = std::conditional_t<C.run_time_size, RunTimeSize<kWindowConfig<C>>, FixedSize<kWindowConfig<C>>>;
 
    //            a pixel pair              once in F clocks
    //                 |
@@ -58,7 +62,7 @@ struct Core<C> {
    BLOCK(refinement, Refine)                                                                                           \
    BLOCK(leftright, Optional<C.has_left_right_check(), Check>)                                                         \
    BLOCK(turn, Optional<C.path_right, WinnerTurn<C>>)                                                                  \
-   BLOCK(map, MapBlock<C>)
+   BLOCK(map, MapBlock)
    STEREO_CORE(STEREO_BLOCKS);
 #undef STEREO_BLOCKS
 
@@ -75,11 +79,13 @@ struct Core<C> {
                  "the bound in Config is too low");
 
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE auto output() const { return shown(shown_group<C>(*this)); }
+   HLS_INLINE auto output() const { return shown(shown_group()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      clock_map<C>(*this, size);
+      if constexpr (C.median || C.has_post_processing()) map.clock(turned(), size);
+      else if constexpr (kHasMapBlock) map.clock(turned());
+      if constexpr (C.path_right) turn.clock(checked(), size);
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(winners, NoTexture(), settings);
       if constexpr (C.has_left_right_check()) other.clock(paths, line, winners.mask);
@@ -97,17 +103,37 @@ struct Core<C> {
       }
    }
 
-   /// The same where the configuration has run-time settings. `now`: what the ports show; it counts in the clock of a
-   /// start of frame.
+   /// The same where the configuration has run-time settings or a run-time size. `now`: what the ports show. Settings
+   /// count in the clock of a start of frame; the size is that of all frames from one reset to the next.
    HLS_INLINE void clock(const CoreInput<C>& in, const Settings& now) {
       clock(in);
       if constexpr (C.run_time_settings) settings.clock(in, now);
+      if constexpr (C.run_time_size) size.clock(now.image_width, now.image_height);
    }
 
   private:
+   struct NoTexture {};
+
    HLS_INLINE void check() {
       const uint8_t other_winner[1] = {other.leaving()};
       leftright.clock(refinement.output(winners, NoTexture()), other_winner, settings);
+   }
+
+   HLS_INLINE Winners<kSumConfig<C>> checked() const {
+      if constexpr (C.has_left_right_check()) return leftright.checked;
+      else return refinement.output(winners, NoTexture());
+   }
+
+   /// In raster order.
+   HLS_INLINE Winners<kSumConfig<C>> turned() const {
+      if constexpr (C.path_right) return turn.output();
+      else return checked();
+   }
+
+   HLS_INLINE auto shown_group() const {
+      if constexpr (C.has_post_processing()) return map.group();
+      else if constexpr (kHasMapBlock) return map.out;
+      else return map_group<kSumConfig<C>>(turned());
    }
 };
 
