@@ -100,6 +100,8 @@ def test_command_counts_what_a_tool_takes(ghdl, tmp_path):
     said = call("try_tools.py", "--config", "tiny", "--out", tmp_path / "out")
     assert said.returncode == 0, said.stderr
     assert said.stdout.count(": 4 of 4 designs\n") == len(said.stdout.splitlines()) == 3
+    without_the_example = call("try_tools.py", "--config", "tiny_p2", "--out", tmp_path / "out")
+    assert without_the_example.stdout.count(": 3 of 3 designs\n") == 3, without_the_example.stderr
     refused(call("try_tools.py", "--config", "nobody"), 2, "nobody")
 
 

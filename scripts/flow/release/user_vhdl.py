@@ -32,7 +32,8 @@ def files(names: Iterable[str]) -> list[Path]:
     shells = [template.path(name) for name in names if has_shell(name)]
     cameras = [file for system in _systems(names) for file in systems.own_files(system)]
     by_hand = [*design.shell_files(), *design.joiner_files()]
-    return list(dict.fromkeys([*cores, *by_hand, *shells, *cameras, *EXAMPLE_FILES]))
+    examples = EXAMPLE_FILES if example.CONFIG in names else []
+    return list(dict.fromkeys([*cores, *by_hand, *shells, *cameras, *examples]))
 
 
 def tops(names: Iterable[str]) -> list[str]:
