@@ -29,7 +29,7 @@ def page() -> str:
         per_clock=per_clock_table(shown),
         speed=speed_table(shown),
         devices=device_table(),
-        shell=shell_table(shown),
+        shell=shell_table(Configuration(name, stale_is_none=True) for name in with_use("paper", "tiny", "system")),
         area=area_table(shown),
         comparison=table(*comparison(shown)),
         systems=table(*systems()),
