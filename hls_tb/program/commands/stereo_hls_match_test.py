@@ -125,7 +125,7 @@ def configurations():
     costs. The fast set takes as few as have every option; mark.slow takes all the rest."""
     table = json.loads(succeed("configurations", "--json")) if PROGRAM else {}
     names = sorted(name for name in table if name.startswith(("tiny", "ambrosch2007", "opencv")))
-    return with_slow(names, {"opencv_bm", *fast()} & {*names})
+    return with_slow(names, fast() & {*names})
 
 
 # Options that reject pixels when they are above 0; of the families, each has some.

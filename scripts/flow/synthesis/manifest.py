@@ -217,7 +217,8 @@ def check_program(table: Mapping[str, Configuration]) -> None:
         for path in (ROOT / folder / family / name for name in ("configurations.hpp", "rows.hpp")):
             if path.is_file() and path.stat().st_mtime > program.stat().st_mtime:
                 raise FlowError(
-                    f"{program} is older than {files.shown(path)}; build it again (scripts/setup.sh)", EXIT_MISMATCH
+                    f"{program} is older than {path.relative_to(ROOT)}; build it again (scripts/setup.sh)",
+                    EXIT_MISMATCH,
                 )
 
 
