@@ -26,6 +26,7 @@ def test_a_folded_core_serves_cameras_of_30_frames():
 
 @pytest.fixture(scope="module")
 def folded_scene(tmp_path_factory):
+    assert FOLDED.matching == "tiny_sgm_f8_all", "the build makes the cores that tests name"
     made = streams.material(FOLDED, 7, 6, tmp_path_factory.mktemp("folded"))
     known = [word >> 16 for words in made.frames for word in words]
     assert 0 < sum(known) < len(known)
