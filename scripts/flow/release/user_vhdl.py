@@ -7,7 +7,6 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from ..base import committed, ghdl, nvc, rtl
-from ..base.configurations import designs
 from ..base.errors import FlowError
 from ..base.farm import Farm
 from ..base.progress import bar
@@ -21,15 +20,17 @@ GENERICS: dict[str, ghdl.Generics] = {"stereo_joiner": {"width_px": 640, "height
 EXAMPLE_FILES = [example.FOLDER / f"{name}.vhd" for name in example.SOURCES]
 
 
-def has_shell(name: str) -> bool:
-    return not rtl.is_stage(designs()[name])
+def with_shell(names: Iterable[str]) -> list[str]:
+    """Those of matching cores; a stage has none."""
+    cores = {*committed.known_configurations()}
+    return [name for name in names if name in cores]
 
 
 def files(names: Iterable[str]) -> list[Path]:
     """Those of these configurations, of the shell, the camera systems and the example: in compile order, each once."""
     names = list(names)
     cores = [file for name in names for file in manifest.core_files(name)]
-    shells = [template.path(name) for name in names if has_shell(name)]
+    shells = [template.path(name) for name in with_shell(names)]
     cameras = [file for system in _systems(names) for file in systems.own_files(system)]
     by_hand = [*design.shell_files(), *design.joiner_files()]
     examples = EXAMPLE_FILES if example.CONFIG in names else []
@@ -40,7 +41,7 @@ def tops(names: Iterable[str]) -> list[str]:
     """All that stands on its own: the other files are parts of these."""
     names = list(names)
     cores = [committed.entity(name) for name in names]
-    shells = [rtl.ip_entity(name) for name in names if has_shell(name)]
+    shells = [rtl.ip_entity(name) for name in with_shell(names)]
     example_top = ["example_top"] if example.CONFIG in names else []
     return [*cores, *shells, *(system.entity for system in _systems(names)), "stereo_joiner", *example_top]
 
