@@ -3,6 +3,7 @@
 middle;
 workers that are not like this machine; what is said where there is none."""
 
+import csv
 import json
 import os
 import signal
@@ -128,6 +129,13 @@ def test_two_workers_implement(ghdl, yosys, two_workers, tmp_path):
     assert 0 < luts[0] < luts[1], made
 
 
+def explored(folder):
+    """The rows of a table, without what differs from run to run: times, and whose front they decide, and folders."""
+    with (folder / "explore.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    return [{key: row[key] for key in row if key not in ("milliseconds", "front", "command")} for row in rows]
+
+
 @pytest.mark.slow
 def test_two_workers_explore(two_workers, tmp_path):
     """The evaluations are those of this machine."""
@@ -136,8 +144,8 @@ def test_two_workers_explore(two_workers, tmp_path):
     assert process.returncode == 0, process.stdout + process.stderr
     here = call("explore.py", *words, "--jobs", 2, "--out", tmp_path / "here")
     assert here.returncode == 0, here.stdout + here.stderr
-    tables = [(tmp_path / name / "explore.csv").read_text() for name in ("there", "here")]
-    assert tables[0] == tables[1] and len(tables[0].splitlines()) == 3
+    tables = [explored(tmp_path / name) for name in ("there", "here")]
+    assert tables[0] == tables[1] and len(tables[0]) == 2
 
 
 @pytest.mark.slow
