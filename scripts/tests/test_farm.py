@@ -130,10 +130,10 @@ def test_two_workers_implement(ghdl, yosys, two_workers, tmp_path):
 
 
 def explored(folder):
-    """The rows of a table, without what differs from run to run: times, and whose front they decide, and folders."""
+    """The rows of a table, without what differs from run to run: times and, in the commands, folders."""
     with (folder / "explore.csv").open() as file:
         rows = list(csv.DictReader(file))
-    return [{key: row[key] for key in row if key not in ("milliseconds", "front", "command")} for row in rows]
+    return [{key: row[key] for key in row if key not in ("milliseconds", "command")} for row in rows]
 
 
 @pytest.mark.slow
