@@ -80,17 +80,18 @@ def entity(config: str) -> str:
 
 def keep(changes: Iterable[Change]) -> None:
     """Writes files where they belong, each archive once. What of these configurations stands in the other place, as
-    their use was another one, moves along."""
+    their use was another one, moves along. Those of the user's own go to their folder."""
 
     def family_of(change: Change) -> str:
         return change.family
 
-    changes = list(changes)
+    ours = []
     for change in changes:
         if change.use == OWN:
             _write(_own() / change.family / change.config, _as_bytes(change.contents))
-    changes = [change for change in changes if change.use != OWN]
-    for family, of_family in groupby(sorted(changes, key=family_of), family_of):
+        else:
+            ours.append(change)
+    for family, of_family in groupby(sorted(ours, key=family_of), family_of):
         EVIDENCE.mkdir(parents=True, exist_ok=True)
         with exclusive(EVIDENCE):  # two runs that read the same archive would lose what the first one writes
             _keep(GENERATED_RTL / family, EVIDENCE / f"{family}{archive.SUFFIX}", list(of_family))
