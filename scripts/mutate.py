@@ -37,9 +37,9 @@ def main() -> int:
     parser.add_argument(
         "--others",
         type=int,
-        default=20,
+        default=10,
         metavar="N",
-        help="stress streams of other seeds that look for what the default one does not show (default 20)",
+        help="stress streams of other seeds that look for what the default one does not show (default 10)",
     )
     parser.add_argument("--jobs", type=int, default=2, help="mutants at a time (default 2)")
     parser.add_argument("--out", type=a_path, default=WORK, help="folder of report.json (default build/mutation)")

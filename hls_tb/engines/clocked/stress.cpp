@@ -126,7 +126,7 @@ class Stress {
       Deck behind_whole(std::array{Event::reset, Event::at_once, Event::flush, Event::gap, Event::false_start},
                         random_);
       Deck behind_part(std::array{Event::at_once, Event::at_once, Event::reset, Event::flush}, random_);
-      part_of_a_frame(StressClass::patchwork);  // and the next start of frame at once
+      broken_at_row_ends();
       for (int sent = 0; sent < kLeastWildFrames || tidy_ < kStressClasses.size() || writer_.clocks.size() < clocks;
            ++sent) {
          writer_.set_stall_percent(stalls.next());
@@ -138,6 +138,15 @@ class Stress {
          then(is_whole ? behind_whole.next() : behind_part.next());
       }
       writer_.set_stall_percent(0);
+   }
+
+   /// A frame that the next start breaks off one record before the end of a row, and one in its last row: counters that
+   /// take either for the end of the frame go on wrongly.
+   void broken_at_row_ends() {
+      const int width = size_.width_px, rows = frame_records() / width;
+      first_records(StressClass::patchwork, width * (1 + random_.below(std::max(1, rows - 1))) - 1);
+      frame(StressClass::steps);
+      first_records(StressClass::patchwork, width * rows - 1 - random_.below(width - 1));
    }
 
    enum class Event { reset, at_once, flush, gap, false_start };
