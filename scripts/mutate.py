@@ -52,7 +52,9 @@ def main() -> int:
     if options.record and (options.shell or options.core < FEW):
         raise FlowError(f"--record keeps what a run gives of the core: it needs --shell 0 and --core {FEW} or more")
     if min(options.core, options.shell, options.others) < 0 or options.core + options.shell < 1 or options.jobs < 1:
-        raise FlowError("--core, --shell and --others must be 0 or more, --core and --shell together and --jobs 1 or more")
+        raise FlowError(
+            "--core, --shell and --others must be 0 or more, --core and --shell together and --jobs 1 or more"
+        )
     (options.out / "report.json").unlink(missing_ok=True)  # a run that breaks off leaves none of an earlier one
     together = options.core >= FEW
     run = Run(

@@ -9,8 +9,8 @@ import pytest
 from conftest import need
 from flow.cosim import checker, vectors
 from flow.cosim.simulators import CoreSimulation
-from flow.simulation.simulators import SIMULATORS
 from flow.mutation import judges
+from flow.simulation.simulators import SIMULATORS
 from flow.synthesis import manifest
 
 SEEDS = range(1, 6)
@@ -32,7 +32,9 @@ def shows_the_same(config, changes, work):
     changed = work / file.name
     changed.write_text(text)
     core = judges.Core(config)
-    simulator = CoreSimulation(SIMULATORS["verilator"], config, [*others, changed], work / "core", core.lanes, core.bits, kind=core.kind)
+    simulator = CoreSimulation(
+        SIMULATORS["verilator"], config, [*others, changed], work / "core", core.lanes, core.bits, kind=core.kind
+    )
     simulator.build()
     for seed in SEEDS:
         stimulus, expected = core.stream(seed)
@@ -57,9 +59,13 @@ def test_rows_outside_may_not_where_a_check_compares_costs(tmp_path):
 
 
 def test_a_record_in_the_clock_of_a_reset_changes_nothing(tmp_path):
-    assert shows_the_same("tiny", {r"raster_features_valid <= false;": "raster_features_valid <= true;"}, tmp_path / "one")
+    assert shows_the_same(
+        "tiny", {r"raster_features_valid <= false;": "raster_features_valid <= true;"}, tmp_path / "one"
+    )
 
 
 def test_a_pixel_that_is_not_held_back_as_long_as_the_others_shows(tmp_path):
     """Reading and writing do not move alike."""
-    assert not shows_the_same("tiny", {r"delay_ring_read_address <= 1;": "delay_ring_read_address <= 2;"}, tmp_path / "one")
+    assert not shows_the_same(
+        "tiny", {r"delay_ring_read_address <= 1;": "delay_ring_read_address <= 2;"}, tmp_path / "one"
+    )

@@ -152,6 +152,7 @@ def summary(coverage: Coverage) -> list[str]:
 
 def write(folder: Path, coverage: Coverage, data: Path) -> None:
     """coverage.json, coverage.info for lcov, and with genhtml its pages in coverage/."""
+    folder, data = folder.absolute(), data.absolute()  # the programs run in another folder
     files.write(folder / "coverage.json", json.dumps(coverage, indent=2) + "\n")
     info = folder / "coverage.info"
     run([find_tool("verilator_coverage"), "--write-info", info, data], cwd=data.parent)

@@ -98,7 +98,9 @@ class Batch:
             self.shown[self.inside[number].key] = f"co-simulation: clock {clock}"
         for seed in range(2, 2 + others):
             for number, clock in self._shown_by(*core.stream(seed), self._left(self.elsewhere)):
-                self.elsewhere[self.inside[number].key] = f"only the stress stream of seed {seed} shows it, clock {clock}"
+                self.elsewhere[self.inside[number].key] = (
+                    f"only the stress stream of seed {seed} shows it, clock {clock}"
+                )
         if left := self._left({}):
             verilog = self._to_verilog(self._write(left), self.work)
             text = equivalence.observed(verilog, core.entity)

@@ -7,7 +7,7 @@ from pathlib import Path
 from ..base import ghdl, rtl
 from ..base.configurations import configuration, designs
 from ..base.errors import FlowError
-from ..base.tools import ROOT, find_stereo_hls, run
+from ..base.tools import ROOT, Word, find_stereo_hls, run
 from ..cosim import checker, vectors
 from ..cosim.simulators import Ghdl
 from ..shell import cocotb_runs, formal, pool
@@ -66,7 +66,17 @@ class Core:
     def stream(self, seed: int = 1) -> tuple[Path, list[vectors.Expected]]:
         """(the stress stream of a seed, what the core must answer)"""
         folder = WORK / f"vectors_{self.config}_{seed}"
-        command = [find_stereo_hls(), "vectors", "--config", self.config, "--stress", "--seed", seed, "--out", folder]
+        command: list[Word] = [
+            find_stereo_hls(),
+            "vectors",
+            "--config",
+            self.config,
+            "--stress",
+            "--seed",
+            seed,
+            "--out",
+            folder,
+        ]
         run(command, passes_errors=True)
         return folder / "stimulus.txt", vectors.read_expected(folder / "expected.txt")[0]
 

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 
-
 def _other_number(match: re.Match[str]) -> str:
     """One more. Of a power of two by which bits are chosen, the next one: another bit, another width."""
     value, before = int(match.group()), match.string[: match.start()]

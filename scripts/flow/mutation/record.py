@@ -51,7 +51,8 @@ def read(directory: Path, entry: manifest.Manifest) -> Result | None:
     result = content.get("result")
     if not isinstance(result, dict) or result.keys() != _KEPT.keys():
         raise json_files.damaged(path, FORMAT)
-    return Result(**result)
+    kept: Result = result  # type: ignore[assignment]
+    return kept
 
 
 def page() -> str:
@@ -63,6 +64,8 @@ def page() -> str:
         kept = read(committed.folder(name), manifest.read(committed.folder(name)))
         if kept:
             counts = (kept["mutants"], kept["killed"], kept["equivalent"], kept["argued"], len(kept["survivors"]))
-            rows.append([code(name), configuration(name, designs())["family"], *map(number, counts), code(kept["command"])])
+            rows.append(
+                [code(name), configuration(name, designs())["family"], *map(number, counts), code(kept["command"])]
+            )
     head = ["core", "family", "mutants", "noticed", "proved equivalent", "argued", "survived", "printed by"]
     return replaced(PAGE, BEGIN, END, table(head, rows))

@@ -47,7 +47,8 @@ class Verdict:
 
 
 class EarlierVerdicts:
-    """Verdicts of earlier runs on the same sources and tests, so that an interrupted run goes on where it was."""
+    """Verdicts of earlier runs on the same sources and tests, so that an interrupted run goes on where it was. What has
+    survived or is argued is judged again."""
 
     def __init__(self, config: str, stimuli: list[Path]) -> None:
         """`stimuli`: of the core's co-simulation."""
@@ -64,7 +65,7 @@ class EarlierVerdicts:
         of_base = (aiger, ghdl, simulation, programs)
         of_shell = (broken, cocotb_runs, contract, design, formal, pool, script, selections)
         of_cosim = (bench, checker, simulators, vectors)
-        of_mutation = (arguments, batch, differences, equivalence, judges, mutants, schemata)
+        of_mutation = (batch, differences, equivalence, judges, mutants, schemata)
         modules = (*of_base, *of_shell, *of_cosim, *of_mutation)
         benches = sorted((ROOT / "hls_tb" / "shell").glob("*.py"))
         return [
@@ -81,7 +82,9 @@ class EarlierVerdicts:
 
     def recall(self, mutant: mutants.Mutant) -> Verdict | None:
         entry = self.known.get(mutant.key)
-        return Verdict(mutant, entry["outcome"], entry["by"], entry["seconds"]) if entry else None
+        if entry is None or entry["outcome"] not in ("killed", "equivalent", "invalid"):
+            return None
+        return Verdict(mutant, entry["outcome"], entry["by"], entry["seconds"])
 
     def keep(self, verdict: Verdict) -> None:
         json_lines.append(self.path, verdict.entry())
@@ -166,10 +169,12 @@ class Run:
         if mutant in batch.invalid:
             return Verdict(mutant, "invalid")
         by = batch.shown.get(mutant.key, "")
-        if not by and mutant.key not in batch.elsewhere and (argument := arguments.of(mutant)):
-            return Verdict(mutant, "argued", f"{argument.reason}; {argument.test}")
         objection = by or batch.objection(mutant, folder)
-        if objection and not by and mutant.key not in batch.elsewhere:
+        is_shown = bool(by) or mutant.key in batch.elsewhere
+        if objection and not is_shown and (argument := arguments.of(mutant)):
+            shutil.rmtree(folder, ignore_errors=True)
+            return Verdict(mutant, "argued", f"{argument.reason}; {argument.test}", time.monotonic() - started)
+        if objection and not is_shown:
             changed = mutants.write(mutant, folder / "rtl")
             core = [changed if path.name == changed.name else path for path in self.core_files]
             by = self.short[True].noticed(core, [], folder)
@@ -260,7 +265,7 @@ class Run:
             record.keep(self.config, {**result, "command": command})
         self.say(
             f"{self.config}, seed {' '.join(map(str, self.seeds))}: {len(self.verdicts)} mutants, {killed} killed, "
-            f"{equivalent} proved equivalent, {argued} argued, {survived} survived: score {score:.2f} %, {seconds:.0f} s; "
-            f"{out / 'report.json'}"
+            f"{equivalent} proved equivalent, {argued} argued, {survived} survived: "
+            f"score {score:.2f} %, {seconds:.0f} s; {out / 'report.json'}"
         )
         return survived
