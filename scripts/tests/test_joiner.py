@@ -115,6 +115,15 @@ def test_a_reset_begins_anew(joiner):
     seen = joiner.play(records, rng, reset_at=at)
     cameras[0][3].damage = "reset"
     assert judge(seen, cameras) is None
+    assert not any(left == right == 0 for left, right, _, _ in seen.pairs), "no pair ends the frame behind the reset"
+
+
+def test_a_reset_forgets_a_broken_frame(joiner):
+    """Whose last pair waits for a sink that was never ready."""
+    _, records = streams(random.Random(7), 10, 0)
+    behind = max(map(len, records)) + 50
+    assert any(left == right == 0 for left, right, _, _ in joiner.play(records, random.Random(7), sink_percent=0).pairs)
+    assert not joiner.play(records, random.Random(7), sink_percent=0, reset_at=behind).pairs
 
 
 def bits_of(seen):

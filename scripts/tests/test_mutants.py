@@ -140,7 +140,13 @@ def test_every_mutant_is_killed_or_equivalent_or_has_survived(blind):
         assert sum(line.startswith(outcome) for line in said) == outcomes.count(outcome)
 
 
-def test_verdicts_are_remembered(blind):
+@pytest.fixture
+def proving(monkeypatch):
+    """What no test notices is proved: what has survived is judged again."""
+    monkeypatch.setattr(Believer, "objection", lambda self, *files_and_folder: "")
+
+
+def test_verdicts_are_remembered(blind, proving):
     reports = []
     for _ in range(2):
         run.Run([1], 20, 20, jobs=1, say=lambda line: None).run().report(blind)
@@ -151,7 +157,7 @@ def test_verdicts_are_remembered(blind):
     assert Blind.count == judged
 
 
-def test_a_verdict_that_was_broken_off_is_given_again(blind):
+def test_a_verdict_that_was_broken_off_is_given_again(blind, proving):
     """By Ctrl-C or a full disk, in the middle of a line."""
     run.Run([1], 5, 5, jobs=1, say=lambda line: None).run()
     [kept] = (blind / "work").glob("verdicts_*.jsonl")
@@ -163,6 +169,14 @@ def test_a_verdict_that_was_broken_off_is_given_again(blind):
     judged = Blind.count
     run.Run([1], 5, 5, jobs=1, say=said.append).run()
     assert Blind.count == judged, "the one behind it is whole"
+
+
+def test_what_has_survived_is_judged_again(blind, monkeypatch):
+    monkeypatch.setattr(Blind, "noticed", lambda self, *files_and_folder: "")
+    monkeypatch.setattr(Believer, "objection", lambda self, *files_and_folder: "no proof")
+    assert run.Run([1], 5, 5, jobs=1, say=lambda line: None).run().report(blind) == 10
+    monkeypatch.setattr(Believer, "objection", lambda self, *files_and_folder: "")
+    assert run.Run([1], 5, 5, jobs=1, say=lambda line: None).run().report(blind) == 0
 
 
 def test_what_a_test_notices_is_not_proved(blind, monkeypatch):
@@ -193,3 +207,8 @@ def test_an_argument_names_a_test_and_holds_for_its_statements_only(tmp_path):
 @pytest.mark.parametrize("options", [["--core", "-1"], ["--core", "0", "--shell", "0"], ["--jobs", "0"]])
 def test_bad_options(options):
     refused(call("mutate.py", *options), 2, "must be")
+
+
+def test_the_table_of_kept_results_is_up_to_date():
+    process = call("mutate.py", "--check")
+    assert process.returncode == 0, process.stderr

@@ -70,6 +70,8 @@ def _changes(line: str, names: set[str]) -> Iterator[tuple[str, str, str]]:
     code = line.partition("--")[0].rstrip()
     for kind, pattern, replacement in RULES:
         for match in re.finditer(pattern, code):
+            if code.count('"', 0, match.start()) % 2:  # inside a text
+                continue
             new = match.expand(replacement) if isinstance(replacement, str) else replacement(match)
             what = f"column {match.start()}: {match.group().strip()} -> {new.strip()}"
             yield kind, what, code[: match.start()] + new + code[match.end() :]

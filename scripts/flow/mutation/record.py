@@ -58,7 +58,7 @@ def read(directory: Path, entry: manifest.Manifest) -> Result | None:
 def page() -> str:
     """docs/cosimulation.md with its table made anew."""
     rows = []
-    for name in sorted(designs()):
+    for name in committed.known_designs():
         if not (committed.folder(name) / FILE).is_file():
             continue
         kept = read(committed.folder(name), manifest.read(committed.folder(name)))
