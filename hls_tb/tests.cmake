@@ -170,8 +170,10 @@ add_test(NAME config_accepts.nothing_wrong
                  "${CMAKE_CURRENT_SOURCE_DIR}/blocks/block_matching/config_rejected.cpp")
 set_tests_properties(config_accepts.nothing_wrong PROPERTIES LABELS unit)
 
-foreach(command IN ITEMS broken_off cli depth evaluate match pixel_bits rectify post_processing video)
-  stereo_add_pytest(NAME stereo_hls_${command} FILE
-                    "${CMAKE_CURRENT_SOURCE_DIR}/program/commands/stereo_hls_${command}_test.py" LABELS unit)
+# The program as its users meet it: a test for each file.
+file(GLOB files CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/program/commands/*_test.py")
+foreach(file IN LISTS files)
+  string(REGEX REPLACE "^.*/(.*)_test\\.py$" "\\1" name "${file}")
+  stereo_add_pytest(NAME ${name} FILE "${file}" LABELS unit)
 endforeach()
 stereo_add_pytest(NAME run_pytest FILE "${CMAKE_CURRENT_SOURCE_DIR}/testing/run_pytest_test.py" LABELS unit)
