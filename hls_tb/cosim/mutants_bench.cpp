@@ -2,8 +2,8 @@
 // Runs a design with many faults to choose from (scripts/flow/mutation/schemata.py) once for each, up to the first
 // output that is not the one without a fault, and writes down where that was.
 //   mutants_bench STIMULUS OBSERVED RESULT MUTANTS
-// OBSERVED is written as verilator_bench.cpp does, without a fault. RESULT has a line "NUMBER CLOCK" for each fault
-// that shows, NUMBER from 1 to MUTANTS.
+// MUTANTS has the number of a fault in each line. OBSERVED is written as verilator_bench.cpp does, without a fault.
+// RESULT has a line "NUMBER CLOCK" for each fault that shows.
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -32,6 +32,12 @@ std::vector<Record> read_stimulus(std::FILE* file) {
    for (Record record; true; records.push_back(record))
       for (unsigned long long& field : record.fields)
          if (std::fscanf(file, "%llx", &field) != 1) return records;
+}
+
+std::vector<int> read_numbers(std::FILE* file) {
+   std::vector<int> numbers;
+   for (int number; std::fscanf(file, "%d", &number) == 1;) numbers.push_back(number);
+   return numbers;
 }
 
 void clock_edge(Vdesign& model) {
@@ -69,7 +75,8 @@ int main(int argc, char** argv) {
    std::FILE* file = std::fopen(argv[1], "r");
    std::FILE* observed = std::fopen(argv[2], "w");
    std::FILE* result = std::fopen(argv[3], "w");
-   if (!file || !observed || !result) {
+   std::FILE* mutants = std::fopen(argv[4], "r");
+   if (!file || !observed || !result || !mutants) {
       std::fprintf(stderr, "cannot open a file\n");
       return 2;
    }
@@ -82,7 +89,8 @@ int main(int argc, char** argv) {
    for (const Output& output : wanted)
       std::fprintf(observed, "%ld %llx %llu\n", output.clock, output.word, output.flags);
    std::fprintf(observed, "end %zu\n", stimulus.size());
-   for (int mutant = 1; mutant <= std::atoi(argv[4]); ++mutant) {
+   int played = 0;
+   for (const int mutant : read_numbers(mutants)) {
       auto next = wanted.begin();
       const long clock = play(stimulus, mutant, [&](long now, bool valid, const Output& output) {
          const bool comes = next != wanted.end() && next->clock == now;
@@ -90,7 +98,7 @@ int main(int argc, char** argv) {
          return !valid || output == *next++;
       });
       if (clock >= 0) std::fprintf(result, "%d %ld\n", mutant, clock);
-      if (mutant % 10 == 0) std::printf("progress %d\n", mutant), std::fflush(stdout);
+      if (++played % 10 == 0) std::printf("progress %d\n", played), std::fflush(stdout);
    }
    return std::fclose(observed) == 0 && std::fclose(result) == 0 ? 0 : 1;
 }

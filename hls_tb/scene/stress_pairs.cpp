@@ -87,7 +87,8 @@ void Painter::noise(int levels, int step) {
 void Painter::few_levels() {
    const int levels = 2 + random_.below(4);
    noise(levels, random_.percent(50) ? top_ / (levels - 1) : 1);
-   if (random_.percent(30)) match_all(any_disparity());
+   if (random_.percent(50)) return;
+   for (int y = 0; y < shape_.height; ++y) match(y, 0, shape_.width, any_disparity(), [](uint16_t v) { return v; });
 }
 
 void Painter::blocks() {

@@ -3,10 +3,11 @@
 
 import json
 from itertools import islice
+from pathlib import Path
 
 import pytest
 
-from flow.mutation import mutants, run
+from flow.mutation import arguments, mutants, run
 from flow.mutation.equivalence import NotSynthesizedError
 from flow_commands import call, refused
 
@@ -56,6 +57,17 @@ def test_every_kind_of_fault_is_made(file):
         assert expected in changes, expected
 
 
+@pytest.mark.parametrize(
+    "old, new",
+    [("x mod 512", "x mod 256"), ("x mod 2", "x mod 4"), ("x / 8", "x / 16"), ("x + 8", "x + 9"), ("x / 3", "x / 4")],
+)
+def test_a_number_becomes_its_neighbour(tmp_path, old, new):
+    """Of a power of two that chooses bits: the next bit or width."""
+    path = tmp_path / "e.vhd"
+    path.write_text(f"architecture rtl of e is\nbegin\n  y <= {old};\nend architecture;\n")
+    assert f"  y <= {new};" in {mutant.text for mutant in mutants.mutants_of(path)}
+
+
 def test_declarations_and_comments_are_left_alone(file):
     lines = {mutant.line for mutant in mutants.mutants_of(file)}
     assert lines <= {8, 9, 10, 11, 14}
@@ -80,6 +92,7 @@ class Blind:
     """Tests that notice nothing but one mutant in ten."""
 
     count = 0
+    stimulus = Path(__file__)  # of which the verdicts are
 
     def __init__(self, *stages):
         pass
@@ -166,6 +179,15 @@ def test_what_synthesis_refuses_is_killed(blind, monkeypatch):
     monkeypatch.setattr(Believer, "objection", refuses)
     assert run.Run([1], 5, 5, jobs=1, say=lambda line: None).run().report(blind) == 0
     assert "latch inferred" in json.loads((blind / "report.json").read_text())["verdicts"][0]["by"]
+
+
+def test_an_argument_names_a_test_and_holds_for_its_statements_only(tmp_path):
+    tests = (Path(__file__).parent / "test_mutation_arguments.py").read_text()
+    for argument in arguments.ARGUMENTS:
+        assert f"def {argument.test}(" in tests
+    path = tmp_path / "e.vhd"
+    path.write_text(TEXT)
+    assert not any(arguments.of(mutant) for mutant in mutants.mutants_of(path))
 
 
 @pytest.mark.parametrize("options", [["--core", "-1"], ["--core", "0", "--shell", "0"], ["--jobs", "0"]])

@@ -40,3 +40,18 @@ def test_many_in_one_build_are_judged_as_alone(tmp_path):
         changed = mutants.write(mutant, folder / "rtl")
         alone = core.noticed([*files[:-1], changed], [], folder)
         assert bool(alone) == (mutant.key in made.shown), f"{mutant.key}: {alone}"
+
+
+@pytest.mark.slow
+def test_other_streams_show_what_the_default_one_does_not(tmp_path):
+    """A default stream that ends after some clocks has holes."""
+    core, files = judges.Core("tiny"), manifest.core_files("tiny")
+    head, *lines = core.stimulus.read_text().splitlines()
+    core.stimulus = tmp_path / "short.txt"
+    core.stimulus.write_text("\n".join([head, *lines[:1000]]) + "\n")
+    core.expected = [output for output in core.expected if output.clock < 1000]
+    made = Batch(core, files, mutants.samples(files, [1]), 60, tmp_path / "batch")
+    made.judge(2)
+    assert made.elsewhere and not made.elsewhere.keys() & made.shown.keys()
+    [mutant, *_] = [mutant for mutant in made.inside.values() if mutant.key in made.elsewhere]
+    assert made.objection(mutant, tmp_path).startswith("only the stress stream of seed")

@@ -9,10 +9,12 @@
 namespace stereo {
 namespace {
 
-constexpr int kShortFrame = 4000;        // groups; of longer ones the first rows are sent
+constexpr int kShortFrame = 4000;     // groups; of longer ones the first rows are sent
 constexpr int kWantedClocks = 25000;  // of a core with short frames; the first round takes as many at most
 constexpr int kRowsBeyondFirst = 2;   // groups of rows of a long frame beyond those that give the first output
-constexpr int kLeastWildFrames = 6;   // so that each event comes
+constexpr int kShortLives = 1000;     // clocks of them all
+constexpr int kLeastShortLives = 3;
+constexpr int kLeastWildFrames = 6;  // so that each event comes
 
 /// Gives each of some things once before any comes again, in another order each time.
 template <class Thing, std::size_t Count>
@@ -43,6 +45,7 @@ class Stress {
    StimulusWriter make() {
       // What a reset leaves out shows only before the first start of frame.
       writer_.random_records(1 + random_.below(2 * size_.width_px));
+      short_lives();
       tidy_round();
       wild_frames(is_short() ? kWantedClocks : 0);
       frame(StressClass::patchwork);
@@ -52,6 +55,7 @@ class Stress {
    }
 
   private:
+   int frame_records() const { return size_.width_px * (sent_rows().end / size_.pixels_per_clock); }
    int frame_groups() const { return size_.width_px * size_.row_groups(); }
    bool is_short() const { return frame_groups() <= kShortFrame; }
    Schedule schedule() const { return shape_at(core_, size_).schedule; }
@@ -59,7 +63,8 @@ class Stress {
    /// Whole where it is short.
    RowRange sent_rows() const {
       if (is_short()) return {0, size_.height_px};
-      const int groups = (core_.schedule.groups_to_first_output + size_.width_px - 1) / size_.width_px + kRowsBeyondFirst;
+      const int groups =
+          (core_.schedule.groups_to_first_output + size_.width_px - 1) / size_.width_px + kRowsBeyondFirst;
       return {0, std::min(size_.height_px, groups * size_.pixels_per_clock)};
    }
    DeepPair pair(StressClass kind) {
@@ -71,15 +76,33 @@ class Stress {
       const DeepPair images = pair(kind);
       writer_.rows(images, {0, images.left.height});
    }
-   /// The first records of one.
+   /// The first records of one, most often up to its last rows, at times whole rows.
    void part_of_a_frame(StressClass kind) {
+      const int all = frame_records(), width = size_.width_px;
+      int records = 1 + random_.below(all);
+      if (random_.percent(60)) records = all - random_.below(std::min(all, 2 * width));
+      if (random_.percent(20)) records = std::max(width, records / width * width);
+      first_records(kind, records);
+   }
+   void first_records(StressClass kind, int records) {
       StimulusWriter whole(core_.image.pixels_per_clock, 0, 0, core_.pixel_bits);
       const DeepPair images = pair(kind);
       whole.rows(images, {0, images.left.height});
-      const int all = int(whole.clocks.size());
-      // Most often in its last rows.
-      const int records = random_.percent(60) ? all - random_.below(std::min(all, 2 * size_.width_px)) : 1 + random_.below(all);
-      for (int i = 0; i < records; ++i) writer_.record(whole.clocks[std::size_t(i)]);
+      whole.clocks.resize(std::min(whole.clocks.size(), std::size_t(records)));
+      for (const WideInput& record : whole.clocks) writer_.record(record);
+   }
+
+   /// Resets with a start of frame in the first clock behind them, each for the first rows of a frame: what a reset
+   /// leaves out shows in its corner.
+   void short_lives() {
+      const std::size_t end = writer_.clocks.size() + kShortLives;
+      for (int i = 0; i < kLeastShortLives || writer_.clocks.size() < end; ++i) {
+         reset(any_size());
+         const int records = schedule().groups_to_first_output + 1 + random_.below(2 * size_.width_px);
+         first_records(i % 2 ? StressClass::edges : StressClass::noise, records);
+         writer_.bubbles(core_.schedule.latency_clocks);
+      }
+      reset(core_.image);
    }
 
    /// Each class once, whole, as close as frames may be; of larger frames only some classes.
@@ -89,7 +112,10 @@ class Stress {
          frame(kStressClasses[tidy_]);
       }
       writer_.flush(core_.schedule);
+      writer_.random_records(silence());
    }
+   /// So many records without a start that whatever goes on behind the last frame shows.
+   int silence() const { return (is_short() ? frame_groups() : 0) + 2 * size_.width_px; }
 
    /// The classes that have not come yet, then all again in any order, with all that may come between, up to so many
    /// clocks.
@@ -97,48 +123,73 @@ class Stress {
       Deck kinds(kStressClasses, random_);
       Deck stalls(std::array{0, 0, 5, 30, 70}, random_);
       Deck whole(std::array{true, true, false, true}, random_);
-      Deck events(std::array{Event::reset, Event::reset, Event::at_once, Event::flush, Event::gap}, random_);
+      Deck behind_whole(std::array{Event::reset, Event::at_once, Event::flush, Event::gap, Event::false_start},
+                        random_);
+      Deck behind_part(std::array{Event::at_once, Event::at_once, Event::reset, Event::flush}, random_);
       part_of_a_frame(StressClass::patchwork);  // and the next start of frame at once
       for (int sent = 0; sent < kLeastWildFrames || tidy_ < kStressClasses.size() || writer_.clocks.size() < clocks;
            ++sent) {
          writer_.set_stall_percent(stalls.next());
          const StressClass kind = tidy_ < kStressClasses.size() ? kStressClasses[tidy_++] : kinds.next();
-         if (was_reset_ || whole.next()) frame(kind);
+         const bool is_whole = was_reset_ || whole.next();
+         if (is_whole) frame(kind);
          else part_of_a_frame(kind);
          was_reset_ = false;
-         then(events.next());
+         then(is_whole ? behind_whole.next() : behind_part.next());
       }
       writer_.set_stall_percent(0);
    }
 
-   enum class Event { reset, at_once, flush, gap };
+   enum class Event { reset, at_once, flush, gap, false_start };
    void then(Event event) {
       switch (event) {
          case Event::reset:
-            reset();
-            // At times more than a frame of them: a counter that is not at rest behind the reset comes round.
-            writer_.random_records(random_.below(random_.percent(20) && is_short() ? frame_groups() + 8 * size_.width_px
-                                                                                   : 2 * size_.width_px));
+            reset(any_size());
+            // At times none, so that the first record starts the frame; at times more than a frame of them: a counter
+            // that is not at rest behind the reset comes round.
+            if (random_.percent(70)) writer_.random_records(1 + random_.below(2 * size_.width_px));
+            if (random_.percent(20) && is_short()) {
+               writer_.set_stall_percent(0);
+               writer_.random_records(frame_groups() + 6 * size_.width_px);
+            }
             break;
          case Event::at_once:
             break;  // the next start of frame comes now: the frame before it is a broken one
          case Event::flush:
             writer_.flush(core_.schedule);
-            writer_.random_records(random_.below(2 * size_.width_px));
+            writer_.random_records(size_.width_px + random_.below(size_.width_px));
             writer_.bubbles(random_.below(2 * core_.schedule.latency_clocks));
             break;
          case Event::gap:
             writer_.gap(schedule());
             break;
+         case Event::false_start:
+            false_start();
+            break;
       }
+   }
+   /// A frame that takes the place of the flush of a whole one, and is broken off in it. What the core remembers of
+   /// that shows behind the next whole frame, if none follows at once.
+   void false_start() {
+      writer_.gap(schedule());
+      writer_.set_stall_percent(0);  // two frames more are long enough
+      const int all = std::min(frame_records(), core_.schedule.flush_groups);
+      first_records(StressClass::noise, 1 + random_.below(random_.percent(50) ? std::min(all, size_.width_px) : all));
+      frame(StressClass::noise);
+      then(Event::flush);
+   }
+   /// Of the frames behind a reset.
+   Image any_size() {
+      const bool is_fixed = !has_size_ports(core_.settings);
+      return is_fixed || random_.percent(20) ? core_.image : random_size(core_, random_);
    }
    /// The next frame is whole: what comes out of a broken one may hang on what the memories held before the reset, and
    /// there the core in C++ and that in VHDL differ by the word that was under way.
-   void reset() {
+   void reset(const Image& size) {
       was_reset_ = true;
       const int clocks = 1 + random_.below(3);
       if (!has_size_ports(core_.settings)) return writer_.reset(clocks);
-      size_ = random_.percent(20) ? core_.image : random_size(core_, random_);
+      size_ = size;
       writer_.reset_to_size(clocks, size_.width_px, size_.height_px);
    }
 
@@ -171,7 +222,8 @@ uint64_t append(Stimulus& stimulus, Stimulus next) {
    }
    stimulus.clocks.insert(stimulus.clocks.end(), next.clocks.begin(), next.clocks.end());
    for (const uint64_t clock : next.resets) stimulus.resets.push_back(begin + clock);
-   for (SettingsChange& change : next.settings) stimulus.settings.push_back({begin + change.clock, std::move(change.values)});
+   for (SettingsChange& change : next.settings)
+      stimulus.settings.push_back({begin + change.clock, std::move(change.values)});
    return begin;
 }
 

@@ -16,30 +16,34 @@ namespace {
 
 /// How often a stream does what.
 struct Events {
-   int frames = 0, whole = 0, at_the_gap = 0, broken = 0, bubbles = 0, resets = 0, later = 0;
+   int frames = 0, whole = 0, at_the_gap = 0, broken = 0, bubbles = 0, resets = 0, later = 0, false_starts = 0;
 };
 
 Events events_of(const Stimulus& made, const CoreShape& shape) {
    Events events;
    const int frame = shape.image.width_px * shape.image.row_groups();
    int since_start = -1;  // valid groups; -1 before the first start
-   bool was_reset = false;
+   bool was_reset = false, at_the_gap = false, behind_false_start = false;
    for (std::size_t clock = 0; clock < made.clocks.size(); ++clock) {
       const WideInput& in = made.clocks[clock];
       const bool reset = std::ranges::binary_search(made.resets, clock);
       events.resets += reset && !was_reset;
       was_reset = reset;
       events.bubbles += !in.valid && !reset;
-      if (reset) since_start = -1;
+      if (reset) since_start = -1, at_the_gap = behind_false_start = false;
       if (reset || !in.valid) continue;
       if (in.start_of_frame) {
          ++events.frames;
          events.broken += since_start >= 0 && since_start < frame;
-         events.at_the_gap += since_start == frame + shape.schedule.gap_groups;
+         behind_false_start = at_the_gap && since_start <= std::min(frame - 1, shape.schedule.flush_groups);
+         at_the_gap = since_start == frame + shape.schedule.gap_groups;
+         events.at_the_gap += at_the_gap;
          events.later += since_start > frame + shape.schedule.gap_groups;
          since_start = 0;
       }
-      if (since_start >= 0) events.whole += ++since_start == frame;
+      if (since_start < 0) continue;
+      events.whole += ++since_start == frame;
+      events.false_starts += behind_false_start && since_start == frame + shape.schedule.flush_groups;
    }
    return events;
 }
@@ -60,6 +64,8 @@ TEST_P(StressTest, HasAllThatMayComeBetweenFrames) {
    EXPECT_GE(events.at_the_gap, classes / 2 - 1);
    EXPECT_GT(events.broken, 0);
    EXPECT_GT(events.later, 0);
+   EXPECT_GT(events.false_starts, 0)
+       << "broken off in place of the flush of the frame before, then a whole frame alone";
    EXPECT_GT(events.resets, 0);
    EXPECT_GT(events.bubbles, 100);
    EXPECT_GT(run_core(core, made).size(), std::size_t(classes) * 100) << "maps";
@@ -94,7 +100,8 @@ TEST(Stress, SettingsAndSizesChangeWithTheFrames) {
       const Stimulus made = make_stress_stimulus(core.name, core.shape, test_seed());
       const Setting* const ports = made.ports.setting;
       const auto port = std::find_if(ports, ports + made.ports.count, [&](const Setting& setting) {
-         return std::string_view(setting.name) == (name == std::string_view("tiny_size") ? "image_width" : "uniqueness_percent");
+         return std::string_view(setting.name) ==
+                (name == std::string_view("tiny_size") ? "image_width" : "uniqueness_percent");
       });
       ASSERT_NE(port, ports + made.ports.count);
       std::vector<uint32_t> values;
@@ -108,7 +115,8 @@ TEST(Stress, AnAppendedStreamGivesWhatItGivesAlone) {
    for (const char* const name : {"tiny", "tiny_settings", "tiny_size"}) {
       const CoreModule& core = core_module(name);
       Random random(test_seed());
-      const DeepPair deep = stress_pair(StressClass::noise, {core.shape.image.width_px, core.shape.image.height_px, 0, 8}, random);
+      const DeepPair deep =
+          stress_pair(StressClass::noise, {core.shape.image.width_px, core.shape.image.height_px, 0, 8}, random);
       const Stimulus alone = make_stimulus(core.name, core.shape, deep, {.frames = 2, .seed = 5});
       Stimulus both = make_stress_stimulus(core.name, core.shape, test_seed());
       const std::size_t before = run_core(core, both).size();

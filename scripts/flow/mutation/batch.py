@@ -38,7 +38,7 @@ class Batch:
         self.inside: dict[int, Mutant] = {}
         self.outside: list[Mutant] = []
         self.invalid: list[Mutant] = []
-        self.last = 0  # number that a mutant has
+        self.last = 0  # number of a mutant
         for stream in streams:
             before = len(self.inside) + len(self.outside)
             while more := list(islice(stream, before + count - len(self.inside) - len(self.outside))):
@@ -46,6 +46,7 @@ class Batch:
         self.known = {mutant.key for mutant in (*self.inside.values(), *self.invalid)}
         self.number_of = {mutant.key: number for number, mutant in self.inside.items()}
         self.shown: dict[str, str] = {}  # {key: where}
+        self.elsewhere: dict[str, str] = {}  # the same of those that only streams of other seeds show
         self.graphs: Graphs | None = None
 
     def _take(self, mutants: list[Mutant]) -> None:
@@ -87,30 +88,45 @@ class Batch:
     def _to_verilog(self, made: list[Path], work: Path) -> str:
         return ghdl.to_verilog(made, work, self.core.entity)
 
-    def judge(self) -> None:
-        """What the stress stream shows; for the rest the graph. The text without a fault must show what is expected."""
+    def judge(self, others: int = 0) -> None:
+        """What the stress stream shows; of the rest what streams of `others` other seeds show, and the graph for
+        proofs. The text without a fault must show what is expected."""
         core, ports = self.core, bench.Ports(self.core.kind, self.core.lanes, self.core.bits)
         made, verilator = self._write(list(self.inside)), SIMULATORS["verilator"]
         verilator.build(self.work, Design(core.entity, made, [BENCH], {bench.CPP_PORTS: ports.cpp()}))
-        observed, result = self.work / "observed.txt", self.work / "result.txt"
-        given: dict[str, Word] = {"stimulus": core.stimulus, "observed": observed, "result": result, "last": self.last}
-        command = verilator.command(self.work, core.entity, given)
-        run_with_progress(command, lambda line: None, WATCHDOG_SECONDS, cwd=self.work)
-        verdict = checker.compare(core.expected, vectors.read_observed(observed)[0], core.bits)
-        if not verdict.passed:
-            raise FlowError(f"{made[-1]} differs without a mutant: {verdict.first_mismatch}", EXIT_TOOL_FAILED)
-        for number, clock in map(str.split, result.read_text().splitlines()):
-            if int(number) in self.inside:
-                self.shown[self.inside[int(number)].key] = f"co-simulation: clock {clock}"
-        left = [number for number, mutant in self.inside.items() if mutant.key not in self.shown]
-        if left:
+        for number, clock in self._shown_by(core.stimulus, core.expected, list(self.inside)):
+            self.shown[self.inside[number].key] = f"co-simulation: clock {clock}"
+        for seed in range(2, 2 + others):
+            for number, clock in self._shown_by(*core.stream(seed), self._left(self.elsewhere)):
+                self.elsewhere[self.inside[number].key] = f"only the stress stream of seed {seed} shows it, clock {clock}"
+        if left := self._left({}):
             verilog = self._to_verilog(self._write(left), self.work)
             text = equivalence.observed(verilog, core.entity)
             path = aiger.write(text, "observed", self.work / "graph", starts_at_zero=True)
             self.graphs = Graphs(differences.read(path), self.work / "original.aig")
 
+    def _left(self, also_shown: dict[str, str]) -> list[int]:
+        known = self.shown.keys() | also_shown.keys()
+        return [number for number, mutant in self.inside.items() if mutant.key not in known]
+
+    def _shown_by(self, stimulus: Path, expected: list[vectors.Expected], numbers: list[int]) -> list[tuple[int, int]]:
+        """(number, clock of the first wrong output) of those of some mutants that a stream shows."""
+        core = self.core
+        observed, result, mutants = (self.work / f"{name}.txt" for name in ("observed", "result", "mutants"))
+        mutants.write_text("".join(f"{number}\n" for number in numbers))
+        given: dict[str, Word] = {"stimulus": stimulus, "observed": observed, "result": result, "mutants": mutants}
+        command = SIMULATORS["verilator"].command(self.work, core.entity, given)
+        run_with_progress(command, lambda line: None, WATCHDOG_SECONDS, cwd=self.work)
+        verdict = checker.compare(expected, vectors.read_observed(observed)[0], core.bits)
+        if not verdict.passed:
+            raise FlowError(f"{self.file} differs without a mutant: {verdict.first_mismatch}", EXIT_TOOL_FAILED)
+        pairs = (line.split() for line in result.read_text().splitlines())
+        return [(int(number), int(clock)) for number, clock in pairs if int(number) in self.inside]
+
     def objection(self, mutant: Mutant, folder: Path) -> str:
         """Why one that was not shown may show something else all the same; "" where it is proved that it does not."""
+        if mutant.key in self.elsewhere:
+            return self.elsewhere[mutant.key]
         assert self.graphs is not None
         return self.graphs.objection(self.number_of[mutant.key], folder)
 

@@ -60,11 +60,15 @@ class Core:
         self.config, self.parameters = config, configuration(config, designs())
         self.kind, self.lanes = rtl.kind_of(self.parameters), self.parameters["pixels_per_clock"]
         self.bits, self.entity = vectors.row_bits(self.parameters), self.kind.entity(config)
-        folder = WORK / f"vectors_{config}"
-        run([find_stereo_hls(), "vectors", "--config", config, "--stress", "--out", folder], passes_errors=True)
-        self.stimulus = folder / "stimulus.txt"
-        self.expected, _ = vectors.read_expected(folder / "expected.txt")
+        self.stimulus, self.expected = self.stream()
         self.clocks = len(vectors.read_stimulus(self.stimulus, self.kind))
+
+    def stream(self, seed: int = 1) -> tuple[Path, list[vectors.Expected]]:
+        """(the stress stream of a seed, what the core must answer)"""
+        folder = WORK / f"vectors_{self.config}_{seed}"
+        command = [find_stereo_hls(), "vectors", "--config", self.config, "--stress", "--seed", seed, "--out", folder]
+        run(command, passes_errors=True)
+        return folder / "stimulus.txt", vectors.read_expected(folder / "expected.txt")[0]
 
     def noticed(self, core: list[Path], shell: list[Path], folder: Path) -> str:
         simulator = Ghdl(self.config, core, folder / "core", self.lanes, self.bits, kind=self.kind)

@@ -9,6 +9,16 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+
+
+def _other_number(match: re.Match[str]) -> str:
+    """One more. Of a power of two by which bits are chosen, the next one: another bit, another width."""
+    value, before = int(match.group()), match.string[: match.start()]
+    if value < 2 or value & (value - 1) or not before.endswith(("/ ", "mod ")):
+        return str(value + 1)
+    return str(value // 2 if before.endswith("mod ") and value > 2 else 2 * value)
+
+
 # (kind, pattern of what is replaced, replacement). The pattern sees code without comments.
 RULES: tuple[tuple[str, str, str | Callable[[re.Match[str]], str]], ...] = (
     ("relation", r"(?<= )= (?!>)", "/= "),
@@ -23,7 +33,7 @@ RULES: tuple[tuple[str, str, str | Callable[[re.Match[str]], str]], ...] = (
     ("inversion", r"\bnot ", ""),
     ("inversion", r"(?<=\bif )(.+)(?= then$)", r"not (\1)"),
     ("inversion", r"(?<= when )([^;]+?)(?= else)", r"not (\1)"),
-    ("constant", r"(?<![\w\"'.])(\d+)(?![\w\"'.])", lambda match: str(int(match.group()) + 1)),
+    ("constant", r"(?<![\w\"'.])(\d+)(?![\w\"'.])", _other_number),
     ("constant", r"'0'", "'1'"),
     ("constant", r"'1'", "'0'"),
     ("constant", r"\btrue\b", "false"),

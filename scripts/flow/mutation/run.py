@@ -22,7 +22,7 @@ from ..cosim import bench, checker, simulators, vectors
 from ..shell import broken, cocotb_runs, contract, design, formal, pool, script, selections
 from ..simulation import simulation, simulators as programs
 from ..synthesis import manifest
-from . import batch, differences, equivalence, judges, mutants, schemata
+from . import arguments, batch, differences, equivalence, judges, mutants, record, schemata
 from .batch import Batch
 from .equivalence import Design, NotSynthesizedError, Prover
 from .judges import CONFIG_OF_SHORT_FRAMES, WORK, Core, Shell, compiles, refuted, shell_stages
@@ -31,7 +31,7 @@ from .judges import CONFIG_OF_SHORT_FRAMES, WORK, Core, Shell, compiles, refuted
 @dataclass
 class Verdict:
     mutant: mutants.Mutant
-    outcome: str  # killed, equivalent, survived, or invalid: it does not compile
+    outcome: str  # killed, equivalent, argued, survived, or invalid: it does not compile
     by: str = ""  # what noticed it; of a survivor why it may show
     seconds: float = 0.0
 
@@ -49,8 +49,10 @@ class Verdict:
 class EarlierVerdicts:
     """Verdicts of earlier runs on the same sources and tests, so that an interrupted run goes on where it was."""
 
-    def __init__(self, config: str) -> None:
-        digest = hashlib.sha256(b"".join(path.read_bytes() for path in self._sources(config))).hexdigest()[:16]
+    def __init__(self, config: str, stimuli: list[Path]) -> None:
+        """`stimuli`: of the core's co-simulation."""
+        sources = [*self._sources(config), *stimuli]
+        digest = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]
         WORK.mkdir(parents=True, exist_ok=True)
         self.path = WORK / f"verdicts_{digest}.jsonl"
         kept = {entry.get("key", ""): entry for entry in json_lines.read(self.path)}
@@ -62,7 +64,7 @@ class EarlierVerdicts:
         of_base = (aiger, ghdl, simulation, programs)
         of_shell = (broken, cocotb_runs, contract, design, formal, pool, script, selections)
         of_cosim = (bench, checker, simulators, vectors)
-        of_mutation = (batch, differences, equivalence, judges, mutants, schemata)
+        of_mutation = (arguments, batch, differences, equivalence, judges, mutants, schemata)
         modules = (*of_base, *of_shell, *of_cosim, *of_mutation)
         benches = sorted((ROOT / "hls_tb" / "shell").glob("*.py"))
         return [
@@ -97,8 +99,11 @@ class Run:
         say: Say = print,
         config: str = "tiny",
         together: bool = False,
+        others: int = 0,
     ) -> None:
-        """So many of the core and of the shell for each seed. `together`: those of the core in one build."""
+        """So many of the core and of the shell for each seed. `together`: those of the core in one build; then streams
+        of `others` other seeds look for what the default one does not show."""
+        self.others = others
         self.core_files = manifest.core_files(config)
         self.seeds, self.counts, self.jobs, self.say = seeds, (core_count, shell_count), jobs, say
         self.batch: Batch | None = None
@@ -106,11 +111,11 @@ class Run:
         self.short: dict[bool, Core | Shell] = {}
         self.provers: dict[bool, Prover] = {}
         if core_count:
-            core = Core(config)
-            self.short[True] = core
+            self.core = Core(config)
+            self.short[True] = self.core
             if together:
                 streams = mutants.samples(self.core_files, seeds)
-                self.batch = Batch(core, self.core_files, streams, core_count, WORK / f"together_{config}")
+                self.batch = Batch(self.core, self.core_files, streams, core_count, WORK / f"together_{config}")
             self._prove_with(True, config, [Design(config, True)])
         if shell_count:
             short, thorough = shell_stages(config)
@@ -118,7 +123,8 @@ class Run:
             self.thorough = Shell(config, thorough)
             variants = {(stage.config, *stage.generics.items()): stage for stage in (*short, *thorough)}
             self._prove_with(False, config, [Design(one.config, False, one.generics) for one in variants.values()])
-        self.config, self.earlier, self.began = config, EarlierVerdicts(config), time.monotonic()
+        stimuli = [self.core.stimulus] if core_count else []
+        self.config, self.earlier, self.began = config, EarlierVerdicts(config, stimuli), time.monotonic()
         self.verdicts: list[Verdict] = []
         self.number, self.started = 0, {True: 0, False: 0}  # of mutants, of those of the core and of the shell
         self.lock = threading.Lock()
@@ -160,8 +166,10 @@ class Run:
         if mutant in batch.invalid:
             return Verdict(mutant, "invalid")
         by = batch.shown.get(mutant.key, "")
+        if not by and mutant.key not in batch.elsewhere and (argument := arguments.of(mutant)):
+            return Verdict(mutant, "argued", f"{argument.reason}; {argument.test}")
         objection = by or batch.objection(mutant, folder)
-        if objection and not by:
+        if objection and not by and mutant.key not in batch.elsewhere:
             changed = mutants.write(mutant, folder / "rtl")
             core = [changed if path.name == changed.name else path for path in self.core_files]
             by = self.short[True].noticed(core, [], folder)
@@ -203,9 +211,10 @@ class Run:
 
     def run(self) -> Run:
         if self.batch and any(self.earlier.recall(mutant) is None for mutant in self.batch.inside.values()):
-            self.batch.judge()
+            self.batch.judge(self.others)
             shown, inside = len(self.batch.shown), len(self.batch.inside)
-            self.say(f"{shown} of {inside} shown, {time.monotonic() - self.began:.0f} s ...")
+            elsewhere = f", {len(self.batch.elsewhere)} more by other seeds" if self.others else ""
+            self.say(f"{shown} of {inside} shown{elsewhere}, {time.monotonic() - self.began:.0f} s ...")
         for is_core, sources, count in (
             (True, self.core_files, self.counts[0]),
             (False, design.shell_files(), self.counts[1]),
@@ -218,16 +227,17 @@ class Run:
                         future.result()
         return self
 
-    def report(self, out: Path) -> int:
-        """Writes report.json, prints the summary; returns how many have survived."""
+    def report(self, out: Path, is_kept: bool = False) -> int:
+        """Writes report.json, prints the summary; returns how many have survived. With `is_kept` the result goes
+        beside the VHDL of the core, too."""
         if not self.verdicts:
             raise FlowError("no mutant compiled", EXIT_TOOL_FAILED)
         keys = {
             outcome: [verdict.mutant.key for verdict in self.verdicts if verdict.outcome == outcome]
-            for outcome in ("killed", "equivalent", "survived")
+            for outcome in ("killed", "equivalent", "argued", "survived")
         }
-        killed, equivalent, survived = (len(found) for found in keys.values())
-        score = 100 * (killed + equivalent) / len(self.verdicts)
+        killed, equivalent, argued, survived = (len(found) for found in keys.values())
+        score = 100 * (len(self.verdicts) - survived) / len(self.verdicts)
         seconds = time.monotonic() - self.began
         kinds = [verdict.mutant.kind for verdict in self.verdicts]
         result = {
@@ -236,6 +246,7 @@ class Run:
             "mutants": len(self.verdicts),
             "killed": killed,
             "equivalent": equivalent,
+            "argued": argued,
             "survivors": sorted(keys["survived"]),
             "score_percent": round(score, 2),
             "seconds": round(seconds, 1),
@@ -243,9 +254,13 @@ class Run:
             "verdicts": [verdict.entry() for verdict in self.verdicts],
         }
         files.write(out / "report.json", json.dumps(result, indent=2) + "\n")
+        if is_kept:
+            seeds = " ".join(map(str, self.seeds))
+            command = f"scripts/mutate.py --config {self.config} --core {self.counts[0]} --shell 0 --seed {seeds}"
+            record.keep(self.config, {**result, "command": command})
         self.say(
             f"{self.config}, seed {' '.join(map(str, self.seeds))}: {len(self.verdicts)} mutants, {killed} killed, "
-            f"{equivalent} proved equivalent, {survived} survived: score {score:.2f} %, {seconds:.0f} s; "
+            f"{equivalent} proved equivalent, {argued} argued, {survived} survived: score {score:.2f} %, {seconds:.0f} s; "
             f"{out / 'report.json'}"
         )
         return survived

@@ -24,6 +24,7 @@ PAGE_COMMANDS = (
     ("quality.py", "--check"),
     ("post_processing.py", "--check"),
     ("plan.py", "--check"),
+    ("mutate.py", "--check"),
 )
 VHDL_COMMANDS = (("synthesize.py", "--check"),)
 RESULTS = ROOT / "build" / "ci" / "results"  # where .ci/run leaves them
