@@ -5,6 +5,7 @@ import math
 import random
 import struct
 import zlib
+from functools import cache
 
 from stereo_hls_program import gray_image, png_depth, png_size
 
@@ -50,21 +51,25 @@ def ground(seed=1):
     return value
 
 
-def plane(tmp_path, turn=0.0):
-    """A plane that faces both cameras."""
+@cache
+def plane_pixels(turn):
+    """What both cameras see of a plane that faces them: rows of left and right."""
     value, c, s = ground(), math.cos(turn), math.sin(turn)
 
     def right(x, y):  # the camera turned by `turn` sees at x, y what the straight one sees at the place turned back
         dx, dy = x - WIDTH / 2, y - HEIGHT / 2
         return value(c * dx + s * dy + WIDTH / 2 + SHIFT, -s * dx + c * dy + HEIGHT / 2)
 
-    size = {"width": WIDTH, "height": HEIGHT}
-    return [
-        "--left",
-        gray_image(tmp_path / "left.pgm", value, **size),
-        "--right",
-        gray_image(tmp_path / "right.pgm", right, **size),
-    ]
+    return [[bytes(see(x, y) for x in range(WIDTH)) for y in range(HEIGHT)] for see in (value, right)]
+
+
+def plane(tmp_path, turn=0.0):
+    """A plane that faces both cameras."""
+    words = []
+    for name, rows in zip(("left", "right"), plane_pixels(turn)):
+        path = gray_image(tmp_path / f"{name}.pgm", lambda x, y, rows=rows: rows[y][x], WIDTH, HEIGHT)
+        words += [f"--{name}", path]
+    return words
 
 
 def png_pixels(path):
