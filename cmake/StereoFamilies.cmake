@@ -141,6 +141,8 @@ function(stereo_add_core)
   if(NOT arg_USE STREQUAL paper)
     target_compile_options(core_${arg_NAME} PRIVATE -O1)
     target_precompile_headers(core_${arg_NAME} REUSE_FROM stereo_core_headers)
+  elseif(STEREO_SHARED_LAUNCHER)
+    set_target_properties(core_${arg_NAME} PROPERTIES CXX_COMPILER_LAUNCHER "${STEREO_SHARED_LAUNCHER}")
   endif()
   set_target_properties(core_${arg_NAME} PROPERTIES PREFIX "" OUTPUT_NAME ${arg_NAME} LIBRARY_OUTPUT_DIRECTORY
                                                                                       "${PROJECT_BINARY_DIR}/cores")

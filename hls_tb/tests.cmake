@@ -30,16 +30,10 @@ stereo_add_unit_tests(
   blocks/support/row_buffer_test.cpp
   blocks/support/settings_test.cpp
   blocks/frontend/image_size_test.cpp
-  blocks/frontend/line_buffer_test.cpp
-  blocks/frontend/pair_delay_test.cpp
-  blocks/frontend/raster_test.cpp
   blocks/frontend/transform_test.cpp
   blocks/cost/column_cost_test.cpp
-  blocks/cost/disparity_shift_test.cpp
   blocks/cost/pixel_cost_test.cpp
-  blocks/cost/sad_cost_test.cpp
   blocks/cost/sign_memory_test.cpp
-  blocks/cost/window_sum_test.cpp
   blocks/winner/candidate_mask_test.cpp
   blocks/winner/candidate_test.cpp
   blocks/winner/diagonal_minimum_test.cpp
@@ -48,9 +42,7 @@ stereo_add_unit_tests(
   blocks/winner/refinement_test.cpp
   blocks/winner/sort_three_test.cpp
   blocks/winner/winner_tree_exhaustive_test.cpp
-  blocks/winner/winner_tree_test.cpp
   blocks/block_matching/config_test.cpp
-  blocks/block_matching/disparity_slice_test.cpp
   blocks/block_matching/row_best_test.cpp
   blocks/block_matching/row_check_test.cpp
   blocks/block_matching/row_passes_test.cpp
@@ -65,9 +57,7 @@ stereo_add_unit_tests(
   blocks/phase_correlation/phase_distance_test.cpp
   blocks/rectification/bilinear_test.cpp
   blocks/rectification/config_test.cpp
-  blocks/rectification/core_test.cpp
   blocks/rectification/quad_memory_test.cpp
-  blocks/postprocessing/post_processor_test.cpp
   blocks/semi_global/config_test.cpp
   blocks/semi_global/cost_slice_test.cpp
   blocks/semi_global/path_above_test.cpp
@@ -90,6 +80,21 @@ stereo_add_unit_tests(
 add_custom_target(slow_tests)
 add_dependencies(slow_tests cores)
 stereo_add_unit_tests(SLOW LINK stereo_testing FILES cores/block_matching/core_large_test.cpp)
+# Tests of many types.
+stereo_add_unit_tests(
+  SLOW_TYPES
+  LINK stereo_testing
+  FILES
+  blocks/frontend/line_buffer_test.cpp
+  blocks/frontend/pair_delay_test.cpp
+  blocks/frontend/raster_test.cpp
+  blocks/cost/disparity_shift_test.cpp
+  blocks/cost/sad_cost_test.cpp
+  blocks/cost/window_sum_test.cpp
+  blocks/winner/winner_tree_test.cpp
+  blocks/block_matching/disparity_slice_test.cpp
+  blocks/rectification/core_test.cpp
+  blocks/postprocessing/post_processor_test.cpp)
 stereo_add_unit_tests(LINK stereo_small_cores FILES cores/block_matching/core_stream_test.cpp
                       cores/block_matching/core_test.cpp)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/named_cores_test.cpp
@@ -170,8 +175,10 @@ add_test(NAME config_accepts.nothing_wrong
                  "${CMAKE_CURRENT_SOURCE_DIR}/blocks/block_matching/config_rejected.cpp")
 set_tests_properties(config_accepts.nothing_wrong PROPERTIES LABELS unit)
 
-foreach(command IN ITEMS broken_off cli depth evaluate match pixel_bits rectify post_processing video)
-  stereo_add_pytest(NAME stereo_hls_${command} FILE
-                    "${CMAKE_CURRENT_SOURCE_DIR}/program/commands/stereo_hls_${command}_test.py" LABELS unit)
+# The program as its users meet it: a test for each file.
+file(GLOB files CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/program/commands/*_test.py")
+foreach(file IN LISTS files)
+  string(REGEX REPLACE "^.*/(.*)_test\\.py$" "\\1" name "${file}")
+  stereo_add_pytest(NAME ${name} FILE "${file}" LABELS unit)
 endforeach()
 stereo_add_pytest(NAME run_pytest FILE "${CMAKE_CURRENT_SOURCE_DIR}/testing/run_pytest_test.py" LABELS unit)

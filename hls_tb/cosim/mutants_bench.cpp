@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "bench_ports.hpp"
+#include "bench_stimulus.hpp"
 #include "verilated.h"
 
 namespace {
@@ -24,14 +24,11 @@ struct Output {
    bool operator==(const Output&) const = default;
 };
 
-/// Its lines behind the first, which is checked before the simulation starts.
 std::vector<Record> read_stimulus(std::FILE* file) {
-   char line[256];
    std::vector<Record> records;
-   if (!std::fgets(line, sizeof line, file)) return records;
-   for (Record record; true; records.push_back(record))
-      for (unsigned long long& field : record.fields)
-         if (std::fscanf(file, "%llx", &field) != 1) return records;
+   if (!skip_format(file)) return records;
+   for (Record record; read_fields(file, record.fields);) records.push_back(record);
+   return records;
 }
 
 std::vector<int> read_numbers(std::FILE* file) {
@@ -40,27 +37,16 @@ std::vector<int> read_numbers(std::FILE* file) {
    return numbers;
 }
 
-void clock_edge(Vdesign& model) {
-   model.clock = 0;
-   model.eval();
-   model.clock = 1;
-   model.eval();
-}
-
 /// Gives each output to `is_as_wanted`, until it says no; returns the clock of that, or -1.
 template <class Judge>
 long play(const std::vector<Record>& stimulus, int mutant, Judge is_as_wanted) {
    const auto model = std::make_unique<Vdesign>();
    model->mutant_number = mutant;
-   model->reset = 1;
-   for (int clock = 0; clock < 2; ++clock) clock_edge(*model);
-   model->reset = 0;
+   reset(*model, [](long, int) {});
    for (long clock = 0; clock < static_cast<long>(stimulus.size()); ++clock) {
-      drive_inputs(*model, stimulus[static_cast<std::size_t>(clock)].fields);
-      model->clock = 0;
-      model->eval();
+      show_outputs(*model, stimulus[static_cast<std::size_t>(clock)].fields);
       if (!is_as_wanted(clock, is_valid(*model), Output{clock, word(*model), shown_flags(*model)})) return clock;
-      clock_edge(*model);
+      clock_edge(*model, [](int) {});
    }
    return -1;
 }
@@ -86,9 +72,8 @@ int main(int argc, char** argv) {
       if (valid) wanted.push_back(output);
       return true;
    });
-   for (const Output& output : wanted)
-      std::fprintf(observed, "%ld %llx %llu\n", output.clock, output.word, output.flags);
-   std::fprintf(observed, "end %zu\n", stimulus.size());
+   for (const Output& output : wanted) write_output(observed, output.clock, output.word, output.flags);
+   write_end(observed, static_cast<long>(stimulus.size()));
    int played = 0;
    for (const int mutant : read_numbers(mutants)) {
       auto next = wanted.begin();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Verilator twin of tb_stereo_core.vhd: drives the model with a stimulus file, writes down every output with its
-// clock, judges nothing. bench_ports.hpp, made by scripts/flow/cosim/bench.py, knows the ports of the design.
+// clock, judges nothing.
 //   bench STIMULUS OBSERVED [WAVE FIRST_CLOCK LAST_CLOCK]
 // Built for coverage it writes coverage.dat beside OBSERVED.
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 
-#include "bench_ports.hpp"
+#include "bench_stimulus.hpp"
 #include "verilated.h"
 #if VM_TRACE
 #include "verilated_fst_c.h"
@@ -21,13 +21,6 @@
 namespace {
 
 constexpr long kProgressClocks = 1000;
-
-/// The next line of the stimulus.
-bool read_fields(std::FILE* stimulus, unsigned long long (&fields)[kFields]) {
-   for (unsigned long long& field : fields)
-      if (std::fscanf(stimulus, "%llx", &field) != 1) return false;
-   return true;
-}
 
 /// Dumps the model's signals while the clock count is in the window.
 class Wave {
@@ -66,15 +59,6 @@ class Wave {
 #endif
 };
 
-void clock_edge(Vdesign& model, Wave& wave, long clock) {
-   model.clock = 0;
-   model.eval();
-   wave.dump(clock, 0);
-   model.clock = 1;
-   model.eval();
-   wave.dump(clock, 1);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -92,23 +76,18 @@ int main(int argc, char** argv) {
    Vdesign model;
    Wave wave(model, argc, argv);
 
-   model.reset = 1;
-   for (long clock = -2; clock < 0; ++clock) clock_edge(model, wave, clock);
-   model.reset = 0;
+   reset(model, [&](long clock, int phase) { wave.dump(clock, phase); });
 
-   char line[256];
-   if (!std::fgets(line, sizeof line, stimulus)) return 2;  // format line, checked before the simulation starts
+   if (!skip_format(stimulus)) return 2;
    long clock = 0;
    unsigned long long fields[kFields];
    while (read_fields(stimulus, fields)) {
-      drive_inputs(model, fields);
-      model.clock = 0;
-      model.eval();
-      if (is_valid(model)) std::fprintf(observed, "%ld %llx %llu\n", clock, word(model), shown_flags(model));
-      clock_edge(model, wave, clock);
+      show_outputs(model, fields);
+      if (is_valid(model)) write_output(observed, clock, word(model), shown_flags(model));
+      clock_edge(model, [&](int phase) { wave.dump(clock, phase); });
       if (++clock % kProgressClocks == 0) std::printf("progress %ld\n", clock), std::fflush(stdout);
    }
-   std::fprintf(observed, "end %ld\n", clock);
+   write_end(observed, clock);
    wave.close();
 #if VM_COVERAGE
    const auto data = std::filesystem::path(argv[2]).replace_filename("coverage.dat");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testing/small_cores.hpp"
 
-void stereo::test::add_plain_cores(std::vector<SmallCore>& cores) { add_cores(cores, SmallConfigs()); }
+void stereo::test::add_plain_cores(std::vector<SmallCore>& cores) {
+   add_cores(cores, Both<FewSmallConfigs, MoreSmallConfigs>::Configs());
+}
 
 const std::vector<stereo::test::SmallCore>& stereo::test::small_cores() {
    static const std::vector<SmallCore> cores = [] {

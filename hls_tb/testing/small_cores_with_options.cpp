@@ -25,7 +25,7 @@ using OptionConfigs = ::testing::Types<
 }  // namespace
 
 void add_option_cores(std::vector<SmallCore>& cores) {
-   add_cores(cores, RecursiveConfigs());
+   add_cores(cores, Both<FewRecursiveConfigs, MoreRecursiveConfigs>::Configs());
    add_cores(cores, OptionConfigs());
 }
 

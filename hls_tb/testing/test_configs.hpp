@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "block_matching/configurations.hpp"
+#include "testing/types.hpp"
 
 namespace stereo::test {
 
@@ -67,14 +68,6 @@ struct ConfigNames {
    }
 };
 
-/// Two lists of types as one.
-template <class First, class Second>
-struct Both;
-template <class... First, class... Second>
-struct Both<::testing::Types<First...>, ::testing::Types<Second...>> {
-   using Configs = ::testing::Types<First..., Second...>;
-};
-
 /// Row of each tap, seen from the upper row of the windows' centres, by definition: all rows that the windows of P rows
 /// cover; with recursive sums, first those that leave the windows, then those that enter them.
 inline std::vector<int> tap_offsets(const block_matching::Config& c) {
@@ -91,36 +84,41 @@ inline std::vector<int> tap_offsets(const block_matching::Config& c) {
 
 /// For blocks and streams: each value of P, B, K and G with each other value somewhere; slices of one size, with rests
 /// of 1, 2 and more, of at least D; the smallest images, and the narrowest over their disparities; even windows; both
-/// references; disparity ranges above, around and below 0.
-using SmallConfigs = ::testing::Types<
-    Config<8, 3, 2, 3, 1, 2, 3, 2>, Config<9, 3, 8, 3, 1, 3, 1, 3>, Config<23, 7, 5, 5, 1, 2, 2, 4>,
-    Config<8, 5, 3, 5, 1, 3, 3, 16>, Config<8, 4, 7, 3, 2, 3, 2, 3>, Config<9, 6, 4, 5, 2, 2, 3, 4>,
-    Config<40, 8, 27, 3, 2, 25, 1, 2>, Config<8, 8, 2, 3, 4, 5, 1, 2>, Config<10, 8, 9, 5, 4, 4, 2, 3>,
-    Config<8, 2, 2, 2, 1, 2, 2, 3>,
+/// references; disparity ranges above, around and below 0. The few have each P, both kinds of windows and references.
+using FewSmallConfigs = ::testing::Types<
+    Config<8, 3, 2, 3, 1, 2, 3, 2>, Config<8, 4, 7, 3, 2, 3, 2, 3>, Config<10, 8, 9, 5, 4, 4, 2, 3>,
     Exactly<block_matching::Config{{.width_px = 17, .height_px = 6, .pixels_per_clock = 2},
                                    {DisparityCount{6}, MatchingWindow{4}, ReferenceImage{Reference::left}},
                                    {SliceSize{5}, block_matching::CostSteps{.cost_clocks = 1}}}>,
+    Exactly<block_matching::Config{{.width_px = 19, .height_px = 8, .pixels_per_clock = 4},
+                                   {DisparityCount{5}, MatchingWindow{4}, SmallestDisparity{-2}},
+                                   {SliceSize{2}, block_matching::CostSteps{.cost_clocks = 2}}}>>;
+using MoreSmallConfigs = ::testing::Types<
+    Config<9, 3, 8, 3, 1, 3, 1, 3>, Config<23, 7, 5, 5, 1, 2, 2, 4>, Config<8, 5, 3, 5, 1, 3, 3, 16>,
+    Config<9, 6, 4, 5, 2, 2, 3, 4>, Config<40, 8, 27, 3, 2, 25, 1, 2>, Config<8, 8, 2, 3, 4, 5, 1, 2>,
+    Config<8, 2, 2, 2, 1, 2, 2, 3>,
     Exactly<block_matching::Config{
         {.width_px = 16, .height_px = 8, .pixels_per_clock = 4},
         {DisparityCount{7}, MatchingWindow{6}, SmallestDisparity{2}, ReferenceImage{Reference::left}},
         {SliceSize{3}}}>,
     Exactly<block_matching::Config{
-        {.width_px = 20, .height_px = 5}, {DisparityCount{8}, SmallestDisparity{-11}}, {SliceSize{3}}}>,
-    Exactly<block_matching::Config{{.width_px = 19, .height_px = 8, .pixels_per_clock = 4},
-                                   {DisparityCount{5}, MatchingWindow{4}, SmallestDisparity{-2}},
-                                   {SliceSize{2}, block_matching::CostSteps{.cost_clocks = 2}}}>>;
+        {.width_px = 20, .height_px = 5}, {DisparityCount{8}, SmallestDisparity{-11}}, {SliceSize{3}}}>>;
+using SmallConfigs = FewOrAll<FewSmallConfigs, MoreSmallConfigs>;
 
 /// Recursive sums, of odd and even windows.
-using RecursiveConfigs = ::testing::Types<
+using FewRecursiveConfigs =
+    ::testing::Types<Exactly<block_matching::Config{{.width_px = 13, .height_px = 10, .pixels_per_clock = 2},
+                                                    {DisparityCount{6}, MatchingWindow{8}, SmallestDisparity{1},
+                                                     ReferenceImage{Reference::left}, Comparison{Cost::ssd}},
+                                                    {Summation{Aggregation::recursive}, SliceSize{3}}}>>;
+using MoreRecursiveConfigs = ::testing::Types<
     Exactly<block_matching::Config{
         {.width_px = 12, .height_px = 5}, {DisparityCount{4}}, {Summation{Aggregation::recursive}, SliceSize{3}}}>,
-    Exactly<block_matching::Config{{.width_px = 13, .height_px = 10, .pixels_per_clock = 2},
-                                   {DisparityCount{6}, MatchingWindow{8}, SmallestDisparity{1},
-                                    ReferenceImage{Reference::left}, Comparison{Cost::ssd}},
-                                   {Summation{Aggregation::recursive}, SliceSize{3}}}>,
     Exactly<block_matching::Config{{.width_px = 15, .height_px = 12, .pixels_per_clock = 4},
                                    {DisparityCount{6}, MatchingWindow{5}, SmallestDisparity{-1}},
                                    {Summation{Aggregation::recursive}, SliceSize{6}}}>>;
+
+using RecursiveConfigs = FewOrAll<FewRecursiveConfigs, MoreRecursiveConfigs>;
 
 using AllSmallConfigs = Both<SmallConfigs, RecursiveConfigs>::Configs;
 

@@ -8,6 +8,7 @@ import pytest
 
 from camera_streams import changed, check_all_exact, played
 from conftest import need
+from cover import with_slow
 from flow.base.configurations import option
 from flow.base.errors import FlowError
 from flow.base.tools import find_stereo_hls, run
@@ -215,7 +216,7 @@ DEEP_FAULTS = {
 }
 
 
-@pytest.mark.parametrize("fault", DEEP_FAULTS)
+@pytest.mark.parametrize("fault", with_slow(DEEP_FAULTS, ["a joiner of 8 bits"]))
 def test_fault_of_pixels_of_12_bits_is_caught(ghdl, deep_scene, tmp_path, fault):
     pattern, replacement = DEEP_FAULTS[fault]
     files = changed(DEEP, DEEP.path, pattern, replacement, tmp_path)
@@ -235,10 +236,11 @@ def test_a_frame_in_ghdl(ghdl, scene, tmp_path):
     check_all_exact(seen, scene.frames[:1])
 
 
-def test_broken_streams_give_no_wrong_frame(simulation, scene, tmp_path):
+@pytest.mark.parametrize("seeds", with_slow([range(4), range(4, 10)], [range(4)]), ids=str)
+def test_broken_streams_give_no_wrong_frame(simulation, scene, tmp_path, seeds):
     """Pixels and frames that one camera loses: a frame that does not say error is one of those that came in whole, in
     their order, and after each fault frames are exact again."""
-    for seed in range(10):
+    for seed in seeds:
         verdict = streams.play_broken(simulation, scene, seed, tmp_path / str(seed))
         whole = streams.FRAMES - streams.BROKEN
         assert verdict == (whole, 0, 0), f"seed {seed}: each fault costs its frame only"
@@ -297,7 +299,7 @@ FAULTS = {
 }
 
 
-@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize("fault", with_slow(FAULTS, ["cameras swapped", "a depth too late"]))
 def test_fault_is_caught(ghdl, scene, tmp_path, fault):
     path, pattern, replacement = FAULTS[fault]
     faulty = play.InGhdl(TINY, changed(TINY, path, pattern, replacement, tmp_path))

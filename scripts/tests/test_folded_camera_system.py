@@ -5,6 +5,7 @@ import pytest
 
 from camera_streams import changed, check_all_exact, played
 from conftest import need
+from cover import with_slow
 from flow.system import pipeline, play, record, streams, template
 from flow_commands import call
 
@@ -51,12 +52,14 @@ def test_lines_come_faster_than_a_folded_core_takes_them(folded, folded_scene, t
     check_all_exact(seen, folded_scene.frames)
 
 
-def test_broken_streams_around_a_folded_core_give_no_wrong_frame(folded, folded_scene, tmp_path):
-    for seed in range(10):
+@pytest.mark.parametrize("seeds", with_slow([range(2), range(2, 10)], [range(2)]), ids=str)
+def test_broken_streams_around_a_folded_core_give_no_wrong_frame(folded, folded_scene, tmp_path, seeds):
+    for seed in seeds:
         verdict = streams.play_broken(folded, folded_scene, seed, tmp_path / str(seed))
         assert verdict == (streams.FRAMES - streams.BROKEN, 0, 0), f"seed {seed}: each fault costs its frame only"
 
 
+@pytest.mark.slow
 def test_queues_without_room_for_a_burst_lose_frames(ghdl, verilator, folded_scene, tmp_path):
     depth = rf"depth => {(FOLDED.skew_lines + 2) * 40}\b"
     files = changed(FOLDED, FOLDED.path, depth, f"depth => {FOLDED.skew_lines * 40}", tmp_path)
@@ -65,6 +68,7 @@ def test_queues_without_room_for_a_burst_lose_frames(ghdl, verilator, folded_sce
     assert [shown.words for shown in seen.frames] != folded_scene.frames
 
 
+@pytest.mark.slow
 def test_a_joiner_that_ends_a_frame_too_early_costs_the_next_one(ghdl, verilator, folded_scene, tmp_path):
     """The shell then flushes, and in a folded core that takes longer than the queues hold."""
     joiner = next(file for file in template.vhdl_files(FOLDED) if file.name == "stereo_joiner.vhd")

@@ -4,6 +4,7 @@
 import pytest
 
 from conftest import need
+from cover import with_slow
 from flow.shell import formal
 
 
@@ -58,7 +59,11 @@ FAULTS = {
 }
 
 
-@pytest.mark.parametrize("fault", FAULTS)
+# One of each block.
+FAST = ["a write comes first", "a full register takes a word", "a word comes twice", "one credit too many"]
+
+
+@pytest.mark.parametrize("fault", with_slow(FAULTS, FAST))
 def test_fault_is_refuted(ghdl, yosys, abc, tmp_path, fault):
     block, old, new = FAULTS[fault]
     text = (formal.RTL / f"{block}.vhd").read_text()

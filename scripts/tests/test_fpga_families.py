@@ -10,6 +10,7 @@ import pytest
 
 import implementation_stand_ins as stand_ins
 from conftest import where_reachable
+from cover import with_slow
 from flow.base import committed, ghdl as ghdl_flow, rtl, venv
 from flow.base.errors import FlowError
 from flow.base.tools import ROOT
@@ -147,7 +148,10 @@ def memory(name, bits):
     return f"  cell $mem_v2 \\{name}\n    parameter \\SIZE {bits}\n    parameter \\WIDTH 1\n"
 
 
-@pytest.mark.parametrize("target, most", [("up5k", 256), ("ccgm1a1", 256), ("lifcl_40", 0), ("gw2ar_18", 0)])
+LARGEST = [("up5k", 256), ("gw2ar_18", 0), ("ccgm1a1", 256), ("lifcl_40", 0)]
+
+
+@pytest.mark.parametrize("target, most", with_slow(LARGEST, LARGEST[:2]))
 def test_only_small_memories_become_flip_flops(build, tmp_path, target, most):
     large = memory("rows", 5120)
     if most:
@@ -260,7 +264,7 @@ def test_the_paper_s_system_is_routed_on_each_device():
     assert Configuration("ambrosch2007_f5").clock("up5k")["frames_per_second"] >= 60
 
 
-@pytest.mark.parametrize("target", [target for target in CASES if kept("tiny", target)])
+@pytest.mark.parametrize("target", with_slow([target for target in CASES if kept("tiny", target)], ["up5k"]))
 def test_yosys_gives_the_committed_area_of_tiny(ghdl, tmp_path, target):
     where_reachable(yosys.find_yosys)
     family, expected = TARGETS[target].family, kept("tiny", target)

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from cover import with_slow
 from flow.base import committed
 from flow.base.farm import Farm
 from flow.base.tools import find_ghdl
@@ -64,8 +65,10 @@ def kept_simulations(name):
     return sorted((_simulations() / name).glob("*/built"), key=lambda path: path.stat().st_mtime)
 
 
-@pytest.mark.parametrize("simulator", ["ghdl", "verilator"])
-@pytest.mark.parametrize("damage", ["empty", "gone", "no x bit"])
+DAMAGES = [(simulator, damage) for simulator in ("ghdl", "verilator") for damage in ("empty", "gone", "no x bit")]
+
+
+@pytest.mark.parametrize("simulator, damage", with_slow(DAMAGES, [*DAMAGES[:3], ("verilator", "no x bit")]))
 def test_a_damaged_simulation_is_built_again(request, tmp_path, simulator, damage):
     request.getfixturevalue(simulator)
     options = ["--simulator", simulator, "--stimulus", "scene"]

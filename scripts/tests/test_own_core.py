@@ -156,6 +156,8 @@ def test_vhdl_of_ones_own_rows(ghdl, build, tmp_path):
     assert {path.name for path in kept.iterdir()} == names
     compared = call("cosim.py", "--config", "own_96", "--out", tmp_path / "cosim", environment=own)
     assert compared.returncode == 0 and "0 mismatches" in compared.stdout
+    tried = call("try_tools.py", "--config", "own_96", "--out", tmp_path / "tools", environment=own)
+    assert tried.returncode == 0 and tried.stdout.count(": 3 of 3 designs\n") == 3, tried.stderr
     kit = call("instantiate.py", "--config", "own_96", "--kit", "vivado", "--out", tmp_path / "kit", environment=own)
     assert kit.returncode == 0 and (tmp_path / "kit" / "rtl" / "stereo_ip_own_96.vhd").is_file()
     checked = call("synthesize.py", "--config", "own_96", "--check", environment=own)

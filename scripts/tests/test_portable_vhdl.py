@@ -37,8 +37,11 @@ def test_no_file_is_forgotten():
     assert there == set(user_vhdl.files(those(in_short=False)))
 
 
-@pytest.mark.parametrize("in_short", with_slow([True, False], [True]))
-@pytest.mark.parametrize("standard", STANDARDS)
+# All other tests take VHDL-2008.
+CASES = [(standard, in_short) for standard in STANDARDS for in_short in (True, False)]
+
+
+@pytest.mark.parametrize("standard, in_short", with_slow(CASES, CASES[:1]))
 def test_every_file_compiles_and_every_design_elaborates(ghdl, tmp_path, standard, in_short):
     names = those(in_short)
     ghdl_flow.analyse(user_vhdl.files(names), tmp_path, standard=standard)
@@ -49,7 +52,7 @@ def test_every_file_compiles_and_every_design_elaborates(ghdl, tmp_path, standar
 
 
 @pytest.mark.parametrize("kit", kits.KITS)
-@pytest.mark.parametrize("standard", STANDARDS)
+@pytest.mark.parametrize("standard", with_slow(STANDARDS, STANDARDS[:1]))
 def test_a_kit(ghdl, tmp_path, kit, standard):
     made = kits.make(tmp_path / "kit", kit, "tiny_size_all")
     ghdl_flow.analyse(made.sources(), tmp_path, standard=standard)

@@ -108,6 +108,7 @@ def test_tables_take_means_and_know_what_is_unknown(two):
     assert ours == f"| {BLOCK_MATCHER} | 30.00 | 30.00 | 30.00 | 30.00 | 30.00 | - | - | - | - | - | - | 2.00 |"
 
 
+@pytest.mark.slow
 def test_without_the_pair_only_the_scenes(tmp_path):
     before = quality.PAGE.read_bytes()
     quality.SCENES_PAGE.unlink(missing_ok=True)
@@ -118,6 +119,18 @@ def test_without_the_pair_only_the_scenes(tmp_path):
     assert wrote == "wrote build/quality_scenes.md" and quality.PAGE.read_bytes() == before
     text = quality.SCENES_PAGE.read_text()
     assert "| StereoSGBM | left |" in text and "## Teddy" not in text
+
+
+def test_the_page_of_one_scene(monkeypatch):
+    """With few rows and cameras."""
+    ours = [row for row in quality.OURS if row[0] in quality.CAMERA_ROWS]
+    for name, some in (("SCENE_SEEDS", (1,)), ("OURS", ours), ("CAMERAS", quality.CAMERAS[:2])):
+        monkeypatch.setattr(quality, name, some)
+    text = quality.scenes_page()
+    assert all(f"| {row} | " in text for row in ("StereoSGBM", *quality.CAMERA_ROWS)) and "## Teddy" not in text
+
+
+def test_without_the_pair_nothing_is_checked(tmp_path):
     refused(call("quality.py", "--pair", tmp_path, "--check"), 2, "nothing was checked")
 
 

@@ -25,7 +25,7 @@ MASKED_SIGNS = (
 
 
 @pytest.mark.parametrize(
-    "family, count", [("block_matching", 4), ("phase_correlation", 1), ("dynamic_range", 1), ("absolute_difference", 1)]
+    "family, count", [("block_matching", 2), ("phase_correlation", 1), ("dynamic_range", 1), ("absolute_difference", 1)]
 )
 def test_new_random_configurations_are_exact(family, count):
     process = call("random_configurations.py", "--family", family, "--count", count)

@@ -13,6 +13,7 @@ import xml.etree.ElementTree as xml
 
 import pytest
 
+from cover import with_slow
 from flow.base import committed
 from flow.base.errors import FlowError
 from flow.base.farm import Farm
@@ -21,7 +22,6 @@ from flow.cosim import overview, regression
 from flow_commands import altered_rtl, call, cosim, random_pair, refused, report
 
 WINNER = (r"(slice2_best_index_0_0 <= )slice1_best_index_0_0;", r"\g<1>slice1_best_index_0_0 / 2;")
-ROUNDS = 12
 
 
 @pytest.fixture(scope="module")
@@ -29,11 +29,12 @@ def pair(tmp_path_factory):
     return random_pair(tmp_path_factory.mktemp("pair"), "tiny", levels=4)
 
 
-def test_a_good_and_a_faulty_core_at_once(ghdl, pair, tmp_path):
+@pytest.mark.parametrize("rounds", with_slow([2, 12], [2]))
+def test_a_good_and_a_faulty_core_at_once(ghdl, pair, tmp_path, rounds):
     """Each run says what is so of its own VHDL, though both have the same configuration and the same --out."""
     faulty = altered_rtl(tmp_path / "rtl", "tiny", *WINNER)
     command = [str(ROOT / "scripts" / "cosim.py"), "--config", "tiny", "--left", pair[0], "--right", pair[1]]
-    for number in range(ROUNDS):
+    for number in range(rounds):
         for folder in (faulty, committed.folder("tiny")):  # so that both are built again
             design = folder / "stereo_core_tiny.vhd"
             copy = shutil.copytree(folder, tmp_path / f"{number}-{folder.parent.name}" / "tiny")

@@ -32,16 +32,17 @@ template <class Config>
 class PostProcessorTest : public ::testing::Test {};
 /// Each stage alone and with others, P 1, 2 and 4, both references, two columns between rows and many, the lowest and
 /// the narrowest images, and the largest range of disparities.
-using Configs = ::testing::Types<
-    PostConfig<30, 9, 8, 1, kFilter, kRight, false, false, false>,
+using Few = ::testing::Types<PostConfig<30, 9, 8, 1, kFilter, kRight, false, false, false>,
+                             PostConfig<41, 10, 12, 2, kAll, kRight, true, true, true>,
+                             PostConfig<33, 12, 6, 4, kBoth, kLeft, true, true, true>>;
+using More = ::testing::Types<
     PostConfig<30, 9, 8, 1, kSure, kLeft, true, false, true>, PostConfig<30, 8, 8, 1, kFill, kLeft, true, false, true>,
     PostConfig<30, 8, 8, 1, kFill, kRight, false, true, false>, PostConfig<40, 9, 12, 1, kAll, kLeft, true, true, true>,
-    PostConfig<41, 10, 12, 2, kAll, kRight, true, true, true>,
     PostConfig<40, 12, 12, 4, kSure, kLeft, false, true, false>,
     PostConfig<33, 8, 6, 2, kSure, kRight, false, false, false>,
-    PostConfig<33, 8, 6, 4, kFill, kRight, false, false, true>,
-    PostConfig<33, 12, 6, 4, kBoth, kLeft, true, true, true>, PostConfig<13, 3, 4, 1, kAll, kRight, true, true, true>,
+    PostConfig<33, 8, 6, 4, kFill, kRight, false, false, true>, PostConfig<13, 3, 4, 1, kAll, kRight, true, true, true>,
     PostConfig<270, 4, 256, 1, kAll, kRight, true, false, false>>;
+using Configs = FewOrAll<Few, More>;
 TYPED_TEST_SUITE(PostProcessorTest, Configs);
 
 /// Sends maps as the winners of a core come: the map's columns of each row of groups between other columns.

@@ -11,6 +11,7 @@
 #include "testing/expect_candidate.hpp"
 #include "testing/seed.hpp"
 #include "testing/tags.hpp"
+#include "testing/types.hpp"
 #include "winner/gated_tree.hpp"
 
 namespace stereo::test {
@@ -37,23 +38,26 @@ struct TreeType {
 
 template <class Tree>
 class WinnerTreeTest : public ::testing::Test {};
-using Trees = ::testing::Types<
-    TreeType<1, 2, 2>, TreeType<1, 3, 2>, TreeType<2, 4, 2, 2>, TreeType<1, 6, 2, 1>,
-    TreeType<1, 9, 2, 0, Ties::largest>, TreeType<2, 2, 2, 3>, TreeType<4, 3, 2, 0, Ties::largest>,
+using Few = ::testing::Types<TreeType<1, 3, 2>, TreeType<2, 4, 2, 2>, TreeType<1, 9, 2, 0, Ties::largest>,
+                             TreeType<4, 5, 2, 2, Ties::smallest, Extras::both>,
+                             TreeType<1, 26, 3, 0, Ties::largest, Extras::both>,
+                             TreeType<2, 5, 2, 0, Ties::largest, Extras::none, false>,
+                             TreeType<1, 7, 2, 0, Ties::largest, Extras::none, true, 16>>;
+using More = ::testing::Types<
+    TreeType<1, 2, 2>, TreeType<1, 6, 2, 1>, TreeType<2, 2, 2, 3>, TreeType<4, 3, 2, 0, Ties::largest>,
     TreeType<2, 3, 3, 1>, TreeType<1, 4, 4, 0, Ties::largest>, TreeType<4, 5, 4>, TreeType<2, 17, 16>,
     TreeType<2, 25, 2, 0, Ties::largest>, TreeType<4, 25, 2, 0, Ties::largest>, TreeType<1, 26, 3>, TreeType<1, 37, 7>,
     TreeType<1, 255, 16, 0, Ties::largest>, TreeType<1, 256, 2>, TreeType<1, 2, 2, 1, Ties::smallest, Extras::both>,
     TreeType<2, 3, 2, 0, Ties::largest, Extras::both>, TreeType<1, 4, 2, 0, Ties::smallest, Extras::second>,
-    TreeType<1, 5, 3, 0, Ties::largest, Extras::neighbours>, TreeType<4, 5, 2, 2, Ties::smallest, Extras::both>,
-    TreeType<1, 26, 3, 0, Ties::largest, Extras::both>, TreeType<1, 37, 16, 0, Ties::smallest, Extras::both>,
+    TreeType<1, 5, 3, 0, Ties::largest, Extras::neighbours>, TreeType<1, 37, 16, 0, Ties::smallest, Extras::both>,
     // losers are not cleared, although they could be
-    TreeType<1, 3, 2, 1, Ties::smallest, Extras::none, false>, TreeType<2, 5, 2, 0, Ties::largest, Extras::none, false>,
+    TreeType<1, 3, 2, 1, Ties::smallest, Extras::none, false>,
     TreeType<4, 25, 2, 0, Ties::smallest, Extras::none, false>,
     TreeType<1, 256, 2, 0, Ties::largest, Extras::none, false>,
     // in step with a larger tree
     TreeType<1, 2, 2, 0, Ties::smallest, Extras::none, true, 12>,
-    TreeType<1, 7, 2, 0, Ties::largest, Extras::none, true, 16>,
     TreeType<1, 16, 2, 0, Ties::largest, Extras::none, false, 17>>;
+using Trees = FewOrAll<Few, More>;
 TYPED_TEST_SUITE(WinnerTreeTest, Trees);
 
 /// Feeds a tree and compares its root.

@@ -21,3 +21,13 @@ def pair(tmp_path):
 @pytest.fixture
 def match(tmp_path, pair):
     return ["match", "--config", "tiny", "--out", tmp_path / "out", *pair]
+
+
+@pytest.fixture
+def depth(tmp_path):
+    return ["depth", "--config", "study", "--out", tmp_path / "out", "--calibration"]
+
+
+@pytest.fixture
+def evaluate(pair, tmp_path):
+    return ["evaluate", *pair, "--border", 0, "--json", tmp_path / "e.json"]

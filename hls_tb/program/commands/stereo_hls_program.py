@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the program stereo_hls, env STEREO_HLS, on images made here."""
 
+import json
 import os
 import random
 import struct
@@ -95,3 +96,7 @@ def changed(arguments, option, value):
     arguments = list(arguments)
     arguments[arguments.index(option) + 1] = value
     return arguments
+
+
+def match_facts(tmp_path):
+    return json.loads((tmp_path / "out" / "match.json").read_text())

@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from stereo_hls_depth_test import FOCAL, HEIGHT, WIDTH, calibration, png_pixels
+from plane_scene import FOCAL, HEIGHT, WIDTH, calibration, png_pixels
 from stereo_hls_program import changed, deep_image, fail, gray_image, png_depth, png_size, succeed, write_image
 
 BENT = [-0.2, 0.05, 0.0, 0.0, 0.0]  # a lens that bends outlines outwards

@@ -12,7 +12,7 @@ from ..base.rtl import Kind, Port
 from ..base.tools import ROOT
 
 FOLDER = ROOT / "hls_tb" / "cosim"
-VHDL, CPP, CPP_PORTS = FOLDER / "tb_stereo_core.vhd", FOLDER / "verilator_bench.cpp", "bench_ports.hpp"
+VHDL, CPP, CPP_SHARED = FOLDER / "tb_stereo_core.vhd", FOLDER / "verilator_bench.cpp", FOLDER / "bench_stimulus.hpp"
 ORIGINAL = FOLDER / "bambu_original.vhd"
 SETTING_BITS = 16
 _FIRST_FLAGS = ("valid", "start_of_frame", "reset")
@@ -78,8 +78,11 @@ class Ports:
         zero = "" if port.direction == "out" else " := '0'" if port.is_flag else " := (others => '0')"
         return f"  signal {port.name} : {kind}{zero};"
 
-    def cpp(self) -> str:
-        """The header that the C++ bench includes."""
+    def cpp(self) -> dict[str, str]:
+        """{name: header} of those that a C++ bench includes."""
+        return {CPP_SHARED.name: CPP_SHARED.read_text(), "bench_ports.hpp": self._ports()}
+
+    def _ports(self) -> str:
         sets = [f"   model.{name} = fields[0] >> {bit} & 1;" for bit, name in enumerate(self.flags)]
         sets += [f"   drive(model.{port.name}, fields[{at}]);" for at, port in enumerate(self.fields, 1)]
         return "\n".join(

@@ -111,8 +111,9 @@ class CoreSimulation(Simulation):
         options = simulator.trace_options if trace else ()
         if simulator.bench == "c++":
             counted = ("--coverage-toggle",) if isinstance(simulator, Covered) else ()
-            texts = {bench.CPP_PORTS: ports.cpp()}
-            return Design(self.kind.entity(self.config), self.vhdl_files, [bench.CPP], texts, [*options, *counted])
+            return Design(
+                self.kind.entity(self.config), self.vhdl_files, [bench.CPP], ports.cpp(), [*options, *counted]
+            )
         texts = {bench.VHDL.name: ports.vhdl(self.config)}
         if not isinstance(simulator, Original):
             return Design(TOP, self.vhdl_files, texts=texts, options=options)

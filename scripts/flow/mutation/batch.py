@@ -93,7 +93,7 @@ class Batch:
         proofs. The text without a fault must show what is expected."""
         core, ports = self.core, bench.Ports(self.core.kind, self.core.lanes, self.core.bits)
         made, verilator = self._write(list(self.inside)), SIMULATORS["verilator"]
-        verilator.build(self.work, Design(core.entity, made, [BENCH], {bench.CPP_PORTS: ports.cpp()}))
+        verilator.build(self.work, Design(core.entity, made, [BENCH], ports.cpp()))
         for number, clock in self._shown_by(core.stimulus, core.expected, list(self.inside)):
             self.shown[self.inside[number].key] = f"co-simulation: clock {clock}"
         for seed in range(2, 2 + others):

@@ -77,6 +77,7 @@ class EarlierVerdicts:
             *sorted((ROOT / "hls_tb" / "formal").iterdir()),
             *(Path(str(module.__file__)) for module in modules),
             batch.BENCH,
+            bench.CPP_SHARED,
             Path(__file__),
         ]
 

@@ -22,8 +22,7 @@ EXAMPLE_FILES = [example.FOLDER / f"{name}.vhd" for name in example.SOURCES]
 
 def with_shell(names: Iterable[str]) -> list[str]:
     """Those of matching cores; a stage has none."""
-    cores = {*committed.known_configurations()}
-    return [name for name in names if name in cores]
+    return [name for name in names if committed.folder(name).parent.name not in rtl.STAGES]
 
 
 def files(names: Iterable[str]) -> list[Path]:

@@ -15,6 +15,7 @@ from pathlib import Path
 from ..base import ghdl, nvc
 from ..base.tools import Word, find_ghdl, find_tool, find_verilator, run, tool_version
 
+OPTIMISATION = "STEREO_MODEL_OPTIMISATION"  # of a model's C++; the model does the same with any
 VERILATOR_OPTIONS = ["--cc", "--exe", "--build", "-O3", "--x-assign", "fast", "--output-split", "20000", "-Wno-fatal"]
 
 
@@ -144,7 +145,8 @@ class Verilator(Simulator):
         source.write_text(self.edited(ghdl.to_verilog(design.files, work, design.top), design.top))
         command: list[Word] = [verilator, *VERILATOR_OPTIONS, "-j", os.cpu_count() or 1, *design.options]
         # What runs once is not worth optimising. Verilator's own part and the bench are the same in each simulation.
-        settings = "OPT_FAST=-O2 OPT_SLOW=-O0 OPT_GLOBAL=-O2" + (" OBJCACHE=ccache" if shutil.which("ccache") else "")
+        settings = f"OPT_FAST={os.environ.get(OPTIMISATION, '-O2')} OPT_SLOW=-O0 OPT_GLOBAL=-O2"
+        settings += " OBJCACHE=ccache" if shutil.which("ccache") else ""
         # The bench finds what is written for it: the model's folder is one below.
         command += ["-CFLAGS", "-std=c++20", "-CFLAGS", "-I..", "-MAKEFLAGS", settings]
         command += ["--top-module", design.top, "--prefix", "Vdesign", "-o", "bench"]
