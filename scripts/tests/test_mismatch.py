@@ -17,6 +17,7 @@ from flow.cosim import frame_maps, job, mismatch, registers, waveform
 from flow.cosim.vcd import Values, cut
 from flow.rendering import pictures
 from flow.synthesis.lowering.naming import read_trace
+from flow.synthesis.presentation.present import expand
 from flow_commands import altered_rtl, call, cosim, random_pair, report
 
 pytest.importorskip("matplotlib", reason="SKIP: python3-matplotlib is not installed")
@@ -160,7 +161,7 @@ def tmp_trace(out, begin, end):
 
 
 def test_registers_that_the_vhdl_resets():
-    text = (committed.folder("tiny") / "stereo_core_tiny.vhd").read_text()
+    text = expand((committed.folder("tiny") / "stereo_core_tiny.vhd").read_text())
     assert {"raster_place_group", "slice2_best_tag_valid"} <= registers.reset_in(text)
     assert "slice2_best_index_0_0" not in registers.reset_in(text) and registers.reset_in("") == set()
 
