@@ -129,11 +129,13 @@ def test_arrays_have_no_holes_and_one_type():
     byte, flag = (type_of(0, 255), "process"), (type_of(0, 1), "process")
     names = {f"a_{x}_{y}": byte for x in range(3) for y in range(4)} | {"a_3_0": flag, "b_1": byte, "b_3": byte}
     names |= {f"c_{x}_sum": byte if x < 2 else flag for x in range(4)} | {"c_sum": byte, "d_01": byte, "d_02": byte}
+    names |= {"other": byte} | {f"other_{x}": byte for x in range(3)}
     found = {(one.name, one.pattern, one.kind[0], one.ranges) for one in arrays.found_in(names, set(names))}
     assert found == {
         ("a", "a_#_#", byte[0], ((0, 2), (0, 3))),
         ("c_sums", "c_#_sum", byte[0], ((0, 1),)),
         ("c_sums_from_2", "c_#_sum", flag[0], ((2, 3),)),
+        ("others_from_0", "other_#", byte[0], ((0, 2),)),  # `others` is a word of VHDL
     }
 
 

@@ -605,7 +605,7 @@ architecture rtl of stereo_core_opencv_bm is
   signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   -- other
   signal other : boolean_1d(0 to 5);
-  signal others : boolean_1d(13 to 22);  -- other_#
+  signal others_from_13 : boolean_1d(13 to 22);  -- other_#
   signal other_6 : natural range 0 to 254;
   signal other_7 : natural range 0 to 252;
   signal other_8 : natural range 0 to 248;
@@ -2255,7 +2255,7 @@ begin
           i + 1)) >= 0;
       end loop;
       for i in 19 to 22 loop
-        if others(i) then
+        if others_from_13(i) then
           slice0winner2_best_below_0_choice(i - 19) := slice0winner1_held_0(4 * i - 75);
         else
           slice0winner2_best_below_0_choice(i - 19) := slice0winner1_best_below_0(2 * i - 37);
@@ -2316,10 +2316,9 @@ begin
       slice0winner2_best_place_0(1) <= slice0winner2_best_index_0_is_not_less(1);
       slice0winner2_best_place_0(2) <= slice0winner2_best_index_0_is_not_less(2);
       slice0winner2_best_place_0(3) <= slice0winner2_best_index_0_is_not_less(3);
-      slice0winner2_best_at_start_0(0) <= others(19) and slice0winner2_best_index_0_is_not_less(0);
-      slice0winner2_best_at_start_0(1) <= others(20) and slice0winner2_best_index_0_is_not_less(1);
-      slice0winner2_best_at_start_0(2) <= others(21) and slice0winner2_best_index_0_is_not_less(2);
-      slice0winner2_best_at_start_0(3) <= others(22) and slice0winner2_best_index_0_is_not_less(3);
+      for i in 0 to 3 loop
+        slice0winner2_best_at_start_0(i) <= others_from_13(i + 19) and slice0winner2_best_index_0_is_not_less(i);
+      end loop;
       slice0winner2_best_at_end_0(0) <= slice0winner1_best_index_0_0 and ((slice0winner1_best_cost_0(0) -
         slice0winner1_best_cost_0(1)) < 0);
       slice0winner2_best_at_end_0(1) <= ((slice0winner1_best_cost_0(2) - slice0winner1_best_cost_0(3)) < 0) and
@@ -2858,7 +2857,7 @@ begin
           i + 1)) >= 0;
       end loop;
       for i in 15 to 18 loop
-        if others(i) then
+        if others_from_13(i) then
           slice1winner2_best_below_0_choice(i - 15) := slice1winner1_held_0(4 * i - 59);
         else
           slice1winner2_best_below_0_choice(i - 15) := slice1winner1_best_below_0(2 * i - 29);
@@ -2920,10 +2919,9 @@ begin
       slice1winner2_best_place_0(1) <= slice1winner2_best_index_0_is_not_less(1);
       slice1winner2_best_place_0(2) <= slice1winner2_best_index_0_is_not_less(2);
       slice1winner2_best_place_0(3) <= slice1winner2_best_index_0_is_not_less(3);
-      slice1winner2_best_at_start_0(0) <= others(15) and slice1winner2_best_index_0_is_not_less(0);
-      slice1winner2_best_at_start_0(1) <= others(16) and slice1winner2_best_index_0_is_not_less(1);
-      slice1winner2_best_at_start_0(2) <= others(17) and slice1winner2_best_index_0_is_not_less(2);
-      slice1winner2_best_at_start_0(3) <= others(18) and slice1winner2_best_index_0_is_not_less(3);
+      for i in 0 to 3 loop
+        slice1winner2_best_at_start_0(i) <= others_from_13(i + 15) and slice1winner2_best_index_0_is_not_less(i);
+      end loop;
       slice1winner2_best_at_end_0(0) <= slice1winner1_best_index_0_0 and ((slice1winner1_best_cost_0(0) -
         slice1winner1_best_cost_0(1)) < 0);
       slice1winner2_best_at_end_0(1) <= ((slice1winner1_best_cost_0(2) - slice1winner1_best_cost_0(3)) < 0) and
@@ -3527,7 +3525,7 @@ begin
         end if;
       end loop;
       for i in 13 to 14 loop
-        if others(i) then
+        if others_from_13(i) then
           slice2winner2_best_below_0_choice(i - 11) := slice2winner1_held_0(4 * i - 43);
         else
           slice2winner2_best_below_0_choice(i - 11) := slice2winner1_best_below_0(2 * i - 21);
@@ -3591,8 +3589,8 @@ begin
       slice2winner2_best_place_0(3) <= slice2winner2_best_index_0_is_not_less(3);
       slice2winner2_best_at_start_0(0) <= other(4) and slice2winner2_best_index_0_is_not_less(0);
       slice2winner2_best_at_start_0(1) <= other(5) and slice2winner2_best_index_0_is_not_less(1);
-      slice2winner2_best_at_start_0(2) <= others(13) and slice2winner2_best_index_0_is_not_less(2);
-      slice2winner2_best_at_start_0(3) <= others(14) and slice2winner2_best_index_0_is_not_less(3);
+      slice2winner2_best_at_start_0(2) <= others_from_13(13) and slice2winner2_best_index_0_is_not_less(2);
+      slice2winner2_best_at_start_0(3) <= others_from_13(14) and slice2winner2_best_index_0_is_not_less(3);
       slice2winner2_best_at_end_0(0) <= slice2winner1_best_index_0_0 and ((slice2winner1_best_cost_0(0) -
         slice2winner1_best_cost_0(1)) < 0);
       slice2winner2_best_at_end_0(1) <= ((slice2winner1_best_cost_0(2) - slice2winner1_best_cost_0(3)) < 0) and
@@ -4725,16 +4723,16 @@ begin
       other_10 <= ((refinement_remainder_0_difference(3) / 32768) * 32) + ((other_11 / 64) * 64);
       other_11 <= ((refinement_remainder_0_difference(2) / 32768) * 64) + ((other_12 / 128) * 128);
       other_12 <= (refinement_remainder_1_0_difference / 32768) * 128;
-      others(13) <= slice2winner1_best_index_0_is_less(5);
-      others(14) <= slice2winner1_best_index_0_is_less(7);
-      others(15) <= slice1winner1_best_index_0_is_less(1);
-      others(16) <= slice1winner1_best_index_0_is_less(3);
-      others(17) <= slice1winner1_best_index_0_is_less(5);
-      others(18) <= slice1winner1_best_index_0_is_less(7);
-      others(19) <= slice0winner1_best_index_0_is_less(1);
-      others(20) <= slice0winner1_best_index_0_is_less(3);
-      others(21) <= slice0winner1_best_index_0_is_less(5);
-      others(22) <= slice0winner1_best_index_0_is_less(7);
+      others_from_13(13) <= slice2winner1_best_index_0_is_less(5);
+      others_from_13(14) <= slice2winner1_best_index_0_is_less(7);
+      others_from_13(15) <= slice1winner1_best_index_0_is_less(1);
+      others_from_13(16) <= slice1winner1_best_index_0_is_less(3);
+      others_from_13(17) <= slice1winner1_best_index_0_is_less(5);
+      others_from_13(18) <= slice1winner1_best_index_0_is_less(7);
+      others_from_13(19) <= slice0winner1_best_index_0_is_less(1);
+      others_from_13(20) <= slice0winner1_best_index_0_is_less(3);
+      others_from_13(21) <= slice0winner1_best_index_0_is_less(5);
+      others_from_13(22) <= slice0winner1_best_index_0_is_less(7);
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;

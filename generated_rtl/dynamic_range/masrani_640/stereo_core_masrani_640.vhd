@@ -858,7 +858,7 @@ architecture rtl of stereo_core_masrani_640 is
   -- other
   signal other_0, other_4 : natural range 0 to 65534;
   signal other : natural_8192_1d(1 to 2);
-  signal others : natural_8192_1d(5 to 6);  -- other_#
+  signal others_from_5 : natural_8192_1d(5 to 6);  -- other_#
   signal others_from_23 : natural_8192_1d(23 to 24);  -- other_#
   signal others_from_26 : natural_8192_1d(26 to 27);  -- other_#
   signal other_3, other_7, other_25, other_28 : natural range 0 to 2042;
@@ -4769,7 +4769,7 @@ begin
       transform_left_code_row_odd(1) <= (transform_left_code_row_before(1) - transform_left_code_row_after(1)) mod
         16384;
       transform_left_code_row_odd(2) <= (transform_left_code_row_before_2 - transform_left_code_row_after_2) mod 16384;
-      transform_left_code_row_signs <= ((others(5) / 8192) * 2) + (others(6) / 8192) +
+      transform_left_code_row_signs <= ((others_from_5(5) / 8192) * 2) + (others_from_5(6) / 8192) +
         ((((transform_left_code_row_even(2) + transform_left_code_row_odd(1)) mod 16384) / 8192) * 8) +
         ((((transform_left_code_row_odd(1) - transform_left_code_row_even(2)) mod 16384) / 8192) * 32) +
         ((((transform_left_code_row_even(1) - transform_left_code_row_odd(2)) mod 16384) / 8192) * 4) +
@@ -6832,8 +6832,9 @@ begin
       other(2) <= as_number((((other_3 / 2) - transform_right_code_row_centre(0)) < 0)) * 8192;
       other_3 <= ((transform_right_code_row_box_0(0) + transform_right_code_row_column(0, 3)) / 2) * 2;
       other_4 <= (((transform_left_code_next_row_outer(0) / 2) - transform_left_code_next_row_centre(0)) mod 32768) * 2;
-      others(5) <= as_number(((transform_left_code_row_before(0) - transform_left_code_row_after(0)) < 0)) * 8192;
-      others(6) <= as_number((((other_7 / 2) - transform_left_code_row_centre(0)) < 0)) * 8192;
+      others_from_5(5) <= as_number(((transform_left_code_row_before(0) - transform_left_code_row_after(0)) < 0)) *
+        8192;
+      others_from_5(6) <= as_number((((other_7 / 2) - transform_left_code_row_centre(0)) < 0)) * 8192;
       other_7 <= ((transform_left_code_row_box_0(0) + transform_left_code_row_column(0, 3)) / 2) * 2;
       others_from_8(8) <= others_from_8(9);
       others_from_8(9) <= (as_number(transform_valid) * 256) + as_number(((transform_counter_column = 4) and

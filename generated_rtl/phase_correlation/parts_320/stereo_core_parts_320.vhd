@@ -443,7 +443,7 @@ architecture rtl of stereo_core_parts_320 is
   signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   -- other
   signal other_0, other_3 : boolean;
-  signal others : boolean_1d(11 to 12);  -- other_#
+  signal others_from_11 : boolean_1d(11 to 12);  -- other_#
   signal other : natural_257_1d(1 to 2);
   signal other_4 : natural range 0 to 254;
   signal other_5 : natural range 0 to 252;
@@ -2216,7 +2216,7 @@ begin
         slice1winner2_best_above_0_choice(0) := slice1winner1_best_above_0(0);
       end if;
       for i in 11 to 12 loop
-        if others(i) then
+        if others_from_11(i) then
           slice1winner2_best_above_0_choice(i - 10) := slice1winner1_best_first_0(2 * i - 19);
         else
           slice1winner2_best_above_0_choice(i - 10) := slice1winner1_best_above_0(2 * i - 20);
@@ -2444,8 +2444,8 @@ begin
       other_8 <= ((refinement_remainder_0_difference(3) / 4096) * 32) + ((other_9 / 64) * 64);
       other_9 <= ((refinement_remainder_0_difference(2) / 4096) * 64) + ((other_10 / 128) * 128);
       other_10 <= (refinement_remainder_1_0_difference / 4096) * 128;
-      others(11) <= slice1winner1_best_cost_0_is_less(2);
-      others(12) <= slice1winner1_best_cost_0_is_less(4);
+      others_from_11(11) <= slice1winner1_best_cost_0_is_less(2);
+      others_from_11(12) <= slice1winner1_best_cost_0_is_less(4);
       other_13 <= (((transform_right_code_next_row_outer(0) / 2) - transform_right_code_next_row_centre(0)) mod 32768)
         * 2;
       others_from_14(14) <= as_number(((transform_right_code_row_before(0) - transform_right_code_row_after(0)) < 0)) *

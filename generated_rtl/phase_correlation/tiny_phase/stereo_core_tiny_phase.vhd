@@ -400,7 +400,7 @@ architecture rtl of stereo_core_tiny_phase is
   signal other_6 : natural range 0 to 128;
   signal other_7, other_11 : natural range 0 to 65534;
   signal other : natural_8192_1d(8 to 9);
-  signal others : natural_8192_1d(12 to 13);  -- other_#
+  signal others_from_12 : natural_8192_1d(12 to 13);  -- other_#
   signal other_10, other_14 : natural range 0 to 2042;
   signal others_from_15 : natural_257_1d(15 to 16);  -- other_#
   signal rows_search_rows_read_words_1_memory_read_enable : boolean;
@@ -759,7 +759,7 @@ begin
       transform_left_code_row_odd(1) <= (transform_left_code_row_before(1) - transform_left_code_row_after(1)) mod
         16384;
       transform_left_code_row_odd(2) <= (transform_left_code_row_before_2 - transform_left_code_row_after_2) mod 16384;
-      transform_left_code_row_signs <= ((others(12) / 8192) * 2) + (others(13) / 8192) +
+      transform_left_code_row_signs <= ((others_from_12(12) / 8192) * 2) + (others_from_12(13) / 8192) +
         ((((transform_left_code_row_even(2) + transform_left_code_row_odd(1)) mod 16384) / 8192) * 8) +
         ((((transform_left_code_row_odd(1) - transform_left_code_row_even(2)) mod 16384) / 8192) * 32) +
         ((((transform_left_code_row_even(1) - transform_left_code_row_odd(2)) mod 16384) / 8192) * 4) +
@@ -1869,8 +1869,9 @@ begin
       other_10 <= ((transform_right_code_row_box_0(0) + transform_right_code_row_column(0, 3)) / 2) * 2;
       other_11 <= (((transform_left_code_next_row_outer(0) / 2) - transform_left_code_next_row_centre(0)) mod 32768) *
         2;
-      others(12) <= as_number(((transform_left_code_row_before(0) - transform_left_code_row_after(0)) < 0)) * 8192;
-      others(13) <= as_number((((other_14 / 2) - transform_left_code_row_centre(0)) < 0)) * 8192;
+      others_from_12(12) <= as_number(((transform_left_code_row_before(0) - transform_left_code_row_after(0)) < 0)) *
+        8192;
+      others_from_12(13) <= as_number((((other_14 / 2) - transform_left_code_row_centre(0)) < 0)) * 8192;
       other_14 <= ((transform_left_code_row_box_0(0) + transform_left_code_row_column(0, 3)) / 2) * 2;
       others_from_15(15) <= others_from_15(16);
       others_from_15(16) <= (as_number(transform_valid) * 256) + as_number(((transform_counter_column = 4) and

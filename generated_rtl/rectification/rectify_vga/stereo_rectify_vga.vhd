@@ -273,7 +273,7 @@ architecture rtl of stereo_rectify_vga is
   -- other
   signal other : natural_1048575_1d(0 to 3);
   signal other_5 : natural range 0 to 1048575;
-  signal others : natural_1048575_1d(7 to 9);  -- other_#
+  signal others_from_7 : natural_1048575_1d(7 to 9);  -- other_#
   signal other_4, other_6 : natural range 0 to 8191;
   signal others_from_10 : natural_8191_1d(10 to 11);  -- other_#
   signal leftsampler_rows_even_even_read_word_memory_read_enable : boolean;
@@ -796,13 +796,13 @@ begin
       leftoffsets_x_left_difference <= leftoffsets_x_left_difference_choice - leftoffsets_x_left_from_choices(3);
       leftoffsets_x_left_part <= grid_weight_y_held(4);
       leftoffsets_x_left_base <= leftoffsets_x_left_from * 16;
-      leftoffsets_x_left_value <= ((((leftoffsets_x_left_base / 16) + (others(9) / 16)) mod 65536) * 16) + (others(9)
-        mod 16);
+      leftoffsets_x_left_value <= ((((leftoffsets_x_left_base / 16) + (others_from_7(9) / 16)) mod 65536) * 16) +
+        (others_from_7(9) mod 16);
       leftoffsets_x_right_from <= leftoffsets_x_right_from_choices(3);
       leftoffsets_x_right_difference <= leftoffsets_x_right_difference_choice - leftoffsets_x_right_from_choices(3);
       leftoffsets_x_right_base <= leftoffsets_x_right_from * 16;
-      leftoffsets_x_right_value <= ((((leftoffsets_x_right_base / 16) + (others(8) / 16)) mod 65536) * 16) + (others(8)
-        mod 16);
+      leftoffsets_x_right_value <= ((((leftoffsets_x_right_base / 16) + (others_from_7(8) / 16)) mod 65536) * 16) +
+        (others_from_7(8) mod 16);
       leftoffsets_x_weight_x_held(0) <= grid_weight_x_held(4);
       leftoffsets_x_weight_x_held(1) <= leftoffsets_x_weight_x_held(0);
       leftoffsets_x_weight_x_held(2) <= leftoffsets_x_weight_x_held(1);
@@ -818,8 +818,8 @@ begin
       leftoffsets_y_left_difference <= to_integer(leftoffsets_y_left_difference_choice(31 downto 16)) -
         to_integer(leftoffsets_y_left_from_choices(3)(31 downto 16));
       leftoffsets_y_left_base <= leftoffsets_y_left_from * 16;
-      leftoffsets_y_left_value <= ((((leftoffsets_y_left_base / 16) + (others(7) / 16)) mod 65536) * 16) + (others(7)
-        mod 16);
+      leftoffsets_y_left_value <= ((((leftoffsets_y_left_base / 16) + (others_from_7(7) / 16)) mod 65536) * 16) +
+        (others_from_7(7) mod 16);
       leftoffsets_y_right_from <= to_integer(leftoffsets_y_right_from_choices(3)(31 downto 16));
       leftoffsets_y_right_difference <= to_integer(leftoffsets_y_right_difference_choice(31 downto 16)) -
         to_integer(leftoffsets_y_right_from_choices(3)(31 downto 16));
@@ -1573,9 +1573,9 @@ begin
       other_4 <= (rightsampler_pixel_left_difference * rightsampler_pixel_left_part) mod 8192;
       other_5 <= (leftoffsets_y_right_difference * leftoffsets_x_left_part) mod 1048576;
       other_6 <= (rightsampler_pixel_right_difference * rightsampler_pixel_left_part) mod 8192;
-      others(7) <= (leftoffsets_y_left_difference * leftoffsets_x_left_part) mod 1048576;
-      others(8) <= (leftoffsets_x_right_difference * leftoffsets_x_left_part) mod 1048576;
-      others(9) <= (leftoffsets_x_left_difference * leftoffsets_x_left_part) mod 1048576;
+      others_from_7(7) <= (leftoffsets_y_left_difference * leftoffsets_x_left_part) mod 1048576;
+      others_from_7(8) <= (leftoffsets_x_right_difference * leftoffsets_x_left_part) mod 1048576;
+      others_from_7(9) <= (leftoffsets_x_left_difference * leftoffsets_x_left_part) mod 1048576;
       others_from_10(10) <= (leftsampler_pixel_right_difference * leftsampler_pixel_left_part) mod 8192;
       others_from_10(11) <= (leftsampler_pixel_left_difference * leftsampler_pixel_left_part) mod 8192;
       if reset = '1' then

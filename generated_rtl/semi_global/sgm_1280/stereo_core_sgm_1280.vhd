@@ -506,7 +506,7 @@ architecture rtl of stereo_core_sgm_1280 is
   signal other : unsigned_32_1d(0 to 15);
   signal other_16, other_18 : unsigned(48 downto 0);
   signal other_17 : natural range 0 to 126;
-  signal others : natural_22_1d(19 to 146);  -- other_#
+  signal others_from_19 : natural_22_1d(19 to 146);  -- other_#
   signal transform_left_rows_read_words_0_memory_read_enable : boolean;
   signal transform_left_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
   signal transform_left_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
@@ -3537,10 +3537,10 @@ begin
         slice0_tag_end_of_line(i) <= slice0_tag_end_of_line(i - 1);
       end loop;
       for i in 0 to 15 loop
-        if is_set(others(145 - 2 * i), 4) or (((others(145 - 2 * i) / 4) mod 4) = 3) then
+        if is_set(others_from_19(145 - 2 * i), 4) or (((others_from_19(145 - 2 * i) / 4) mod 4) = 3) then
           slice0_held(0, i) <= 5;
         else
-          slice0_held(0, i) <= others(145 - 2 * i) / 2;
+          slice0_held(0, i) <= others_from_19(145 - 2 * i) / 2;
         end if;
       end loop;
       -- slice1shift
@@ -3624,10 +3624,10 @@ begin
         slice1_held(2, i) <= slice1_held(1, i);
       end loop;
       for i in 0 to 15 loop
-        if is_set(others(113 - 2 * i), 4) or (((others(113 - 2 * i) / 4) mod 4) = 3) then
+        if is_set(others_from_19(113 - 2 * i), 4) or (((others_from_19(113 - 2 * i) / 4) mod 4) = 3) then
           slice1_held(0, i) <= 5;
         else
-          slice1_held(0, i) <= others(113 - 2 * i) / 2;
+          slice1_held(0, i) <= others_from_19(113 - 2 * i) / 2;
         end if;
       end loop;
       -- slice2shift
@@ -3708,10 +3708,10 @@ begin
         slice2_held(1, i) <= slice2_held(0, i);
       end loop;
       for i in 0 to 15 loop
-        if is_set(others(81 - 2 * i), 4) or (((others(81 - 2 * i) / 4) mod 4) = 3) then
+        if is_set(others_from_19(81 - 2 * i), 4) or (((others_from_19(81 - 2 * i) / 4) mod 4) = 3) then
           slice2_held(0, i) <= 5;
         else
-          slice2_held(0, i) <= others(81 - 2 * i) / 2;
+          slice2_held(0, i) <= others_from_19(81 - 2 * i) / 2;
         end if;
       end loop;
       -- slice3shift
@@ -3788,10 +3788,10 @@ begin
       end loop;
       -- slice3
       for i in 0 to 15 loop
-        if is_set(others(49 - 2 * i), 4) or (((others(49 - 2 * i) / 4) mod 4) = 3) then
+        if is_set(others_from_19(49 - 2 * i), 4) or (((others_from_19(49 - 2 * i) / 4) mod 4) = 3) then
           slice3_held_0(i) <= 5;
         else
-          slice3_held_0(i) <= others(49 - 2 * i) / 2;
+          slice3_held_0(i) <= others_from_19(49 - 2 * i) / 2;
         end if;
       end loop;
       -- entry
@@ -10074,134 +10074,134 @@ begin
         to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      others(19) <= others(20);
-      others(20) <= other_20_choice * 2;
-      others(21) <= others(22);
-      others(22) <= other_22_choice * 2;
-      others(23) <= others(24);
-      others(24) <= other_24_choice * 2;
-      others(25) <= others(26);
-      others(26) <= other_26_choice * 2;
-      others(27) <= others(28);
-      others(28) <= other_28_choice * 2;
-      others(29) <= others(30);
-      others(30) <= other_30_choice * 2;
-      others(31) <= others(32);
-      others(32) <= other_32_choice * 2;
-      others(33) <= others(34);
-      others(34) <= other_34_choice * 2;
-      others(35) <= others(36);
-      others(36) <= other_36_choice * 2;
-      others(37) <= others(38);
-      others(38) <= other_38_choice * 2;
-      others(39) <= others(40);
-      others(40) <= other_40_choice * 2;
-      others(41) <= others(42);
-      others(42) <= other_42_choice * 2;
-      others(43) <= others(44);
-      others(44) <= other_44_choice * 2;
-      others(45) <= others(46);
-      others(46) <= other_46_choice * 2;
-      others(47) <= others(48);
-      others(48) <= other_48_choice * 2;
-      others(49) <= others(50);
-      others(50) <= other_50_choice * 2;
-      others(51) <= others(52);
-      others(52) <= other_52_choice * 2;
-      others(53) <= others(54);
-      others(54) <= other_54_choice * 2;
-      others(55) <= others(56);
-      others(56) <= other_56_choice * 2;
-      others(57) <= others(58);
-      others(58) <= other_58_choice * 2;
-      others(59) <= others(60);
-      others(60) <= other_60_choice * 2;
-      others(61) <= others(62);
-      others(62) <= other_62_choice * 2;
-      others(63) <= others(64);
-      others(64) <= other_64_choice * 2;
-      others(65) <= others(66);
-      others(66) <= other_66_choice * 2;
-      others(67) <= others(68);
-      others(68) <= other_68_choice * 2;
-      others(69) <= others(70);
-      others(70) <= other_70_choice * 2;
-      others(71) <= others(72);
-      others(72) <= other_72_choice * 2;
-      others(73) <= others(74);
-      others(74) <= other_74_choice * 2;
-      others(75) <= others(76);
-      others(76) <= other_76_choice * 2;
-      others(77) <= others(78);
-      others(78) <= other_78_choice * 2;
-      others(79) <= others(80);
-      others(80) <= other_80_choice * 2;
-      others(81) <= others(82);
-      others(82) <= other_82_choice * 2;
-      others(83) <= others(84);
-      others(84) <= other_84_choice * 2;
-      others(85) <= others(86);
-      others(86) <= other_86_choice * 2;
-      others(87) <= others(88);
-      others(88) <= other_88_choice * 2;
-      others(89) <= others(90);
-      others(90) <= other_90_choice * 2;
-      others(91) <= others(92);
-      others(92) <= other_92_choice * 2;
-      others(93) <= others(94);
-      others(94) <= other_94_choice * 2;
-      others(95) <= others(96);
-      others(96) <= other_96_choice * 2;
-      others(97) <= others(98);
-      others(98) <= other_98_choice * 2;
-      others(99) <= others(100);
-      others(100) <= other_100_choice * 2;
-      others(101) <= others(102);
-      others(102) <= other_102_choice * 2;
-      others(103) <= others(104);
-      others(104) <= other_104_choice * 2;
-      others(105) <= others(106);
-      others(106) <= other_106_choice * 2;
-      others(107) <= others(108);
-      others(108) <= other_108_choice * 2;
-      others(109) <= others(110);
-      others(110) <= other_110_choice * 2;
-      others(111) <= others(112);
-      others(112) <= other_112_choice * 2;
-      others(113) <= others(114);
-      others(114) <= other_114_choice * 2;
-      others(115) <= others(116);
-      others(116) <= other_116_choice * 2;
-      others(117) <= others(118);
-      others(118) <= other_118_choice * 2;
-      others(119) <= others(120);
-      others(120) <= other_120_choice * 2;
-      others(121) <= others(122);
-      others(122) <= other_122_choice * 2;
-      others(123) <= others(124);
-      others(124) <= other_124_choice * 2;
-      others(125) <= others(126);
-      others(126) <= other_126_choice * 2;
-      others(127) <= others(128);
-      others(128) <= other_128_choice * 2;
-      others(129) <= others(130);
-      others(130) <= other_130_choice * 2;
-      others(131) <= others(132);
-      others(132) <= other_132_choice * 2;
-      others(133) <= others(134);
-      others(134) <= other_134_choice * 2;
-      others(135) <= others(136);
-      others(136) <= other_136_choice * 2;
-      others(137) <= others(138);
-      others(138) <= other_138_choice * 2;
-      others(139) <= others(140);
-      others(140) <= other_140_choice * 2;
-      others(141) <= others(142);
-      others(142) <= other_142_choice * 2;
-      others(143) <= others(144);
-      others(144) <= other_144_choice * 2;
-      others(145) <= others(146);
-      others(146) <= other_146_choice * 2;
+      others_from_19(19) <= others_from_19(20);
+      others_from_19(20) <= other_20_choice * 2;
+      others_from_19(21) <= others_from_19(22);
+      others_from_19(22) <= other_22_choice * 2;
+      others_from_19(23) <= others_from_19(24);
+      others_from_19(24) <= other_24_choice * 2;
+      others_from_19(25) <= others_from_19(26);
+      others_from_19(26) <= other_26_choice * 2;
+      others_from_19(27) <= others_from_19(28);
+      others_from_19(28) <= other_28_choice * 2;
+      others_from_19(29) <= others_from_19(30);
+      others_from_19(30) <= other_30_choice * 2;
+      others_from_19(31) <= others_from_19(32);
+      others_from_19(32) <= other_32_choice * 2;
+      others_from_19(33) <= others_from_19(34);
+      others_from_19(34) <= other_34_choice * 2;
+      others_from_19(35) <= others_from_19(36);
+      others_from_19(36) <= other_36_choice * 2;
+      others_from_19(37) <= others_from_19(38);
+      others_from_19(38) <= other_38_choice * 2;
+      others_from_19(39) <= others_from_19(40);
+      others_from_19(40) <= other_40_choice * 2;
+      others_from_19(41) <= others_from_19(42);
+      others_from_19(42) <= other_42_choice * 2;
+      others_from_19(43) <= others_from_19(44);
+      others_from_19(44) <= other_44_choice * 2;
+      others_from_19(45) <= others_from_19(46);
+      others_from_19(46) <= other_46_choice * 2;
+      others_from_19(47) <= others_from_19(48);
+      others_from_19(48) <= other_48_choice * 2;
+      others_from_19(49) <= others_from_19(50);
+      others_from_19(50) <= other_50_choice * 2;
+      others_from_19(51) <= others_from_19(52);
+      others_from_19(52) <= other_52_choice * 2;
+      others_from_19(53) <= others_from_19(54);
+      others_from_19(54) <= other_54_choice * 2;
+      others_from_19(55) <= others_from_19(56);
+      others_from_19(56) <= other_56_choice * 2;
+      others_from_19(57) <= others_from_19(58);
+      others_from_19(58) <= other_58_choice * 2;
+      others_from_19(59) <= others_from_19(60);
+      others_from_19(60) <= other_60_choice * 2;
+      others_from_19(61) <= others_from_19(62);
+      others_from_19(62) <= other_62_choice * 2;
+      others_from_19(63) <= others_from_19(64);
+      others_from_19(64) <= other_64_choice * 2;
+      others_from_19(65) <= others_from_19(66);
+      others_from_19(66) <= other_66_choice * 2;
+      others_from_19(67) <= others_from_19(68);
+      others_from_19(68) <= other_68_choice * 2;
+      others_from_19(69) <= others_from_19(70);
+      others_from_19(70) <= other_70_choice * 2;
+      others_from_19(71) <= others_from_19(72);
+      others_from_19(72) <= other_72_choice * 2;
+      others_from_19(73) <= others_from_19(74);
+      others_from_19(74) <= other_74_choice * 2;
+      others_from_19(75) <= others_from_19(76);
+      others_from_19(76) <= other_76_choice * 2;
+      others_from_19(77) <= others_from_19(78);
+      others_from_19(78) <= other_78_choice * 2;
+      others_from_19(79) <= others_from_19(80);
+      others_from_19(80) <= other_80_choice * 2;
+      others_from_19(81) <= others_from_19(82);
+      others_from_19(82) <= other_82_choice * 2;
+      others_from_19(83) <= others_from_19(84);
+      others_from_19(84) <= other_84_choice * 2;
+      others_from_19(85) <= others_from_19(86);
+      others_from_19(86) <= other_86_choice * 2;
+      others_from_19(87) <= others_from_19(88);
+      others_from_19(88) <= other_88_choice * 2;
+      others_from_19(89) <= others_from_19(90);
+      others_from_19(90) <= other_90_choice * 2;
+      others_from_19(91) <= others_from_19(92);
+      others_from_19(92) <= other_92_choice * 2;
+      others_from_19(93) <= others_from_19(94);
+      others_from_19(94) <= other_94_choice * 2;
+      others_from_19(95) <= others_from_19(96);
+      others_from_19(96) <= other_96_choice * 2;
+      others_from_19(97) <= others_from_19(98);
+      others_from_19(98) <= other_98_choice * 2;
+      others_from_19(99) <= others_from_19(100);
+      others_from_19(100) <= other_100_choice * 2;
+      others_from_19(101) <= others_from_19(102);
+      others_from_19(102) <= other_102_choice * 2;
+      others_from_19(103) <= others_from_19(104);
+      others_from_19(104) <= other_104_choice * 2;
+      others_from_19(105) <= others_from_19(106);
+      others_from_19(106) <= other_106_choice * 2;
+      others_from_19(107) <= others_from_19(108);
+      others_from_19(108) <= other_108_choice * 2;
+      others_from_19(109) <= others_from_19(110);
+      others_from_19(110) <= other_110_choice * 2;
+      others_from_19(111) <= others_from_19(112);
+      others_from_19(112) <= other_112_choice * 2;
+      others_from_19(113) <= others_from_19(114);
+      others_from_19(114) <= other_114_choice * 2;
+      others_from_19(115) <= others_from_19(116);
+      others_from_19(116) <= other_116_choice * 2;
+      others_from_19(117) <= others_from_19(118);
+      others_from_19(118) <= other_118_choice * 2;
+      others_from_19(119) <= others_from_19(120);
+      others_from_19(120) <= other_120_choice * 2;
+      others_from_19(121) <= others_from_19(122);
+      others_from_19(122) <= other_122_choice * 2;
+      others_from_19(123) <= others_from_19(124);
+      others_from_19(124) <= other_124_choice * 2;
+      others_from_19(125) <= others_from_19(126);
+      others_from_19(126) <= other_126_choice * 2;
+      others_from_19(127) <= others_from_19(128);
+      others_from_19(128) <= other_128_choice * 2;
+      others_from_19(129) <= others_from_19(130);
+      others_from_19(130) <= other_130_choice * 2;
+      others_from_19(131) <= others_from_19(132);
+      others_from_19(132) <= other_132_choice * 2;
+      others_from_19(133) <= others_from_19(134);
+      others_from_19(134) <= other_134_choice * 2;
+      others_from_19(135) <= others_from_19(136);
+      others_from_19(136) <= other_136_choice * 2;
+      others_from_19(137) <= others_from_19(138);
+      others_from_19(138) <= other_138_choice * 2;
+      others_from_19(139) <= others_from_19(140);
+      others_from_19(140) <= other_140_choice * 2;
+      others_from_19(141) <= others_from_19(142);
+      others_from_19(142) <= other_142_choice * 2;
+      others_from_19(143) <= others_from_19(144);
+      others_from_19(144) <= other_144_choice * 2;
+      others_from_19(145) <= others_from_19(146);
+      others_from_19(146) <= other_146_choice * 2;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;

@@ -363,7 +363,7 @@ architecture rtl of stereo_core_sgm_640_64_f8 is
   -- other
   signal other_0, other_3 : unsigned(48 downto 0);
   signal other : natural_135007244_1d(1 to 2);
-  signal others : natural_135007244_1d(4 to 9);  -- other_#
+  signal others_from_4 : natural_135007244_1d(4 to 9);  -- other_#
   signal other_10 : natural range 0 to 510;
   signal transform_left_rows_read_words_0_memory_read_enable : boolean;
   signal transform_left_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
@@ -2820,8 +2820,8 @@ begin
           '1'))) + as_number(((costsshift_search_0(i)(42) = '1') /= costswindow_first_0_count_value(14)));
       end loop;
       for i in 0 to 5 loop
-        costswindow_sum_0(i) <= ((others(9 - i) / 65536) mod 16) + ((others(9 - i) / 256) mod 16) + (others(9 - i) /
-          16777216) + (others(9 - i) mod 16);
+        costswindow_sum_0(i) <= ((others_from_4(9 - i) / 65536) mod 16) + ((others_from_4(9 - i) / 256) mod 16) +
+          (others_from_4(9 - i) / 16777216) + (others_from_4(9 - i) mod 16);
       end loop;
       costswindow_sum_0(6) <= ((other(2) / 65536) mod 16) + ((other(2) / 256) mod 16) + (other(2) / 16777216) +
         (other(2) mod 16);
@@ -4973,7 +4973,7 @@ begin
       end loop;
       other_3 <= other_0;
       for i in 4 to 9 loop
-        others(i) <= ((costswindow_first_count(9 - i, 5) + costswindow_first_count(9 - i, 6) +
+        others_from_4(i) <= ((costswindow_first_count(9 - i, 5) + costswindow_first_count(9 - i, 6) +
           costswindow_first_count(9 - i, 4) + costswindow_first_count(9 - i, 7)) * 256) + ((costswindow_first_count(9 -
           i, 9) + costswindow_first_count(9 - i, 10) + costswindow_first_count(9 - i, 8) + costswindow_first_count(9 -
           i, 11)) * 65536) + ((costswindow_first_count_14(9 - i) + costswindow_first_count(9 - i, 12) +

@@ -360,7 +360,7 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal other_11 : natural range 0 to 192;
   signal other_12 : natural range 0 to 128;
   signal other : natural_4096_1d(13 to 24);
-  signal others : natural_135007244_1d(26 to 33);  -- other_#
+  signal others_from_26 : natural_135007244_1d(26 to 33);  -- other_#
   -- refinement
   signal refinement_disparity_0 : natural_255_1d(0 to 11);  -- refinement_disparity_#_0
   signal refinement_quotient_8_0 : natural range 0 to 255;
@@ -2964,8 +2964,8 @@ begin
           '1'))) + as_number(((costsshift_search_0(i)(42) = '1') /= costswindow_first_0_count_value(14)));
       end loop;
       for i in 0 to 7 loop
-        costswindow_sum_0(i) <= ((others(33 - i) / 65536) mod 16) + ((others(33 - i) / 256) mod 16) + (others(33 - i) /
-          16777216) + (others(33 - i) mod 16);
+        costswindow_sum_0(i) <= ((others_from_26(33 - i) / 65536) mod 16) + ((others_from_26(33 - i) / 256) mod 16) +
+          (others_from_26(33 - i) / 16777216) + (others_from_26(33 - i) mod 16);
       end loop;
       -- costs
       for i in 0 to 7 loop
@@ -4334,7 +4334,7 @@ begin
       other(24) <= 4096;
       other_25 <= winnerswinner1_best_index_0_choices(2, 8);
       for i in 26 to 33 loop
-        others(i) <= ((costswindow_first_count(33 - i, 5) + costswindow_first_count(33 - i, 6) +
+        others_from_26(i) <= ((costswindow_first_count(33 - i, 5) + costswindow_first_count(33 - i, 6) +
           costswindow_first_count(33 - i, 4) + costswindow_first_count(33 - i, 7)) * 256) +
           ((costswindow_first_count(33 - i, 9) + costswindow_first_count(33 - i, 10) + costswindow_first_count(33 - i,
           8) + costswindow_first_count(33 - i, 11)) * 65536) + ((costswindow_first_count_14(33 - i) +

@@ -380,7 +380,7 @@ architecture rtl of stereo_core_sgm_640_f8 is
   -- other
   signal other : unsigned_49_1d(0 to 1);
   signal other_2 : natural range 0 to 510;
-  signal others : natural_135007244_1d(3 to 18);  -- other_#
+  signal others_from_3 : natural_135007244_1d(3 to 18);  -- other_#
   signal transform_left_rows_read_words_0_memory_read_enable : boolean;
   signal transform_left_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
   signal transform_left_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
@@ -3306,8 +3306,8 @@ begin
           '1'))) + as_number(((costsshift_search_0(i)(42) = '1') /= costswindow_first_0_count_value(14)));
       end loop;
       for i in 0 to 15 loop
-        costswindow_sum_0(i) <= ((others(18 - i) / 65536) mod 16) + ((others(18 - i) / 256) mod 16) + (others(18 - i) /
-          16777216) + (others(18 - i) mod 16);
+        costswindow_sum_0(i) <= ((others_from_3(18 - i) / 65536) mod 16) + ((others_from_3(18 - i) / 256) mod 16) +
+          (others_from_3(18 - i) / 16777216) + (others_from_3(18 - i) mod 16);
       end loop;
       -- costs
       for i in 0 to 15 loop
@@ -5880,7 +5880,7 @@ begin
       other(1) <= other(0);
       other_2 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
       for i in 3 to 18 loop
-        others(i) <= ((costswindow_first_count(18 - i, 5) + costswindow_first_count(18 - i, 6) +
+        others_from_3(i) <= ((costswindow_first_count(18 - i, 5) + costswindow_first_count(18 - i, 6) +
           costswindow_first_count(18 - i, 4) + costswindow_first_count(18 - i, 7)) * 256) +
           ((costswindow_first_count(18 - i, 9) + costswindow_first_count(18 - i, 10) + costswindow_first_count(18 - i,
           8) + costswindow_first_count(18 - i, 11)) * 65536) + ((costswindow_first_count_14(18 - i) +

@@ -12,6 +12,16 @@ FEWEST = 2  # elements of an array
 _NUMBER = re.compile(r"(?<=_)(0|[1-9]\d*)(?=_|$)")
 _RANGE = re.compile(r"(natural|integer) range (-?)(\d+) to (\d+)")
 _UNSIGNED = re.compile(r"unsigned\((\d+) downto 0\)")
+# Of VHDL-93 and VHDL-2008: no name of an array.
+RESERVED = frozenset(
+    """abs access after alias all and architecture array assert assume assume_guarantee attribute begin block body buffer
+    bus case component configuration constant context cover default disconnect downto else elsif end entity exit fairness
+    file for force function generate generic group guarded if impure in inertial inout is label library linkage literal
+    loop map mod nand new next nor not null of on open or others out package parameter port postponed procedure process
+    property protected pure range record register reject release rem report restrict restrict_guarantee return rol ror
+    select sequence severity shared signal sla sll sra srl strong subtype then to transport type unaffected units until
+    use variable vmode vprop vunit wait when while with xnor xor""".split()
+)
 Places = tuple[int, ...]
 # Of a kind and of what drives it: a process that drives one element drives the whole array.
 Kind = tuple[str, str]
@@ -68,7 +78,7 @@ def found_in(kinds: Mapping[str, Kind], taken: set[str]) -> list[Array]:
         if key != name:
             families.setdefault(key, {})[tuple(map(int, _NUMBER.findall(name)))] = kind
     arrays = []
-    used = set(taken)
+    used = taken | RESERVED
     for key, members in families.items():
         for kind, ranges in sorted(_boxes(members), key=lambda box: box[1]):
             arrays.append(_named(key, kind, ranges, used))
