@@ -109,8 +109,8 @@ def main() -> int:
     what.add_argument(
         "--refresh",
         action="store_true",
-        help="update the manifests of cores whose changed sources compile to the same code in clang, write stale shells "
-        "again, and present VHDL anew; needs no Bambu",
+        help="update the manifests of cores whose changed sources compile to the same code in clang, write stale "
+        "shells again, and present VHDL anew; needs no Bambu",
     )
     parser.add_argument(
         "--out",

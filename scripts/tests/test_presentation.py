@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Arrays, loops and tests of bits in the VHDL: they stand for what the lowering wrote, word for word."""
 
+import contextlib
 import re
 
 import pytest
@@ -32,14 +33,9 @@ def test_committed(name):
     assert structure_digest(scalar) == manifest.read(committed.folder(name))["structure"]
 
 
-def lines_of_body(text):
-    start = text.index("rising_edge")
-    return [start + match.start() for match in re.finditer(r"^ {6,}\S.*$", text[start:], re.MULTILINE)]
-
-
 def changed_number(rng, text, pattern):
     """With one of the numbers that `pattern` finds one higher."""
-    match = rng.choice([m for m in re.finditer(pattern, text)])
+    match = rng.choice(list(re.finditer(pattern, text)))
     return f"{text[: match.start(1)]}{int(match[1]) + 1}{text[match.end(1) :]}"
 
 
@@ -60,10 +56,8 @@ def test_every_change_counts(rng, change):
     text = text_of("tiny_sgm")
     made = structure_digest(text)
     for _ in range(1 if change == "the function for bits" else 5):
-        try:
+        with contextlib.suppress(FlowError):  # the change leaves an array
             assert structure_digest(changed_number(rng, text, CHANGES[change])) != made
-        except FlowError:  # the change leaves an array
-            pass
 
 
 def test_what_is_presented_wrongly_is_refused(monkeypatch):
@@ -80,7 +74,9 @@ def random_statements(rng):
 
     def run(depth):
         steps, start = [rng.randint(-3, 3) for _ in range(3)], [rng.randint(20, 30) for _ in range(3)]
-        shape = rng.choice(["a ( {} ) <= b ( {} , {} )", "a ( {} ) <= w ( {} downto {} ) + 1", "x := ( y + {} ) * c - {} + f ( {} )"])
+        shape = rng.choice(
+            ["a ( {} ) <= b ( {} , {} )", "a ( {} ) <= w ( {} downto {} ) + 1", "x := ( y + {} ) * c - {} + f ( {} )"]
+        )
         for turn in range(rng.randint(1, 7)):
             numbers = [first + turn * step for first, step in zip(start, steps)]
             if depth and rng.random() < 0.4:

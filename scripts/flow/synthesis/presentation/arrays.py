@@ -14,13 +14,14 @@ _RANGE = re.compile(r"(natural|integer) range (-?)(\d+) to (\d+)")
 _UNSIGNED = re.compile(r"unsigned\((\d+) downto 0\)")
 # Of VHDL-93 and VHDL-2008: no name of an array.
 RESERVED = frozenset(
-    """abs access after alias all and architecture array assert assume assume_guarantee attribute begin block body buffer
-    bus case component configuration constant context cover default disconnect downto else elsif end entity exit fairness
-    file for force function generate generic group guarded if impure in inertial inout is label library linkage literal
-    loop map mod nand new next nor not null of on open or others out package parameter port postponed procedure process
-    property protected pure range record register reject release rem report restrict restrict_guarantee return rol ror
-    select sequence severity shared signal sla sll sra srl strong subtype then to transport type unaffected units until
-    use variable vmode vprop vunit wait when while with xnor xor""".split()
+    """abs access after alias all and architecture array assert assume assume_guarantee attribute begin block
+    body buffer bus case component configuration constant context cover default disconnect downto else elsif end
+    entity exit fairness file for force function generate generic group guarded if impure in inertial inout is
+    label library linkage literal loop map mod nand new next nor not null of on open or others out package
+    parameter port postponed procedure process property protected pure range record register reject release rem
+    report restrict restrict_guarantee return rol ror select sequence severity shared signal sla sll sra srl
+    strong subtype then to transport type unaffected units until use variable vmode vprop vunit wait when while
+    with xnor xor""".split()
 )
 Places = tuple[int, ...]
 # Of a kind and of what drives it: a process that drives one element drives the whole array.
@@ -143,10 +144,14 @@ def _slabs(
 def _named(key: str, kind: Kind, ranges: tuple[tuple[int, int], ...], used: set[str]) -> Array:
     """An index that all have stays in the name."""
     bounds = iter(ranges)
-    pattern = "#".join(
-        part + (str(bound[0]) if bound and bound[0] == bound[1] else "\0" if bound else "")
-        for part, bound in ((part, next(bounds, None)) for part in key.split("#"))
-    ).replace("#", "").replace("\0", "#")
+    pattern = (
+        "#".join(
+            part + (str(bound[0]) if bound and bound[0] == bound[1] else "\0" if bound else "")
+            for part, bound in ((part, next(bounds, None)) for part in key.split("#"))
+        )
+        .replace("#", "")
+        .replace("\0", "#")
+    )
     varying = tuple(bound for bound in ranges if bound[0] != bound[1])
     base = pattern.replace("_#", "")
     # `choice` beside `choice_2` ..., and indices in two parts, as something between them is missing.

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from typing import Union
 
 from ...base.errors import FlowError
 from . import tree
@@ -30,9 +29,9 @@ class Names:
 @dataclass
 class Core:
     head: list[str]  # lines up to the declarations
-    declarations: list[Union[str, Names, Array]]  # a text: a comment
+    declarations: list[str | Names | Array]  # a text: a comment
     concurrent: list[str]  # lines between `begin` and the process
-    variables: list[Union[Names, Array]]
+    variables: list[Names | Array]
     body: tuple[tree.Statement, ...]
     end: list[str]
     has_bits: bool = False  # whether there is the function of bits.py
@@ -50,7 +49,7 @@ def read(text: str) -> Core:
         end = lines.index("  end process;", body)
     except (StopIteration, ValueError):
         raise FlowError("unknown form of VHDL: no core of this project") from None
-    kinds = dict(match.groups() for line in lines[start:begin] if (match := _TYPE.fullmatch(line)))
+    kinds = {match[1]: match[2] for line in lines[start:begin] if (match := _TYPE.fullmatch(line))}
     declared = [line for line in lines[start:begin] if not _TYPE.fullmatch(line)]
     core = Core(
         lines[:start],
@@ -66,8 +65,8 @@ def read(text: str) -> Core:
     return core
 
 
-def _declarations(lines: list[str], kinds: dict[str, str]) -> list[Union[str, Names, Array]]:
-    found: list[Union[str, Names, Array]] = []
+def _declarations(lines: list[str], kinds: dict[str, str]) -> list[str | Names | Array]:
+    found: list[str | Names | Array] = []
     for line in lines:
         match = _DECLARATION.fullmatch(line.strip())
         if not line.strip():
@@ -103,7 +102,7 @@ def text(core: Core, is_presented: bool = False) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _declared(start: str, declarations: list[Union[Names, Array]] | list[Union[str, Names, Array]]) -> list[str]:
+def _declared(start: str, declarations: list[Names | Array] | list[str | Names | Array]) -> list[str]:
     lines: list[str] = []
     for one in declarations:
         if isinstance(one, str):

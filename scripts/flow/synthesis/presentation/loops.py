@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Optional, Union
+from typing import Any, Union
 
 from .tree import Assign, Comment, For, If, Statement
 from .words import Words, is_callable
@@ -32,7 +32,7 @@ class _Shape:
 class _Plain:
     shape: _Shape
     numbers: tuple[int, ...]
-    words: Sequence[Optional[str]]  # None: a number
+    words: Sequence[str | None]  # None: a number
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class _Choice:
     numbers: tuple[int, ...]
     test: _Plain
     then: list[_Node]
-    otherwise: Optional[list[_Node]]
+    otherwise: list[_Node] | None
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ def _node(statement: Statement, most: int = len(VARIABLES)) -> _Node:
 
 
 def _plain(words: Words) -> _Plain:
-    shown: list[Optional[str]] = []
+    shown: list[str | None] = []
     numbers: list[int] = []
     ties = []
     calls: list[str] = []
@@ -271,7 +271,7 @@ def _product(step: int, name: str) -> list[str]:
 # --- and back ---------------------------------------------------------------------------------------------------------
 
 
-def unroll(statements: Sequence[Statement], values: Optional[dict[str, int]] = None) -> tuple[Statement, ...]:
+def unroll(statements: Sequence[Statement], values: dict[str, int] | None = None) -> tuple[Statement, ...]:
     """`values`: of loop variables."""
     known = values or {}
     found: list[Statement] = []
@@ -324,4 +324,3 @@ def _sum(words: Sequence[str], values: dict[str, int]) -> int:
         elif word != "*":
             product *= values[word] if word in values else int(word)
     return total
-

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping
-from typing import Union
 
 from ...base.errors import FlowError
 from . import arrays, bits, core, loops, tree
@@ -57,7 +56,7 @@ def _content(scalar: Core) -> object:
 # --- there ------------------------------------------------------------------------------------------------------------
 
 
-def _kinds(declarations: Iterable[Union[str, Names, Array]]) -> dict[str, str]:
+def _kinds(declarations: Iterable[str | Names | Array]) -> dict[str, str]:
     return {name: one.kind for one in declarations if isinstance(one, Names) for name in one.names}
 
 
@@ -157,10 +156,10 @@ def _reference(word: str, places: Mapping[str, tuple[Array, Places]]) -> str:
 
 
 def _grouped(
-    declarations: Iterable[Union[str, Names, Array]], places: Mapping[str, tuple[Array, Places]]
-) -> list[Union[str, Names, Array]]:
+    declarations: Iterable[str | Names | Array], places: Mapping[str, tuple[Array, Places]]
+) -> list[str | Names | Array]:
     """Arrays where their first elements stood."""
-    found: list[Union[str, Names, Array]] = []
+    found: list[str | Names | Array] = []
     there: set[str] = set()
     for one in declarations:
         if not isinstance(one, Names):
@@ -204,8 +203,8 @@ def _expanded(presented: Core) -> Core:
     )
 
 
-def _single(declarations: Iterable[Union[str, Names, Array]]) -> list[Union[str, Names, Array]]:
-    found: list[Union[str, Names, Array]] = []
+def _single(declarations: Iterable[str | Names | Array]) -> list[str | Names | Array]:
+    found: list[str | Names | Array] = []
     for one in declarations:
         if isinstance(one, Array):
             found.append(Names(one.kind[0], [name for name, _ in one.elements()]))
@@ -227,4 +226,3 @@ def _without_arrays(words: Words, known: Mapping[str, Array]) -> Words:
         found.append(array.element([int(word) for word in words[at + 2 : end] if word != ","]))
         at = end + 1
     return tuple(found)
-

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cores with a signal for each register: what tools read that name registers, show lines of the lowering or change single
+"""Cores with a signal for each register, for tools that name registers, show lines of the lowering or change single
 statements."""
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Optional, Union
+from typing import Union
 
 from ...base.errors import FlowError
 from .words import Words, folded, joined
@@ -25,7 +25,7 @@ class Assign:
 class If:
     test: Words
     then: tuple[Statement, ...]
-    otherwise: Optional[tuple[Statement, ...]]
+    otherwise: tuple[Statement, ...] | None
 
 
 @dataclass(frozen=True)
