@@ -535,7 +535,7 @@ begin
   in_start_of_frame <= start_of_frame = '1';
   in_left_pixel <= unsigned(left_pixel);
   in_right_pixel <= unsigned(right_pixel);
-  disparity <= std_logic_vector(to_unsigned(slice3_best_index_0(3), 8) & to_unsigned(slice3_best_index_0(2), 8) & to_unsigned(slice3_best_index_0(1), 8) & to_unsigned(slice3_best_index_0(0), 8));
+  disparity <= std_logic_vector(unsigned'(to_unsigned(slice3_best_index_0(3), 8) & to_unsigned(slice3_best_index_0(2), 8) & to_unsigned(slice3_best_index_0(1), 8) & to_unsigned(slice3_best_index_0(0), 8)));
   pixel_valid <= std_logic_vector(to_unsigned(15, 4));
   disparity_valid <= as_bit(slice3_best_tag_valid and slice3_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice3_best_tag_start_of_frame and slice3_best_tag_valid and slice3_best_tag_output_column);

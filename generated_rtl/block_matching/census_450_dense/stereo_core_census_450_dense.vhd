@@ -942,7 +942,7 @@ begin
   in_start_of_frame <= start_of_frame = '1';
   in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
-  disparity <= std_logic_vector(to_unsigned(median_out_confidence_0, 8) & to_unsigned(as_number(median_out_filled_0), 1) & to_unsigned(median_out_disparity_0, 15));
+  disparity <= std_logic_vector(unsigned'(to_unsigned(median_out_confidence_0, 8) & to_unsigned(as_number(median_out_filled_0), 1) & to_unsigned(median_out_disparity_0, 15)));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(median_out_passed_0), 1));
   disparity_valid <= as_bit(median_out_valid);
   disparity_start_of_frame <= as_bit(median_out_start_of_frame);

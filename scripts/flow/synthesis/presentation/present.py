@@ -14,6 +14,8 @@ from .words import Words
 
 _READ_DATA = re.compile(r"\bread_data => (\w+)")
 _REFERENCE = re.compile(r"\b(\w+)\((\d+(?:, \d+)*)\)")
+_JOINED = re.compile(r"std_logic_vector\((.* & .*)\);$")
+_QUALIFIED = re.compile(r"std_logic_vector\(unsigned'\((.*)\)\);$")
 _NAME = re.compile(r"\b[a-z]\w*\b")
 
 
@@ -85,7 +87,7 @@ def _folded(scalar: Core) -> Core:
     return Core(
         scalar.head,
         _grouped(scalar.declarations, places),
-        [_NAME.sub(lambda match: _reference(match[0], places), line) for line in scalar.concurrent],
+        [_NAME.sub(lambda match: _reference(match[0], places), _qualified(line)) for line in scalar.concurrent],
         [one for one in _grouped(scalar.variables, places) if not isinstance(one, str)],
         body,
         scalar.end,
@@ -148,6 +150,11 @@ def _with_arrays(words: Words, places: Mapping[str, tuple[Array, Places]]) -> Wo
     return tuple(found)
 
 
+def _qualified(line: str) -> str:
+    """An `&` of words may make an array of two words as well, where there are arrays of words."""
+    return _JOINED.sub(r"std_logic_vector(unsigned'(\1));", line)
+
+
 def _reference(word: str, places: Mapping[str, tuple[Array, Places]]) -> str:
     if word not in places:
         return word
@@ -196,7 +203,7 @@ def _expanded(presented: Core) -> Core:
     return Core(
         presented.head,
         declarations,
-        [_REFERENCE.sub(name, line) for line in presented.concurrent],
+        [_REFERENCE.sub(name, _QUALIFIED.sub(r"std_logic_vector(\1);", line)) for line in presented.concurrent],
         variables,
         _mapped(loops.unroll(presented.body), plain),
         presented.end,
