@@ -28,7 +28,7 @@ def test_committed(name):
     """It is presented as it is now done, and stands for the design that was made."""
     text = text_of(name)
     scalar = expand(text)
-    assert "loop" not in scalar and " is array " not in scalar and bits.NAME not in scalar
+    assert not re.search(rf"\bloop\b| is array |\b{bits.NAME}\b", scalar)
     assert present(scalar) == text == present(text)
     assert structure_digest(scalar) == manifest.read(committed.folder(name))["structure"]
 
