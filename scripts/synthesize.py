@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import committed, farm, rtl
+from flow.base import committed, farm, files, rtl
 from flow.base.configurations import PLANNED, Configuration, configuration, designs
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
@@ -20,6 +20,7 @@ from flow.shell import template
 from flow.synthesis import bambu, manifest
 from flow.synthesis.generate import generate
 from flow.synthesis.manifest import check_program
+from flow.synthesis.presentation.present import present
 from flow.synthesis.versions import versions
 
 
@@ -38,20 +39,37 @@ def check(names: Iterable[str], table: dict[str, Configuration]) -> int:
     return EXIT_OK
 
 
+def presented(config: str, folder: Path, entry: manifest.Manifest) -> dict[str, str]:
+    """{file: content} of VHDL and manifest that are to stand in place of those of `folder`, as a person reads them;
+    empty where that is so already."""
+    file = f"{rtl.kind_of(entry['parameters']).entity(config)}.vhd"
+    before = (folder / file).read_text()
+    text = present(before)
+    if text == before:
+        return {}
+    now: manifest.Manifest = {**entry, "files": {file: manifest.digest_of(text.encode())}}
+    return {file: text, committed.MANIFEST: manifest.text(now)}
+
+
 def refresh(names: Iterable[str], table: dict[str, Configuration]) -> int:
     """Lets the manifests name the sources as they are now where clang makes the same code of them, and writes the
-    shells again that no longer follow from the manifests."""
+    shells again that no longer follow from the manifests, and VHDL that is not presented as it is now done."""
     check_program(table)
     changes = []
     for name in names:
-        entry, contents, said = manifest.read(committed.folder(name)), {}, []
+        folder = committed.folder(name)
+        entry, contents, said = manifest.read(folder), {}, []
         reasons, by_code = manifest.freshness(name, table[name])
         if by_code and not reasons:
-            contents[committed.MANIFEST] = manifest.text(manifest.refreshed(name, table[name]))
+            entry = manifest.refreshed(name, table[name])
+            contents[committed.MANIFEST] = manifest.text(entry)
             said.append("refreshed, clang makes the same code of the changed sources")
         if not rtl.is_stage(table[name]) and not template.is_fresh(name, entry):
             contents |= template.file(name, entry)
             said.append("its shell is written again")
+        if not reasons and (again := presented(name, folder, entry)):
+            contents |= again
+            said.append("its VHDL is presented anew")
         if contents:
             changes.append(manifest.change(entry, contents))
         said += [f"stale: {'; '.join(reasons)}"] if reasons else []
@@ -63,11 +81,14 @@ def refresh(names: Iterable[str], table: dict[str, Configuration]) -> int:
 def make(name: str, row: Configuration, out: Path | None) -> manifest.ToolReport:
     """The VHDL of one configuration, into OUT/NAME or to where it belongs, there with its shell."""
     if out is not None:
-        return generate(name, out / name)["tool_report"]
+        entry = generate(name, out / name)
+        for file, text in presented(name, out / name, entry).items():
+            files.write(out / name / file, text)
+        return entry["tool_report"]
     with tempfile.TemporaryDirectory() as work:
         folder = Path(work) / name
         entry = generate(name, folder)
-        contents = {path.name: path.read_text() for path in folder.iterdir()}
+        contents = {path.name: path.read_text() for path in folder.iterdir()} | presented(name, folder, entry)
         contents |= {} if rtl.is_stage(row) else template.file(name, entry)
         committed.keep([manifest.change(entry, contents)])
     return entry["tool_report"]
@@ -88,8 +109,8 @@ def main() -> int:
     what.add_argument(
         "--refresh",
         action="store_true",
-        help="update the manifests of cores whose changed sources compile to the same code in clang, and write stale "
-        "shells again; needs no Bambu",
+        help="update the manifests of cores whose changed sources compile to the same code in clang, write stale "
+        "shells again, and present VHDL anew; needs no Bambu",
     )
     parser.add_argument(
         "--out",

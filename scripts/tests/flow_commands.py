@@ -16,6 +16,7 @@ from flow.base.configurations import configuration, designs
 from flow.base.errors import FlowError
 from flow.base.tools import ROOT, find_stereo_hls
 from flow.synthesis import manifest
+from flow.synthesis.presentation.present import expand
 from flow.synthesis.structure import structure_digest
 
 
@@ -83,12 +84,14 @@ def report(out):
     return json.loads((Path(out) / "report.json").read_text())
 
 
-def altered_rtl(folder, config, pattern, replacement):
-    """A copy of the committed VHDL with the first place that matches changed, and a manifest that fits the change."""
+def altered_rtl(folder, config, pattern, replacement, with_arrays=False):
+    """A copy of the committed VHDL with the first place that matches changed, and a manifest that fits the change.
+    `with_arrays`: of the text as it is committed, else of that with a signal for each register."""
     target = Path(folder) / config
     shutil.copytree(committed.folder(config), target)
     design = target / f"{committed.entity(config)}.vhd"
-    text, count = re.subn(pattern, replacement, design.read_text(), count=1, flags=re.MULTILINE)
+    before = design.read_text() if with_arrays else expand(design.read_text())
+    text, count = re.subn(pattern, replacement, before, count=1, flags=re.MULTILINE)
     assert count == 1, f"the VHDL of {config} has no '{pattern}'"
     design.write_text(text)
     entry = manifest.read(target)

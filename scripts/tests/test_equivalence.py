@@ -11,10 +11,11 @@ from flow.mutation import equivalence
 from flow.mutation.equivalence import Design, NotSynthesizedError, Prover
 from flow.shell import design
 from flow.synthesis import manifest
+from flow.synthesis.presentation import scalars
 
 SHELL = Design("tiny", False)
 CORE = Design("tiny", True)
-FILES = manifest.core_files("tiny"), design.shell_files()
+FILES = scalars.files(manifest.core_files("tiny")), design.shell_files()
 
 INVISIBLE = {
     "a reset value that counts only with its valid bit": (

@@ -17,6 +17,7 @@ from flow.cosim import frame_maps, job, mismatch, registers, waveform
 from flow.cosim.vcd import Values, cut
 from flow.rendering import pictures
 from flow.synthesis.lowering.naming import read_trace
+from flow.synthesis.presentation.present import expand
 from flow_commands import altered_rtl, call, cosim, random_pair, report
 
 pytest.importorskip("matplotlib", reason="SKIP: python3-matplotlib is not installed")
@@ -30,10 +31,11 @@ LANE = (
 )
 
 
-def failed(folder, config, fault, *options):
+def failed(folder, config, fault, *options, with_arrays=False):
     """(process, folder of the co-simulation) with a fault in a copy of the VHDL."""
     pair = random_pair(folder / "pair", config, levels=4)
-    process = cosim(config, pair, folder / "out", "--rtl", altered_rtl(folder / "rtl", config, *fault), *options)
+    rtl = altered_rtl(folder / "rtl", config, *fault, with_arrays=with_arrays)
+    process = cosim(config, pair, folder / "out", "--rtl", rtl, *options)
     assert process.returncode == 1, process.stdout + process.stderr
     return process, folder / "out"
 
@@ -51,6 +53,17 @@ def first(out):
         report(out)["first_mismatch"],
     )
     return tuple(map(int, words.groups()))
+
+
+@pytest.mark.parametrize("simulator", ["ghdl", "verilator"])
+def test_elements_of_arrays_are_shown_as_registers(tmp_path, simulator):
+    """A fault in the VHDL as it is committed: the names are those of the C++."""
+    need(simulator, simulator.upper())
+    fault = (r"(slice0shift_search\(i, 0\)) <= slice0shift_search\(i, 1\)", r"\1 <= 0")
+    options = ("--simulator", simulator)
+    process, out = failed(tmp_path, "tiny", fault, *options, with_arrays=True)
+    assert re.search(r"first register that differs: slice0shift_search_\d_\d, clock \d+: ", process.stdout)
+    assert re.search(r"\$var \w+ \d+ \S+ slice0shift_search_0_1\[31:0\] ", (out / "failure.vcd").read_text())
 
 
 def map_of(out, name, frame):
@@ -160,7 +173,7 @@ def tmp_trace(out, begin, end):
 
 
 def test_registers_that_the_vhdl_resets():
-    text = (committed.folder("tiny") / "stereo_core_tiny.vhd").read_text()
+    text = expand((committed.folder("tiny") / "stereo_core_tiny.vhd").read_text())
     assert {"raster_place_group", "slice2_best_tag_valid"} <= registers.reset_in(text)
     assert "slice2_best_index_0_0" not in registers.reset_in(text) and registers.reset_in("") == set()
 

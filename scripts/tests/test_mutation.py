@@ -11,6 +11,7 @@ from flow.mutation import judges, mutants
 from flow.mutation.batch import Batch
 from flow.shell import cocotb_runs
 from flow.synthesis import manifest
+from flow.synthesis.presentation import scalars
 from flow_commands import call
 
 
@@ -31,7 +32,7 @@ def test_short_run(tmp_path, core, shell):
 @pytest.mark.slow
 def test_many_in_one_build_are_judged_as_alone(tmp_path):
     """By Verilator as by GHDL."""
-    core, files = judges.Core("tiny"), manifest.core_files("tiny")
+    core, files = judges.Core("tiny"), scalars.files(manifest.core_files("tiny"))
     made = Batch(core, files, mutants.samples(files, [1]), 14, tmp_path / "batch")
     made.judge()
     assert 0 < len(made.shown) < len(made.inside)
@@ -45,7 +46,7 @@ def test_many_in_one_build_are_judged_as_alone(tmp_path):
 @pytest.mark.slow
 def test_other_streams_show_what_the_default_one_does_not(tmp_path):
     """A default stream that ends after some clocks has holes."""
-    core, files = judges.Core("tiny"), manifest.core_files("tiny")
+    core, files = judges.Core("tiny"), scalars.files(manifest.core_files("tiny"))
     head, *lines = core.stimulus.read_text().splitlines()
     core.stimulus = tmp_path / "short.txt"
     core.stimulus.write_text("\n".join([head, *lines[:1000]]) + "\n")

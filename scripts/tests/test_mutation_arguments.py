@@ -12,6 +12,7 @@ from flow.cosim.simulators import CoreSimulation
 from flow.mutation import judges
 from flow.simulation.simulators import SIMULATORS
 from flow.synthesis import manifest
+from flow.synthesis.presentation import scalars
 
 SEEDS = range(1, 6)
 
@@ -23,7 +24,7 @@ def tools(ghdl):
 
 def shows_the_same(config, changes, work):
     """`changes`: {pattern of a line: what stands there instead}."""
-    *others, file = manifest.core_files(config)
+    *others, file = scalars.files(manifest.core_files(config))
     text = file.read_text()
     for pattern, new in changes.items():
         text, count = re.subn(rf"(?m)^( +){pattern}$", rf"\1{new}", text)

@@ -6,10 +6,11 @@ import re
 import pytest
 
 from flow.base import committed, rtl
+from flow.synthesis.presentation.present import expand
 from flow.synthesis.structure import structure_digest
 from flow_commands import call, refused
 
-TINY = (committed.folder("tiny") / f"{rtl.core_entity('tiny')}.vhd").read_text()
+TINY = expand((committed.folder("tiny") / f"{rtl.core_entity('tiny')}.vhd").read_text())
 
 
 def names():

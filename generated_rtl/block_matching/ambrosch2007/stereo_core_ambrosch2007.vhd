@@ -4,6 +4,7 @@
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config ambrosch2007
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+-- Where a comment behind a declaration has #, the C++ has the indices.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -86,10 +87,25 @@ architecture rtl of stereo_core_ambrosch2007 is
     return '0';
   end function;
 
-  signal in_start_of_frame : boolean;
-  signal in_valid : boolean;
-  signal in_left_pixel : natural range 0 to 255;
-  signal in_right_pixel : natural range 0 to 255;
+  -- whether the bit of this place is 1
+  function is_set(value : natural; place : natural) return boolean is
+  begin
+    return (value / 2 ** place) mod 2 = 1;
+  end function;
+
+  type boolean_1d is array (natural range <>) of boolean;
+  type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type integer_minus_255_to_255_1d is array (natural range <>) of integer range -255 to 255;
+  type natural_1532_1d is array (natural range <>) of natural range 0 to 1532;
+  type natural_2298_1d is array (natural range <>) of natural range 0 to 2298;
+  type natural_255_1d is array (natural range <>) of natural range 0 to 255;
+  type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
+  type natural_33554431_1d is array (natural range <>) of natural range 0 to 33554431;
+  type natural_511_1d is array (natural range <>) of natural range 0 to 511;
+  type natural_766_1d is array (natural range <>) of natural range 0 to 766;
+  type unsigned_25_1d is array (natural range <>) of unsigned(24 downto 0);
+  signal in_start_of_frame, in_valid : boolean;
+  signal in_left_pixel, in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0, raster_place_group : natural range 0 to 255;
   signal raster_features_valid, raster_place_next_frame : boolean;
@@ -99,167 +115,61 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal delay_ahead_0 : natural range 0 to 255;
   signal delay_delayed_0 : unsigned(7 downto 0);
   signal delay_column : natural range 0 to 511;
-  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_border_column : boolean;
-  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_row_inside : boolean_1d(0 to 2);
+  signal delay_tag_valid, delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(15 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 255;
-  signal rows_search_1, rows_search_2, rows_reference_0, rows_reference_1, rows_reference_2 : natural range 0 to 255;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 255;
+  signal rows_search : natural_255_1d(0 to 2);
+  signal rows_reference : natural_255_1d(0 to 2);
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 65535;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 65535;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
-  signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2 : boolean;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 2);
   signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
   signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_inside_2, rows_tag_valid : boolean;
   signal rows_tag_border_column, rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- slice0shift
-  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
-  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 255;
-  signal slice0shift_search_0_6, slice0shift_search_0_7, slice0shift_search_0_8 : natural range 0 to 255;
-  signal slice0shift_search_0_9, slice0shift_search_0_10, slice0shift_search_0_11 : natural range 0 to 255;
-  signal slice0shift_search_0_12, slice0shift_search_0_13, slice0shift_search_0_14 : natural range 0 to 255;
-  signal slice0shift_search_0_15, slice0shift_search_0_16, slice0shift_search_0_17 : natural range 0 to 255;
-  signal slice0shift_search_0_18, slice0shift_search_0_19, slice0shift_search_0_20 : natural range 0 to 255;
-  signal slice0shift_search_0_21, slice0shift_search_0_22, slice0shift_search_0_23 : natural range 0 to 255;
-  signal slice0shift_search_0_24, slice0shift_search_1_0, slice0shift_search_1_1 : natural range 0 to 255;
-  signal slice0shift_search_1_2, slice0shift_search_1_3, slice0shift_search_1_4 : natural range 0 to 255;
-  signal slice0shift_search_1_5, slice0shift_search_1_6, slice0shift_search_1_7 : natural range 0 to 255;
-  signal slice0shift_search_1_8, slice0shift_search_1_9, slice0shift_search_1_10 : natural range 0 to 255;
-  signal slice0shift_search_1_11, slice0shift_search_1_12, slice0shift_search_1_13 : natural range 0 to 255;
-  signal slice0shift_search_1_14, slice0shift_search_1_15, slice0shift_search_1_16 : natural range 0 to 255;
-  signal slice0shift_search_1_17, slice0shift_search_1_18, slice0shift_search_1_19 : natural range 0 to 255;
-  signal slice0shift_search_1_20, slice0shift_search_1_21, slice0shift_search_1_22 : natural range 0 to 255;
-  signal slice0shift_search_1_23, slice0shift_search_1_24, slice0shift_search_2_0 : natural range 0 to 255;
-  signal slice0shift_search_2_1, slice0shift_search_2_2, slice0shift_search_2_3 : natural range 0 to 255;
-  signal slice0shift_search_2_4, slice0shift_search_2_5, slice0shift_search_2_6 : natural range 0 to 255;
-  signal slice0shift_search_2_7, slice0shift_search_2_8, slice0shift_search_2_9 : natural range 0 to 255;
-  signal slice0shift_search_2_10, slice0shift_search_2_11, slice0shift_search_2_12 : natural range 0 to 255;
-  signal slice0shift_search_2_13, slice0shift_search_2_14, slice0shift_search_2_15 : natural range 0 to 255;
-  signal slice0shift_search_2_16, slice0shift_search_2_17, slice0shift_search_2_18 : natural range 0 to 255;
-  signal slice0shift_search_2_19, slice0shift_search_2_20, slice0shift_search_2_21 : natural range 0 to 255;
-  signal slice0shift_search_2_22, slice0shift_search_2_23, slice0shift_search_2_24 : natural range 0 to 255;
-  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
-  signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 255;
+  signal slice0shift_search : natural_255_2d(0 to 2, 0 to 24);
+  signal slice0shift_reference : natural_255_1d(0 to 2);
+  signal slice0shift_search_out : natural_255_1d(0 to 2);
   signal slice0shift_tag_valid, slice0shift_tag_newest_inside, slice0shift_tag_border_column : boolean;
   signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
   signal slice0cost_signs_column, slice0cost_signs_next_column : natural range 0 to 511;
   signal slice0cost_signs_difference_column, slice0cost_signs_write_column : natural range 0 to 511;
-  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
-  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
-  signal slice0cost_pair_0_8, slice0cost_pair_0_9, slice0cost_pair_0_10, slice0cost_pair_0_11 : natural range 0 to 511;
-  signal slice0cost_pair_0_12, slice0cost_pair_0_13, slice0cost_pair_0_14 : natural range 0 to 511;
-  signal slice0cost_pair_0_15, slice0cost_pair_0_16, slice0cost_pair_0_17 : natural range 0 to 511;
-  signal slice0cost_pair_0_18, slice0cost_pair_0_19, slice0cost_pair_0_20 : natural range 0 to 511;
-  signal slice0cost_pair_0_21, slice0cost_pair_0_22, slice0cost_pair_0_23 : natural range 0 to 511;
-  signal slice0cost_pair_0_24 : natural range 0 to 511;
-  signal slice0cost_signs_read_words_0, slice0cost_signs_read_words_1 : unsigned(24 downto 0);
-  signal slice0cost_signs_ready_words_0, slice0cost_signs_ready_words_1 : natural range 0 to 33554431;
-  signal slice0cost_signs_known_words_1, slice0cost_signs_write_words_0 : natural range 0 to 33554431;
-  signal slice0cost_signs_write_words_1 : natural range 0 to 33554431;
-  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : natural range 0 to 255;
-  signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_0_5 : natural range 0 to 255;
-  signal slice0cost_difference_0_6, slice0cost_difference_0_7, slice0cost_difference_0_8 : natural range 0 to 255;
-  signal slice0cost_difference_0_9, slice0cost_difference_0_10, slice0cost_difference_0_11 : natural range 0 to 255;
-  signal slice0cost_difference_0_12, slice0cost_difference_0_13, slice0cost_difference_0_14 : natural range 0 to 255;
-  signal slice0cost_difference_0_15, slice0cost_difference_0_16, slice0cost_difference_0_17 : natural range 0 to 255;
-  signal slice0cost_difference_0_18, slice0cost_difference_0_19, slice0cost_difference_0_20 : natural range 0 to 255;
-  signal slice0cost_difference_0_21, slice0cost_difference_0_22, slice0cost_difference_0_23 : natural range 0 to 255;
-  signal slice0cost_difference_0_24, slice0cost_difference_1_0, slice0cost_difference_1_1 : natural range 0 to 255;
-  signal slice0cost_difference_1_2, slice0cost_difference_1_3, slice0cost_difference_1_4 : natural range 0 to 255;
-  signal slice0cost_difference_1_5, slice0cost_difference_1_6, slice0cost_difference_1_7 : natural range 0 to 255;
-  signal slice0cost_difference_1_8, slice0cost_difference_1_9, slice0cost_difference_1_10 : natural range 0 to 255;
-  signal slice0cost_difference_1_11, slice0cost_difference_1_12, slice0cost_difference_1_13 : natural range 0 to 255;
-  signal slice0cost_difference_1_14, slice0cost_difference_1_15, slice0cost_difference_1_16 : natural range 0 to 255;
-  signal slice0cost_difference_1_17, slice0cost_difference_1_18, slice0cost_difference_1_19 : natural range 0 to 255;
-  signal slice0cost_difference_1_20, slice0cost_difference_1_21, slice0cost_difference_1_22 : natural range 0 to 255;
-  signal slice0cost_difference_1_23, slice0cost_difference_1_24, slice0cost_single_0_0 : natural range 0 to 255;
-  signal slice0cost_single_0_1, slice0cost_single_0_2, slice0cost_single_0_3 : natural range 0 to 255;
-  signal slice0cost_single_0_4, slice0cost_single_0_5, slice0cost_single_0_6 : natural range 0 to 255;
-  signal slice0cost_single_0_7, slice0cost_single_0_8, slice0cost_single_0_9 : natural range 0 to 255;
-  signal slice0cost_single_0_10, slice0cost_single_0_11, slice0cost_single_0_12 : natural range 0 to 255;
-  signal slice0cost_single_0_13, slice0cost_single_0_14, slice0cost_single_0_15 : natural range 0 to 255;
-  signal slice0cost_single_0_16, slice0cost_single_0_17, slice0cost_single_0_18 : natural range 0 to 255;
-  signal slice0cost_single_0_19, slice0cost_single_0_20, slice0cost_single_0_21 : natural range 0 to 255;
-  signal slice0cost_single_0_22, slice0cost_single_0_23, slice0cost_single_0_24 : natural range 0 to 255;
-  signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
-  signal slice0cost_difference_2_3, slice0cost_difference_2_4, slice0cost_difference_2_5 : integer range -255 to 255;
-  signal slice0cost_difference_2_6, slice0cost_difference_2_7, slice0cost_difference_2_8 : integer range -255 to 255;
-  signal slice0cost_difference_2_9, slice0cost_difference_2_10, slice0cost_difference_2_11 : integer range -255 to 255;
-  signal slice0cost_difference_2_12, slice0cost_difference_2_13, slice0cost_difference_2_14 : integer range -255 to 255;
-  signal slice0cost_difference_2_15, slice0cost_difference_2_16, slice0cost_difference_2_17 : integer range -255 to 255;
-  signal slice0cost_difference_2_18, slice0cost_difference_2_19, slice0cost_difference_2_20 : integer range -255 to 255;
-  signal slice0cost_difference_2_21, slice0cost_difference_2_22, slice0cost_difference_2_23 : integer range -255 to 255;
-  signal slice0cost_difference_2_24 : integer range -255 to 255;
-  signal slice0cost_newest_negative_0_0, slice0cost_newest_negative_0_1, slice0cost_newest_negative_0_2 : boolean;
-  signal slice0cost_newest_negative_0_3, slice0cost_newest_negative_0_4, slice0cost_newest_negative_0_5 : boolean;
-  signal slice0cost_newest_negative_0_6, slice0cost_newest_negative_0_7, slice0cost_newest_negative_0_8 : boolean;
-  signal slice0cost_newest_negative_0_9, slice0cost_newest_negative_0_10, slice0cost_newest_negative_0_11 : boolean;
-  signal slice0cost_newest_negative_0_12, slice0cost_newest_negative_0_13, slice0cost_newest_negative_0_14 : boolean;
-  signal slice0cost_newest_negative_0_15, slice0cost_newest_negative_0_16, slice0cost_newest_negative_0_17 : boolean;
-  signal slice0cost_newest_negative_0_18, slice0cost_newest_negative_0_19, slice0cost_newest_negative_0_20 : boolean;
-  signal slice0cost_newest_negative_0_21, slice0cost_newest_negative_0_22, slice0cost_newest_negative_0_23 : boolean;
-  signal slice0cost_newest_negative_0_24, slice0cost_difference_tag_valid : boolean;
-  signal slice0cost_difference_tag_newest_inside, slice0cost_difference_tag_border_column : boolean;
-  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
-  signal slice0cost_difference_tag_end_of_line, slice0cost_pair_tag_valid, slice0cost_pair_tag_newest_inside : boolean;
-  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
-  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_newest_inside, slice0cost_tag_border_column, slice0cost_tag_output_column : boolean;
-  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 766;
-  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 766;
-  signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 766;
-  signal slice0cost_column_0_9, slice0cost_column_0_10, slice0cost_column_0_11 : natural range 0 to 766;
-  signal slice0cost_column_0_12, slice0cost_column_0_13, slice0cost_column_0_14 : natural range 0 to 766;
-  signal slice0cost_column_0_15, slice0cost_column_0_16, slice0cost_column_0_17 : natural range 0 to 766;
-  signal slice0cost_column_0_18, slice0cost_column_0_19, slice0cost_column_0_20 : natural range 0 to 766;
-  signal slice0cost_column_0_21, slice0cost_column_0_22, slice0cost_column_0_23 : natural range 0 to 766;
-  signal slice0cost_column_0_24 : natural range 0 to 766;
+  signal slice0cost_pair_0 : natural_511_1d(0 to 24);
+  signal slice0cost_signs_read_words : unsigned_25_1d(0 to 1);
+  signal slice0cost_signs_ready_words : natural_33554431_1d(0 to 1);
+  signal slice0cost_signs_known_words_1 : natural range 0 to 33554431;
+  signal slice0cost_signs_write_words : natural_33554431_1d(0 to 1);
+  signal slice0cost_difference : natural_255_2d(0 to 1, 0 to 24);
+  signal slice0cost_single_0 : natural_255_1d(0 to 24);
+  signal slice0cost_difference_2 : integer_minus_255_to_255_1d(0 to 24);
+  signal slice0cost_newest_negative_0 : boolean_1d(0 to 24);
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_newest_inside : boolean;
+  signal slice0cost_difference_tag_border_column, slice0cost_difference_tag_output_column : boolean;
+  signal slice0cost_difference_tag_start_of_frame, slice0cost_difference_tag_end_of_line : boolean;
+  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_newest_inside, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_newest_inside : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_column_0 : natural_766_1d(0 to 24);
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 766;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 766;
-  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7, slice0window_partial_0_0_8 : natural range 0 to 766;
-  signal slice0window_partial_0_0_9, slice0window_partial_0_0_10, slice0window_partial_0_0_11 : natural range 0 to 766;
-  signal slice0window_partial_0_0_12, slice0window_partial_0_0_13, slice0window_partial_0_0_14 : natural range 0 to 766;
-  signal slice0window_partial_0_0_15, slice0window_partial_0_0_16, slice0window_partial_0_0_17 : natural range 0 to 766;
-  signal slice0window_partial_0_0_18, slice0window_partial_0_0_19, slice0window_partial_0_0_20 : natural range 0 to 766;
-  signal slice0window_partial_0_0_21, slice0window_partial_0_0_22, slice0window_partial_0_0_23 : natural range 0 to 766;
-  signal slice0window_partial_0_0_24 : natural range 0 to 766;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7, slice0window_partial_0_1_8 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_9, slice0window_partial_0_1_10, slice0window_partial_0_1_11 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_12, slice0window_partial_0_1_13 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_14, slice0window_partial_0_1_15 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_16, slice0window_partial_0_1_17 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_18, slice0window_partial_0_1_19 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_20, slice0window_partial_0_1_21 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_22, slice0window_partial_0_1_23 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_24 : natural range 0 to 1532;
+  signal slice0window_partial_0_0 : natural_766_1d(0 to 24);
+  signal slice0window_partial_0_1 : natural_1532_1d(0 to 24);
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
   signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2298;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 2298;
-  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 2298;
-  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 2298;
-  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 2298;
-  signal slice0window_sum_0_15, slice0window_sum_0_16, slice0window_sum_0_17 : natural range 0 to 2298;
-  signal slice0window_sum_0_18, slice0window_sum_0_19, slice0window_sum_0_20 : natural range 0 to 2298;
-  signal slice0window_sum_0_21, slice0window_sum_0_22, slice0window_sum_0_23 : natural range 0 to 2298;
-  signal slice0window_sum_0_24 : natural range 0 to 2298;
+  signal slice0window_sum_0 : natural_2298_1d(0 to 24);
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_0_8, slice0winner1_best_cost_0_9 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_0_10, slice0winner1_best_cost_0_11 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_0_12 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0 : natural_2298_1d(0 to 12);
   signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
   signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
   signal slice0winner1_best_index_0_1 : natural range 0 to 3;
@@ -275,10 +185,7 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice0winner1_best_index_0_11 : natural range 0 to 23;
   signal slice0winner1_best_index_0_12 : natural range 0 to 24;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 2298;
-  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 2298;
-  signal slice0winner2_best_cost_0_4, slice0winner2_best_cost_0_5 : natural range 0 to 2298;
-  signal slice0winner2_best_cost_0_6 : natural range 0 to 2298;
+  signal slice0winner2_best_cost_0 : natural_2298_1d(0 to 6);
   signal slice0winner2_best_index_0_0 : natural range 0 to 3;
   signal slice0winner2_best_index_0_1 : natural range 0 to 7;
   signal slice0winner2_best_index_0_2 : natural range 0 to 11;
@@ -289,8 +196,7 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 2298;
-  signal slice0winner3_best_cost_0_2, slice0winner3_best_cost_0_3 : natural range 0 to 2298;
+  signal slice0winner3_best_cost_0 : natural_2298_1d(0 to 3);
   signal slice0winner3_best_index_0_0 : natural range 0 to 7;
   signal slice0winner3_best_index_0_1 : natural range 0 to 15;
   signal slice0winner3_best_index_0_2 : natural range 0 to 23;
@@ -298,7 +204,7 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
   signal slice0winner3_tag_end_of_line : boolean;
   -- slice0winner4
-  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 2298;
+  signal slice0winner4_best_cost_0 : natural_2298_1d(0 to 1);
   signal slice0winner4_best_index_0_0 : natural range 0 to 15;
   signal slice0winner4_best_index_0_1 : natural range 0 to 24;
   signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
@@ -314,137 +220,28 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
-  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
-  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 255;
-  signal slice1shift_search_0_6, slice1shift_search_0_7, slice1shift_search_0_8 : natural range 0 to 255;
-  signal slice1shift_search_0_9, slice1shift_search_0_10, slice1shift_search_0_11 : natural range 0 to 255;
-  signal slice1shift_search_0_12, slice1shift_search_0_13, slice1shift_search_0_14 : natural range 0 to 255;
-  signal slice1shift_search_0_15, slice1shift_search_0_16, slice1shift_search_0_17 : natural range 0 to 255;
-  signal slice1shift_search_0_18, slice1shift_search_0_19, slice1shift_search_0_20 : natural range 0 to 255;
-  signal slice1shift_search_0_21, slice1shift_search_0_22, slice1shift_search_0_23 : natural range 0 to 255;
-  signal slice1shift_search_0_24, slice1shift_search_1_0, slice1shift_search_1_1 : natural range 0 to 255;
-  signal slice1shift_search_1_2, slice1shift_search_1_3, slice1shift_search_1_4 : natural range 0 to 255;
-  signal slice1shift_search_1_5, slice1shift_search_1_6, slice1shift_search_1_7 : natural range 0 to 255;
-  signal slice1shift_search_1_8, slice1shift_search_1_9, slice1shift_search_1_10 : natural range 0 to 255;
-  signal slice1shift_search_1_11, slice1shift_search_1_12, slice1shift_search_1_13 : natural range 0 to 255;
-  signal slice1shift_search_1_14, slice1shift_search_1_15, slice1shift_search_1_16 : natural range 0 to 255;
-  signal slice1shift_search_1_17, slice1shift_search_1_18, slice1shift_search_1_19 : natural range 0 to 255;
-  signal slice1shift_search_1_20, slice1shift_search_1_21, slice1shift_search_1_22 : natural range 0 to 255;
-  signal slice1shift_search_1_23, slice1shift_search_1_24, slice1shift_search_2_0 : natural range 0 to 255;
-  signal slice1shift_search_2_1, slice1shift_search_2_2, slice1shift_search_2_3 : natural range 0 to 255;
-  signal slice1shift_search_2_4, slice1shift_search_2_5, slice1shift_search_2_6 : natural range 0 to 255;
-  signal slice1shift_search_2_7, slice1shift_search_2_8, slice1shift_search_2_9 : natural range 0 to 255;
-  signal slice1shift_search_2_10, slice1shift_search_2_11, slice1shift_search_2_12 : natural range 0 to 255;
-  signal slice1shift_search_2_13, slice1shift_search_2_14, slice1shift_search_2_15 : natural range 0 to 255;
-  signal slice1shift_search_2_16, slice1shift_search_2_17, slice1shift_search_2_18 : natural range 0 to 255;
-  signal slice1shift_search_2_19, slice1shift_search_2_20, slice1shift_search_2_21 : natural range 0 to 255;
-  signal slice1shift_search_2_22, slice1shift_search_2_23, slice1shift_search_2_24 : natural range 0 to 255;
-  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 255;
-  signal slice1shift_search_out_0, slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 255;
+  signal slice1shift_search : natural_255_2d(0 to 2, 0 to 24);
+  signal slice1shift_reference : natural_255_1d(0 to 2);
+  signal slice1shift_search_out : natural_255_1d(0 to 2);
   -- slice1cost
   signal slice1cost_signs_difference_column, slice1cost_signs_write_column : natural range 0 to 511;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
-  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 511;
-  signal slice1cost_pair_0_8, slice1cost_pair_0_9, slice1cost_pair_0_10, slice1cost_pair_0_11 : natural range 0 to 511;
-  signal slice1cost_pair_0_12, slice1cost_pair_0_13, slice1cost_pair_0_14 : natural range 0 to 511;
-  signal slice1cost_pair_0_15, slice1cost_pair_0_16, slice1cost_pair_0_17 : natural range 0 to 511;
-  signal slice1cost_pair_0_18, slice1cost_pair_0_19, slice1cost_pair_0_20 : natural range 0 to 511;
-  signal slice1cost_pair_0_21, slice1cost_pair_0_22, slice1cost_pair_0_23 : natural range 0 to 511;
-  signal slice1cost_pair_0_24 : natural range 0 to 511;
-  signal slice1cost_signs_read_words_0, slice1cost_signs_read_words_1 : unsigned(24 downto 0);
-  signal slice1cost_signs_ready_words_0, slice1cost_signs_ready_words_1 : natural range 0 to 33554431;
-  signal slice1cost_signs_known_words_1, slice1cost_signs_write_words_0 : natural range 0 to 33554431;
-  signal slice1cost_signs_write_words_1 : natural range 0 to 33554431;
-  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : natural range 0 to 255;
-  signal slice1cost_difference_0_3, slice1cost_difference_0_4, slice1cost_difference_0_5 : natural range 0 to 255;
-  signal slice1cost_difference_0_6, slice1cost_difference_0_7, slice1cost_difference_0_8 : natural range 0 to 255;
-  signal slice1cost_difference_0_9, slice1cost_difference_0_10, slice1cost_difference_0_11 : natural range 0 to 255;
-  signal slice1cost_difference_0_12, slice1cost_difference_0_13, slice1cost_difference_0_14 : natural range 0 to 255;
-  signal slice1cost_difference_0_15, slice1cost_difference_0_16, slice1cost_difference_0_17 : natural range 0 to 255;
-  signal slice1cost_difference_0_18, slice1cost_difference_0_19, slice1cost_difference_0_20 : natural range 0 to 255;
-  signal slice1cost_difference_0_21, slice1cost_difference_0_22, slice1cost_difference_0_23 : natural range 0 to 255;
-  signal slice1cost_difference_0_24, slice1cost_difference_1_0, slice1cost_difference_1_1 : natural range 0 to 255;
-  signal slice1cost_difference_1_2, slice1cost_difference_1_3, slice1cost_difference_1_4 : natural range 0 to 255;
-  signal slice1cost_difference_1_5, slice1cost_difference_1_6, slice1cost_difference_1_7 : natural range 0 to 255;
-  signal slice1cost_difference_1_8, slice1cost_difference_1_9, slice1cost_difference_1_10 : natural range 0 to 255;
-  signal slice1cost_difference_1_11, slice1cost_difference_1_12, slice1cost_difference_1_13 : natural range 0 to 255;
-  signal slice1cost_difference_1_14, slice1cost_difference_1_15, slice1cost_difference_1_16 : natural range 0 to 255;
-  signal slice1cost_difference_1_17, slice1cost_difference_1_18, slice1cost_difference_1_19 : natural range 0 to 255;
-  signal slice1cost_difference_1_20, slice1cost_difference_1_21, slice1cost_difference_1_22 : natural range 0 to 255;
-  signal slice1cost_difference_1_23, slice1cost_difference_1_24, slice1cost_single_0_0 : natural range 0 to 255;
-  signal slice1cost_single_0_1, slice1cost_single_0_2, slice1cost_single_0_3 : natural range 0 to 255;
-  signal slice1cost_single_0_4, slice1cost_single_0_5, slice1cost_single_0_6 : natural range 0 to 255;
-  signal slice1cost_single_0_7, slice1cost_single_0_8, slice1cost_single_0_9 : natural range 0 to 255;
-  signal slice1cost_single_0_10, slice1cost_single_0_11, slice1cost_single_0_12 : natural range 0 to 255;
-  signal slice1cost_single_0_13, slice1cost_single_0_14, slice1cost_single_0_15 : natural range 0 to 255;
-  signal slice1cost_single_0_16, slice1cost_single_0_17, slice1cost_single_0_18 : natural range 0 to 255;
-  signal slice1cost_single_0_19, slice1cost_single_0_20, slice1cost_single_0_21 : natural range 0 to 255;
-  signal slice1cost_single_0_22, slice1cost_single_0_23, slice1cost_single_0_24 : natural range 0 to 255;
-  signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
-  signal slice1cost_difference_2_3, slice1cost_difference_2_4, slice1cost_difference_2_5 : integer range -255 to 255;
-  signal slice1cost_difference_2_6, slice1cost_difference_2_7, slice1cost_difference_2_8 : integer range -255 to 255;
-  signal slice1cost_difference_2_9, slice1cost_difference_2_10, slice1cost_difference_2_11 : integer range -255 to 255;
-  signal slice1cost_difference_2_12, slice1cost_difference_2_13, slice1cost_difference_2_14 : integer range -255 to 255;
-  signal slice1cost_difference_2_15, slice1cost_difference_2_16, slice1cost_difference_2_17 : integer range -255 to 255;
-  signal slice1cost_difference_2_18, slice1cost_difference_2_19, slice1cost_difference_2_20 : integer range -255 to 255;
-  signal slice1cost_difference_2_21, slice1cost_difference_2_22, slice1cost_difference_2_23 : integer range -255 to 255;
-  signal slice1cost_difference_2_24 : integer range -255 to 255;
-  signal slice1cost_newest_negative_0_0, slice1cost_newest_negative_0_1, slice1cost_newest_negative_0_2 : boolean;
-  signal slice1cost_newest_negative_0_3, slice1cost_newest_negative_0_4, slice1cost_newest_negative_0_5 : boolean;
-  signal slice1cost_newest_negative_0_6, slice1cost_newest_negative_0_7, slice1cost_newest_negative_0_8 : boolean;
-  signal slice1cost_newest_negative_0_9, slice1cost_newest_negative_0_10, slice1cost_newest_negative_0_11 : boolean;
-  signal slice1cost_newest_negative_0_12, slice1cost_newest_negative_0_13, slice1cost_newest_negative_0_14 : boolean;
-  signal slice1cost_newest_negative_0_15, slice1cost_newest_negative_0_16, slice1cost_newest_negative_0_17 : boolean;
-  signal slice1cost_newest_negative_0_18, slice1cost_newest_negative_0_19, slice1cost_newest_negative_0_20 : boolean;
-  signal slice1cost_newest_negative_0_21, slice1cost_newest_negative_0_22, slice1cost_newest_negative_0_23 : boolean;
-  signal slice1cost_newest_negative_0_24, slice1cost_tag_border_column : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 766;
-  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 766;
-  signal slice1cost_column_0_6, slice1cost_column_0_7, slice1cost_column_0_8 : natural range 0 to 766;
-  signal slice1cost_column_0_9, slice1cost_column_0_10, slice1cost_column_0_11 : natural range 0 to 766;
-  signal slice1cost_column_0_12, slice1cost_column_0_13, slice1cost_column_0_14 : natural range 0 to 766;
-  signal slice1cost_column_0_15, slice1cost_column_0_16, slice1cost_column_0_17 : natural range 0 to 766;
-  signal slice1cost_column_0_18, slice1cost_column_0_19, slice1cost_column_0_20 : natural range 0 to 766;
-  signal slice1cost_column_0_21, slice1cost_column_0_22, slice1cost_column_0_23 : natural range 0 to 766;
-  signal slice1cost_column_0_24 : natural range 0 to 766;
+  signal slice1cost_pair_0 : natural_511_1d(0 to 24);
+  signal slice1cost_signs_read_words : unsigned_25_1d(0 to 1);
+  signal slice1cost_signs_ready_words : natural_33554431_1d(0 to 1);
+  signal slice1cost_signs_known_words_1 : natural range 0 to 33554431;
+  signal slice1cost_signs_write_words : natural_33554431_1d(0 to 1);
+  signal slice1cost_difference : natural_255_2d(0 to 1, 0 to 24);
+  signal slice1cost_single_0 : natural_255_1d(0 to 24);
+  signal slice1cost_difference_2 : integer_minus_255_to_255_1d(0 to 24);
+  signal slice1cost_newest_negative_0 : boolean_1d(0 to 24);
+  signal slice1cost_tag_border_column : boolean;
+  signal slice1cost_column_0 : natural_766_1d(0 to 24);
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 766;
-  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 766;
-  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7, slice1window_partial_0_0_8 : natural range 0 to 766;
-  signal slice1window_partial_0_0_9, slice1window_partial_0_0_10, slice1window_partial_0_0_11 : natural range 0 to 766;
-  signal slice1window_partial_0_0_12, slice1window_partial_0_0_13, slice1window_partial_0_0_14 : natural range 0 to 766;
-  signal slice1window_partial_0_0_15, slice1window_partial_0_0_16, slice1window_partial_0_0_17 : natural range 0 to 766;
-  signal slice1window_partial_0_0_18, slice1window_partial_0_0_19, slice1window_partial_0_0_20 : natural range 0 to 766;
-  signal slice1window_partial_0_0_21, slice1window_partial_0_0_22, slice1window_partial_0_0_23 : natural range 0 to 766;
-  signal slice1window_partial_0_0_24 : natural range 0 to 766;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7, slice1window_partial_0_1_8 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_9, slice1window_partial_0_1_10, slice1window_partial_0_1_11 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_12, slice1window_partial_0_1_13 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_14, slice1window_partial_0_1_15 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_16, slice1window_partial_0_1_17 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_18, slice1window_partial_0_1_19 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_20, slice1window_partial_0_1_21 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_22, slice1window_partial_0_1_23 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_24 : natural range 0 to 1532;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2298;
-  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 2298;
-  signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 2298;
-  signal slice1window_sum_0_9, slice1window_sum_0_10, slice1window_sum_0_11 : natural range 0 to 2298;
-  signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 2298;
-  signal slice1window_sum_0_15, slice1window_sum_0_16, slice1window_sum_0_17 : natural range 0 to 2298;
-  signal slice1window_sum_0_18, slice1window_sum_0_19, slice1window_sum_0_20 : natural range 0 to 2298;
-  signal slice1window_sum_0_21, slice1window_sum_0_22, slice1window_sum_0_23 : natural range 0 to 2298;
-  signal slice1window_sum_0_24 : natural range 0 to 2298;
+  signal slice1window_partial_0_0 : natural_766_1d(0 to 24);
+  signal slice1window_partial_0_1 : natural_1532_1d(0 to 24);
+  signal slice1window_sum_0 : natural_2298_1d(0 to 24);
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_0_8, slice1winner1_best_cost_0_9 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_0_10, slice1winner1_best_cost_0_11 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_0_12 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0 : natural_2298_1d(0 to 12);
   signal slice1winner1_best_index_0_0 : boolean;
   signal slice1winner1_best_index_0_1 : natural range 0 to 3;
   signal slice1winner1_best_index_0_2 : natural range 0 to 5;
@@ -458,10 +255,7 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice1winner1_best_index_0_10 : natural range 0 to 21;
   signal slice1winner1_best_index_0_11 : natural range 0 to 23;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 2298;
-  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 2298;
-  signal slice1winner2_best_cost_0_4, slice1winner2_best_cost_0_5 : natural range 0 to 2298;
-  signal slice1winner2_best_cost_0_6 : natural range 0 to 2298;
+  signal slice1winner2_best_cost_0 : natural_2298_1d(0 to 6);
   signal slice1winner2_best_index_0_0 : natural range 0 to 3;
   signal slice1winner2_best_index_0_1 : natural range 0 to 7;
   signal slice1winner2_best_index_0_2 : natural range 0 to 11;
@@ -469,13 +263,12 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice1winner2_best_index_0_4 : natural range 0 to 19;
   signal slice1winner2_best_index_0_5 : natural range 0 to 23;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 2298;
-  signal slice1winner3_best_cost_0_2, slice1winner3_best_cost_0_3 : natural range 0 to 2298;
+  signal slice1winner3_best_cost_0 : natural_2298_1d(0 to 3);
   signal slice1winner3_best_index_0_0 : natural range 0 to 7;
   signal slice1winner3_best_index_0_1 : natural range 0 to 15;
   signal slice1winner3_best_index_0_2 : natural range 0 to 23;
   -- slice1winner4
-  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_0_1 : natural range 0 to 2298;
+  signal slice1winner4_best_cost_0 : natural_2298_1d(0 to 1);
   signal slice1winner4_best_index_0_0 : natural range 0 to 15;
   signal slice1winner4_best_index_0_1 : natural range 0 to 24;
   -- slice1winner5
@@ -487,137 +280,28 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
   -- slice2shift
-  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_0_2 : natural range 0 to 255;
-  signal slice2shift_search_0_3, slice2shift_search_0_4, slice2shift_search_0_5 : natural range 0 to 255;
-  signal slice2shift_search_0_6, slice2shift_search_0_7, slice2shift_search_0_8 : natural range 0 to 255;
-  signal slice2shift_search_0_9, slice2shift_search_0_10, slice2shift_search_0_11 : natural range 0 to 255;
-  signal slice2shift_search_0_12, slice2shift_search_0_13, slice2shift_search_0_14 : natural range 0 to 255;
-  signal slice2shift_search_0_15, slice2shift_search_0_16, slice2shift_search_0_17 : natural range 0 to 255;
-  signal slice2shift_search_0_18, slice2shift_search_0_19, slice2shift_search_0_20 : natural range 0 to 255;
-  signal slice2shift_search_0_21, slice2shift_search_0_22, slice2shift_search_0_23 : natural range 0 to 255;
-  signal slice2shift_search_0_24, slice2shift_search_1_0, slice2shift_search_1_1 : natural range 0 to 255;
-  signal slice2shift_search_1_2, slice2shift_search_1_3, slice2shift_search_1_4 : natural range 0 to 255;
-  signal slice2shift_search_1_5, slice2shift_search_1_6, slice2shift_search_1_7 : natural range 0 to 255;
-  signal slice2shift_search_1_8, slice2shift_search_1_9, slice2shift_search_1_10 : natural range 0 to 255;
-  signal slice2shift_search_1_11, slice2shift_search_1_12, slice2shift_search_1_13 : natural range 0 to 255;
-  signal slice2shift_search_1_14, slice2shift_search_1_15, slice2shift_search_1_16 : natural range 0 to 255;
-  signal slice2shift_search_1_17, slice2shift_search_1_18, slice2shift_search_1_19 : natural range 0 to 255;
-  signal slice2shift_search_1_20, slice2shift_search_1_21, slice2shift_search_1_22 : natural range 0 to 255;
-  signal slice2shift_search_1_23, slice2shift_search_1_24, slice2shift_search_2_0 : natural range 0 to 255;
-  signal slice2shift_search_2_1, slice2shift_search_2_2, slice2shift_search_2_3 : natural range 0 to 255;
-  signal slice2shift_search_2_4, slice2shift_search_2_5, slice2shift_search_2_6 : natural range 0 to 255;
-  signal slice2shift_search_2_7, slice2shift_search_2_8, slice2shift_search_2_9 : natural range 0 to 255;
-  signal slice2shift_search_2_10, slice2shift_search_2_11, slice2shift_search_2_12 : natural range 0 to 255;
-  signal slice2shift_search_2_13, slice2shift_search_2_14, slice2shift_search_2_15 : natural range 0 to 255;
-  signal slice2shift_search_2_16, slice2shift_search_2_17, slice2shift_search_2_18 : natural range 0 to 255;
-  signal slice2shift_search_2_19, slice2shift_search_2_20, slice2shift_search_2_21 : natural range 0 to 255;
-  signal slice2shift_search_2_22, slice2shift_search_2_23, slice2shift_search_2_24 : natural range 0 to 255;
-  signal slice2shift_reference_0, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 255;
-  signal slice2shift_search_out_0, slice2shift_search_out_1, slice2shift_search_out_2 : natural range 0 to 255;
+  signal slice2shift_search : natural_255_2d(0 to 2, 0 to 24);
+  signal slice2shift_reference : natural_255_1d(0 to 2);
+  signal slice2shift_search_out : natural_255_1d(0 to 2);
   -- slice2cost
   signal slice2cost_signs_difference_column, slice2cost_signs_write_column : natural range 0 to 511;
-  signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_0_2, slice2cost_pair_0_3 : natural range 0 to 511;
-  signal slice2cost_pair_0_4, slice2cost_pair_0_5, slice2cost_pair_0_6, slice2cost_pair_0_7 : natural range 0 to 511;
-  signal slice2cost_pair_0_8, slice2cost_pair_0_9, slice2cost_pair_0_10, slice2cost_pair_0_11 : natural range 0 to 511;
-  signal slice2cost_pair_0_12, slice2cost_pair_0_13, slice2cost_pair_0_14 : natural range 0 to 511;
-  signal slice2cost_pair_0_15, slice2cost_pair_0_16, slice2cost_pair_0_17 : natural range 0 to 511;
-  signal slice2cost_pair_0_18, slice2cost_pair_0_19, slice2cost_pair_0_20 : natural range 0 to 511;
-  signal slice2cost_pair_0_21, slice2cost_pair_0_22, slice2cost_pair_0_23 : natural range 0 to 511;
-  signal slice2cost_pair_0_24 : natural range 0 to 511;
-  signal slice2cost_signs_read_words_0, slice2cost_signs_read_words_1 : unsigned(24 downto 0);
-  signal slice2cost_signs_ready_words_0, slice2cost_signs_ready_words_1 : natural range 0 to 33554431;
-  signal slice2cost_signs_known_words_1, slice2cost_signs_write_words_0 : natural range 0 to 33554431;
-  signal slice2cost_signs_write_words_1 : natural range 0 to 33554431;
-  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_0_2 : natural range 0 to 255;
-  signal slice2cost_difference_0_3, slice2cost_difference_0_4, slice2cost_difference_0_5 : natural range 0 to 255;
-  signal slice2cost_difference_0_6, slice2cost_difference_0_7, slice2cost_difference_0_8 : natural range 0 to 255;
-  signal slice2cost_difference_0_9, slice2cost_difference_0_10, slice2cost_difference_0_11 : natural range 0 to 255;
-  signal slice2cost_difference_0_12, slice2cost_difference_0_13, slice2cost_difference_0_14 : natural range 0 to 255;
-  signal slice2cost_difference_0_15, slice2cost_difference_0_16, slice2cost_difference_0_17 : natural range 0 to 255;
-  signal slice2cost_difference_0_18, slice2cost_difference_0_19, slice2cost_difference_0_20 : natural range 0 to 255;
-  signal slice2cost_difference_0_21, slice2cost_difference_0_22, slice2cost_difference_0_23 : natural range 0 to 255;
-  signal slice2cost_difference_0_24, slice2cost_difference_1_0, slice2cost_difference_1_1 : natural range 0 to 255;
-  signal slice2cost_difference_1_2, slice2cost_difference_1_3, slice2cost_difference_1_4 : natural range 0 to 255;
-  signal slice2cost_difference_1_5, slice2cost_difference_1_6, slice2cost_difference_1_7 : natural range 0 to 255;
-  signal slice2cost_difference_1_8, slice2cost_difference_1_9, slice2cost_difference_1_10 : natural range 0 to 255;
-  signal slice2cost_difference_1_11, slice2cost_difference_1_12, slice2cost_difference_1_13 : natural range 0 to 255;
-  signal slice2cost_difference_1_14, slice2cost_difference_1_15, slice2cost_difference_1_16 : natural range 0 to 255;
-  signal slice2cost_difference_1_17, slice2cost_difference_1_18, slice2cost_difference_1_19 : natural range 0 to 255;
-  signal slice2cost_difference_1_20, slice2cost_difference_1_21, slice2cost_difference_1_22 : natural range 0 to 255;
-  signal slice2cost_difference_1_23, slice2cost_difference_1_24, slice2cost_single_0_0 : natural range 0 to 255;
-  signal slice2cost_single_0_1, slice2cost_single_0_2, slice2cost_single_0_3 : natural range 0 to 255;
-  signal slice2cost_single_0_4, slice2cost_single_0_5, slice2cost_single_0_6 : natural range 0 to 255;
-  signal slice2cost_single_0_7, slice2cost_single_0_8, slice2cost_single_0_9 : natural range 0 to 255;
-  signal slice2cost_single_0_10, slice2cost_single_0_11, slice2cost_single_0_12 : natural range 0 to 255;
-  signal slice2cost_single_0_13, slice2cost_single_0_14, slice2cost_single_0_15 : natural range 0 to 255;
-  signal slice2cost_single_0_16, slice2cost_single_0_17, slice2cost_single_0_18 : natural range 0 to 255;
-  signal slice2cost_single_0_19, slice2cost_single_0_20, slice2cost_single_0_21 : natural range 0 to 255;
-  signal slice2cost_single_0_22, slice2cost_single_0_23, slice2cost_single_0_24 : natural range 0 to 255;
-  signal slice2cost_difference_2_0, slice2cost_difference_2_1, slice2cost_difference_2_2 : integer range -255 to 255;
-  signal slice2cost_difference_2_3, slice2cost_difference_2_4, slice2cost_difference_2_5 : integer range -255 to 255;
-  signal slice2cost_difference_2_6, slice2cost_difference_2_7, slice2cost_difference_2_8 : integer range -255 to 255;
-  signal slice2cost_difference_2_9, slice2cost_difference_2_10, slice2cost_difference_2_11 : integer range -255 to 255;
-  signal slice2cost_difference_2_12, slice2cost_difference_2_13, slice2cost_difference_2_14 : integer range -255 to 255;
-  signal slice2cost_difference_2_15, slice2cost_difference_2_16, slice2cost_difference_2_17 : integer range -255 to 255;
-  signal slice2cost_difference_2_18, slice2cost_difference_2_19, slice2cost_difference_2_20 : integer range -255 to 255;
-  signal slice2cost_difference_2_21, slice2cost_difference_2_22, slice2cost_difference_2_23 : integer range -255 to 255;
-  signal slice2cost_difference_2_24 : integer range -255 to 255;
-  signal slice2cost_newest_negative_0_0, slice2cost_newest_negative_0_1, slice2cost_newest_negative_0_2 : boolean;
-  signal slice2cost_newest_negative_0_3, slice2cost_newest_negative_0_4, slice2cost_newest_negative_0_5 : boolean;
-  signal slice2cost_newest_negative_0_6, slice2cost_newest_negative_0_7, slice2cost_newest_negative_0_8 : boolean;
-  signal slice2cost_newest_negative_0_9, slice2cost_newest_negative_0_10, slice2cost_newest_negative_0_11 : boolean;
-  signal slice2cost_newest_negative_0_12, slice2cost_newest_negative_0_13, slice2cost_newest_negative_0_14 : boolean;
-  signal slice2cost_newest_negative_0_15, slice2cost_newest_negative_0_16, slice2cost_newest_negative_0_17 : boolean;
-  signal slice2cost_newest_negative_0_18, slice2cost_newest_negative_0_19, slice2cost_newest_negative_0_20 : boolean;
-  signal slice2cost_newest_negative_0_21, slice2cost_newest_negative_0_22, slice2cost_newest_negative_0_23 : boolean;
-  signal slice2cost_newest_negative_0_24, slice2cost_tag_border_column : boolean;
-  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_0_2 : natural range 0 to 766;
-  signal slice2cost_column_0_3, slice2cost_column_0_4, slice2cost_column_0_5 : natural range 0 to 766;
-  signal slice2cost_column_0_6, slice2cost_column_0_7, slice2cost_column_0_8 : natural range 0 to 766;
-  signal slice2cost_column_0_9, slice2cost_column_0_10, slice2cost_column_0_11 : natural range 0 to 766;
-  signal slice2cost_column_0_12, slice2cost_column_0_13, slice2cost_column_0_14 : natural range 0 to 766;
-  signal slice2cost_column_0_15, slice2cost_column_0_16, slice2cost_column_0_17 : natural range 0 to 766;
-  signal slice2cost_column_0_18, slice2cost_column_0_19, slice2cost_column_0_20 : natural range 0 to 766;
-  signal slice2cost_column_0_21, slice2cost_column_0_22, slice2cost_column_0_23 : natural range 0 to 766;
-  signal slice2cost_column_0_24 : natural range 0 to 766;
+  signal slice2cost_pair_0 : natural_511_1d(0 to 24);
+  signal slice2cost_signs_read_words : unsigned_25_1d(0 to 1);
+  signal slice2cost_signs_ready_words : natural_33554431_1d(0 to 1);
+  signal slice2cost_signs_known_words_1 : natural range 0 to 33554431;
+  signal slice2cost_signs_write_words : natural_33554431_1d(0 to 1);
+  signal slice2cost_difference : natural_255_2d(0 to 1, 0 to 24);
+  signal slice2cost_single_0 : natural_255_1d(0 to 24);
+  signal slice2cost_difference_2 : integer_minus_255_to_255_1d(0 to 24);
+  signal slice2cost_newest_negative_0 : boolean_1d(0 to 24);
+  signal slice2cost_tag_border_column : boolean;
+  signal slice2cost_column_0 : natural_766_1d(0 to 24);
   -- slice2window
-  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_0_0_2 : natural range 0 to 766;
-  signal slice2window_partial_0_0_3, slice2window_partial_0_0_4, slice2window_partial_0_0_5 : natural range 0 to 766;
-  signal slice2window_partial_0_0_6, slice2window_partial_0_0_7, slice2window_partial_0_0_8 : natural range 0 to 766;
-  signal slice2window_partial_0_0_9, slice2window_partial_0_0_10, slice2window_partial_0_0_11 : natural range 0 to 766;
-  signal slice2window_partial_0_0_12, slice2window_partial_0_0_13, slice2window_partial_0_0_14 : natural range 0 to 766;
-  signal slice2window_partial_0_0_15, slice2window_partial_0_0_16, slice2window_partial_0_0_17 : natural range 0 to 766;
-  signal slice2window_partial_0_0_18, slice2window_partial_0_0_19, slice2window_partial_0_0_20 : natural range 0 to 766;
-  signal slice2window_partial_0_0_21, slice2window_partial_0_0_22, slice2window_partial_0_0_23 : natural range 0 to 766;
-  signal slice2window_partial_0_0_24 : natural range 0 to 766;
-  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_0_1_2 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_3, slice2window_partial_0_1_4, slice2window_partial_0_1_5 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_6, slice2window_partial_0_1_7, slice2window_partial_0_1_8 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_9, slice2window_partial_0_1_10, slice2window_partial_0_1_11 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_12, slice2window_partial_0_1_13 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_14, slice2window_partial_0_1_15 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_16, slice2window_partial_0_1_17 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_18, slice2window_partial_0_1_19 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_20, slice2window_partial_0_1_21 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_22, slice2window_partial_0_1_23 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_24 : natural range 0 to 1532;
-  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 2298;
-  signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 2298;
-  signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 2298;
-  signal slice2window_sum_0_9, slice2window_sum_0_10, slice2window_sum_0_11 : natural range 0 to 2298;
-  signal slice2window_sum_0_12, slice2window_sum_0_13, slice2window_sum_0_14 : natural range 0 to 2298;
-  signal slice2window_sum_0_15, slice2window_sum_0_16, slice2window_sum_0_17 : natural range 0 to 2298;
-  signal slice2window_sum_0_18, slice2window_sum_0_19, slice2window_sum_0_20 : natural range 0 to 2298;
-  signal slice2window_sum_0_21, slice2window_sum_0_22, slice2window_sum_0_23 : natural range 0 to 2298;
-  signal slice2window_sum_0_24 : natural range 0 to 2298;
+  signal slice2window_partial_0_0 : natural_766_1d(0 to 24);
+  signal slice2window_partial_0_1 : natural_1532_1d(0 to 24);
+  signal slice2window_sum_0 : natural_2298_1d(0 to 24);
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_0_8, slice2winner1_best_cost_0_9 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_0_10, slice2winner1_best_cost_0_11 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_0_12 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0 : natural_2298_1d(0 to 12);
   signal slice2winner1_best_index_0_0 : boolean;
   signal slice2winner1_best_index_0_1 : natural range 0 to 3;
   signal slice2winner1_best_index_0_2 : natural range 0 to 5;
@@ -631,10 +315,7 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice2winner1_best_index_0_10 : natural range 0 to 21;
   signal slice2winner1_best_index_0_11 : natural range 0 to 23;
   -- slice2winner2
-  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 2298;
-  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 2298;
-  signal slice2winner2_best_cost_0_4, slice2winner2_best_cost_0_5 : natural range 0 to 2298;
-  signal slice2winner2_best_cost_0_6 : natural range 0 to 2298;
+  signal slice2winner2_best_cost_0 : natural_2298_1d(0 to 6);
   signal slice2winner2_best_index_0_0 : natural range 0 to 3;
   signal slice2winner2_best_index_0_1 : natural range 0 to 7;
   signal slice2winner2_best_index_0_2 : natural range 0 to 11;
@@ -642,13 +323,12 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice2winner2_best_index_0_4 : natural range 0 to 19;
   signal slice2winner2_best_index_0_5 : natural range 0 to 23;
   -- slice2winner3
-  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 2298;
-  signal slice2winner3_best_cost_0_2, slice2winner3_best_cost_0_3 : natural range 0 to 2298;
+  signal slice2winner3_best_cost_0 : natural_2298_1d(0 to 3);
   signal slice2winner3_best_index_0_0 : natural range 0 to 7;
   signal slice2winner3_best_index_0_1 : natural range 0 to 15;
   signal slice2winner3_best_index_0_2 : natural range 0 to 23;
   -- slice2winner4
-  signal slice2winner4_best_cost_0_0, slice2winner4_best_cost_0_1 : natural range 0 to 2298;
+  signal slice2winner4_best_cost_0 : natural_2298_1d(0 to 1);
   signal slice2winner4_best_index_0_0 : natural range 0 to 15;
   signal slice2winner4_best_index_0_1 : natural range 0 to 24;
   -- slice2winner5
@@ -660,136 +340,26 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
   -- slice3shift
-  signal slice3shift_search_0_0, slice3shift_search_0_1, slice3shift_search_0_2 : natural range 0 to 255;
-  signal slice3shift_search_0_3, slice3shift_search_0_4, slice3shift_search_0_5 : natural range 0 to 255;
-  signal slice3shift_search_0_6, slice3shift_search_0_7, slice3shift_search_0_8 : natural range 0 to 255;
-  signal slice3shift_search_0_9, slice3shift_search_0_10, slice3shift_search_0_11 : natural range 0 to 255;
-  signal slice3shift_search_0_12, slice3shift_search_0_13, slice3shift_search_0_14 : natural range 0 to 255;
-  signal slice3shift_search_0_15, slice3shift_search_0_16, slice3shift_search_0_17 : natural range 0 to 255;
-  signal slice3shift_search_0_18, slice3shift_search_0_19, slice3shift_search_0_20 : natural range 0 to 255;
-  signal slice3shift_search_0_21, slice3shift_search_0_22, slice3shift_search_0_23 : natural range 0 to 255;
-  signal slice3shift_search_0_24, slice3shift_search_1_0, slice3shift_search_1_1 : natural range 0 to 255;
-  signal slice3shift_search_1_2, slice3shift_search_1_3, slice3shift_search_1_4 : natural range 0 to 255;
-  signal slice3shift_search_1_5, slice3shift_search_1_6, slice3shift_search_1_7 : natural range 0 to 255;
-  signal slice3shift_search_1_8, slice3shift_search_1_9, slice3shift_search_1_10 : natural range 0 to 255;
-  signal slice3shift_search_1_11, slice3shift_search_1_12, slice3shift_search_1_13 : natural range 0 to 255;
-  signal slice3shift_search_1_14, slice3shift_search_1_15, slice3shift_search_1_16 : natural range 0 to 255;
-  signal slice3shift_search_1_17, slice3shift_search_1_18, slice3shift_search_1_19 : natural range 0 to 255;
-  signal slice3shift_search_1_20, slice3shift_search_1_21, slice3shift_search_1_22 : natural range 0 to 255;
-  signal slice3shift_search_1_23, slice3shift_search_1_24, slice3shift_search_2_0 : natural range 0 to 255;
-  signal slice3shift_search_2_1, slice3shift_search_2_2, slice3shift_search_2_3 : natural range 0 to 255;
-  signal slice3shift_search_2_4, slice3shift_search_2_5, slice3shift_search_2_6 : natural range 0 to 255;
-  signal slice3shift_search_2_7, slice3shift_search_2_8, slice3shift_search_2_9 : natural range 0 to 255;
-  signal slice3shift_search_2_10, slice3shift_search_2_11, slice3shift_search_2_12 : natural range 0 to 255;
-  signal slice3shift_search_2_13, slice3shift_search_2_14, slice3shift_search_2_15 : natural range 0 to 255;
-  signal slice3shift_search_2_16, slice3shift_search_2_17, slice3shift_search_2_18 : natural range 0 to 255;
-  signal slice3shift_search_2_19, slice3shift_search_2_20, slice3shift_search_2_21 : natural range 0 to 255;
-  signal slice3shift_search_2_22, slice3shift_search_2_23, slice3shift_search_2_24 : natural range 0 to 255;
-  signal slice3shift_reference_0, slice3shift_reference_1, slice3shift_reference_2 : natural range 0 to 255;
+  signal slice3shift_search : natural_255_2d(0 to 2, 0 to 24);
+  signal slice3shift_reference : natural_255_1d(0 to 2);
   -- slice3cost
   signal slice3cost_signs_difference_column, slice3cost_signs_write_column : natural range 0 to 511;
-  signal slice3cost_pair_0_0, slice3cost_pair_0_1, slice3cost_pair_0_2, slice3cost_pair_0_3 : natural range 0 to 511;
-  signal slice3cost_pair_0_4, slice3cost_pair_0_5, slice3cost_pair_0_6, slice3cost_pair_0_7 : natural range 0 to 511;
-  signal slice3cost_pair_0_8, slice3cost_pair_0_9, slice3cost_pair_0_10, slice3cost_pair_0_11 : natural range 0 to 511;
-  signal slice3cost_pair_0_12, slice3cost_pair_0_13, slice3cost_pair_0_14 : natural range 0 to 511;
-  signal slice3cost_pair_0_15, slice3cost_pair_0_16, slice3cost_pair_0_17 : natural range 0 to 511;
-  signal slice3cost_pair_0_18, slice3cost_pair_0_19, slice3cost_pair_0_20 : natural range 0 to 511;
-  signal slice3cost_pair_0_21, slice3cost_pair_0_22, slice3cost_pair_0_23 : natural range 0 to 511;
-  signal slice3cost_pair_0_24 : natural range 0 to 511;
-  signal slice3cost_signs_read_words_0, slice3cost_signs_read_words_1 : unsigned(24 downto 0);
-  signal slice3cost_signs_ready_words_0, slice3cost_signs_ready_words_1 : natural range 0 to 33554431;
-  signal slice3cost_signs_known_words_1, slice3cost_signs_write_words_0 : natural range 0 to 33554431;
-  signal slice3cost_signs_write_words_1 : natural range 0 to 33554431;
-  signal slice3cost_difference_0_0, slice3cost_difference_0_1, slice3cost_difference_0_2 : natural range 0 to 255;
-  signal slice3cost_difference_0_3, slice3cost_difference_0_4, slice3cost_difference_0_5 : natural range 0 to 255;
-  signal slice3cost_difference_0_6, slice3cost_difference_0_7, slice3cost_difference_0_8 : natural range 0 to 255;
-  signal slice3cost_difference_0_9, slice3cost_difference_0_10, slice3cost_difference_0_11 : natural range 0 to 255;
-  signal slice3cost_difference_0_12, slice3cost_difference_0_13, slice3cost_difference_0_14 : natural range 0 to 255;
-  signal slice3cost_difference_0_15, slice3cost_difference_0_16, slice3cost_difference_0_17 : natural range 0 to 255;
-  signal slice3cost_difference_0_18, slice3cost_difference_0_19, slice3cost_difference_0_20 : natural range 0 to 255;
-  signal slice3cost_difference_0_21, slice3cost_difference_0_22, slice3cost_difference_0_23 : natural range 0 to 255;
-  signal slice3cost_difference_0_24, slice3cost_difference_1_0, slice3cost_difference_1_1 : natural range 0 to 255;
-  signal slice3cost_difference_1_2, slice3cost_difference_1_3, slice3cost_difference_1_4 : natural range 0 to 255;
-  signal slice3cost_difference_1_5, slice3cost_difference_1_6, slice3cost_difference_1_7 : natural range 0 to 255;
-  signal slice3cost_difference_1_8, slice3cost_difference_1_9, slice3cost_difference_1_10 : natural range 0 to 255;
-  signal slice3cost_difference_1_11, slice3cost_difference_1_12, slice3cost_difference_1_13 : natural range 0 to 255;
-  signal slice3cost_difference_1_14, slice3cost_difference_1_15, slice3cost_difference_1_16 : natural range 0 to 255;
-  signal slice3cost_difference_1_17, slice3cost_difference_1_18, slice3cost_difference_1_19 : natural range 0 to 255;
-  signal slice3cost_difference_1_20, slice3cost_difference_1_21, slice3cost_difference_1_22 : natural range 0 to 255;
-  signal slice3cost_difference_1_23, slice3cost_difference_1_24, slice3cost_single_0_0 : natural range 0 to 255;
-  signal slice3cost_single_0_1, slice3cost_single_0_2, slice3cost_single_0_3 : natural range 0 to 255;
-  signal slice3cost_single_0_4, slice3cost_single_0_5, slice3cost_single_0_6 : natural range 0 to 255;
-  signal slice3cost_single_0_7, slice3cost_single_0_8, slice3cost_single_0_9 : natural range 0 to 255;
-  signal slice3cost_single_0_10, slice3cost_single_0_11, slice3cost_single_0_12 : natural range 0 to 255;
-  signal slice3cost_single_0_13, slice3cost_single_0_14, slice3cost_single_0_15 : natural range 0 to 255;
-  signal slice3cost_single_0_16, slice3cost_single_0_17, slice3cost_single_0_18 : natural range 0 to 255;
-  signal slice3cost_single_0_19, slice3cost_single_0_20, slice3cost_single_0_21 : natural range 0 to 255;
-  signal slice3cost_single_0_22, slice3cost_single_0_23, slice3cost_single_0_24 : natural range 0 to 255;
-  signal slice3cost_difference_2_0, slice3cost_difference_2_1, slice3cost_difference_2_2 : integer range -255 to 255;
-  signal slice3cost_difference_2_3, slice3cost_difference_2_4, slice3cost_difference_2_5 : integer range -255 to 255;
-  signal slice3cost_difference_2_6, slice3cost_difference_2_7, slice3cost_difference_2_8 : integer range -255 to 255;
-  signal slice3cost_difference_2_9, slice3cost_difference_2_10, slice3cost_difference_2_11 : integer range -255 to 255;
-  signal slice3cost_difference_2_12, slice3cost_difference_2_13, slice3cost_difference_2_14 : integer range -255 to 255;
-  signal slice3cost_difference_2_15, slice3cost_difference_2_16, slice3cost_difference_2_17 : integer range -255 to 255;
-  signal slice3cost_difference_2_18, slice3cost_difference_2_19, slice3cost_difference_2_20 : integer range -255 to 255;
-  signal slice3cost_difference_2_21, slice3cost_difference_2_22, slice3cost_difference_2_23 : integer range -255 to 255;
-  signal slice3cost_difference_2_24 : integer range -255 to 255;
-  signal slice3cost_newest_negative_0_0, slice3cost_newest_negative_0_1, slice3cost_newest_negative_0_2 : boolean;
-  signal slice3cost_newest_negative_0_3, slice3cost_newest_negative_0_4, slice3cost_newest_negative_0_5 : boolean;
-  signal slice3cost_newest_negative_0_6, slice3cost_newest_negative_0_7, slice3cost_newest_negative_0_8 : boolean;
-  signal slice3cost_newest_negative_0_9, slice3cost_newest_negative_0_10, slice3cost_newest_negative_0_11 : boolean;
-  signal slice3cost_newest_negative_0_12, slice3cost_newest_negative_0_13, slice3cost_newest_negative_0_14 : boolean;
-  signal slice3cost_newest_negative_0_15, slice3cost_newest_negative_0_16, slice3cost_newest_negative_0_17 : boolean;
-  signal slice3cost_newest_negative_0_18, slice3cost_newest_negative_0_19, slice3cost_newest_negative_0_20 : boolean;
-  signal slice3cost_newest_negative_0_21, slice3cost_newest_negative_0_22, slice3cost_newest_negative_0_23 : boolean;
-  signal slice3cost_newest_negative_0_24 : boolean;
-  signal slice3cost_column_0_0, slice3cost_column_0_1, slice3cost_column_0_2 : natural range 0 to 766;
-  signal slice3cost_column_0_3, slice3cost_column_0_4, slice3cost_column_0_5 : natural range 0 to 766;
-  signal slice3cost_column_0_6, slice3cost_column_0_7, slice3cost_column_0_8 : natural range 0 to 766;
-  signal slice3cost_column_0_9, slice3cost_column_0_10, slice3cost_column_0_11 : natural range 0 to 766;
-  signal slice3cost_column_0_12, slice3cost_column_0_13, slice3cost_column_0_14 : natural range 0 to 766;
-  signal slice3cost_column_0_15, slice3cost_column_0_16, slice3cost_column_0_17 : natural range 0 to 766;
-  signal slice3cost_column_0_18, slice3cost_column_0_19, slice3cost_column_0_20 : natural range 0 to 766;
-  signal slice3cost_column_0_21, slice3cost_column_0_22, slice3cost_column_0_23 : natural range 0 to 766;
-  signal slice3cost_column_0_24 : natural range 0 to 766;
+  signal slice3cost_pair_0 : natural_511_1d(0 to 24);
+  signal slice3cost_signs_read_words : unsigned_25_1d(0 to 1);
+  signal slice3cost_signs_ready_words : natural_33554431_1d(0 to 1);
+  signal slice3cost_signs_known_words_1 : natural range 0 to 33554431;
+  signal slice3cost_signs_write_words : natural_33554431_1d(0 to 1);
+  signal slice3cost_difference : natural_255_2d(0 to 1, 0 to 24);
+  signal slice3cost_single_0 : natural_255_1d(0 to 24);
+  signal slice3cost_difference_2 : integer_minus_255_to_255_1d(0 to 24);
+  signal slice3cost_newest_negative_0 : boolean_1d(0 to 24);
+  signal slice3cost_column_0 : natural_766_1d(0 to 24);
   -- slice3window
-  signal slice3window_partial_0_0_0, slice3window_partial_0_0_1, slice3window_partial_0_0_2 : natural range 0 to 766;
-  signal slice3window_partial_0_0_3, slice3window_partial_0_0_4, slice3window_partial_0_0_5 : natural range 0 to 766;
-  signal slice3window_partial_0_0_6, slice3window_partial_0_0_7, slice3window_partial_0_0_8 : natural range 0 to 766;
-  signal slice3window_partial_0_0_9, slice3window_partial_0_0_10, slice3window_partial_0_0_11 : natural range 0 to 766;
-  signal slice3window_partial_0_0_12, slice3window_partial_0_0_13, slice3window_partial_0_0_14 : natural range 0 to 766;
-  signal slice3window_partial_0_0_15, slice3window_partial_0_0_16, slice3window_partial_0_0_17 : natural range 0 to 766;
-  signal slice3window_partial_0_0_18, slice3window_partial_0_0_19, slice3window_partial_0_0_20 : natural range 0 to 766;
-  signal slice3window_partial_0_0_21, slice3window_partial_0_0_22, slice3window_partial_0_0_23 : natural range 0 to 766;
-  signal slice3window_partial_0_0_24 : natural range 0 to 766;
-  signal slice3window_partial_0_1_0, slice3window_partial_0_1_1, slice3window_partial_0_1_2 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_3, slice3window_partial_0_1_4, slice3window_partial_0_1_5 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_6, slice3window_partial_0_1_7, slice3window_partial_0_1_8 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_9, slice3window_partial_0_1_10, slice3window_partial_0_1_11 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_12, slice3window_partial_0_1_13 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_14, slice3window_partial_0_1_15 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_16, slice3window_partial_0_1_17 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_18, slice3window_partial_0_1_19 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_20, slice3window_partial_0_1_21 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_22, slice3window_partial_0_1_23 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_24 : natural range 0 to 1532;
-  signal slice3window_sum_0_0, slice3window_sum_0_1, slice3window_sum_0_2 : natural range 0 to 2298;
-  signal slice3window_sum_0_3, slice3window_sum_0_4, slice3window_sum_0_5 : natural range 0 to 2298;
-  signal slice3window_sum_0_6, slice3window_sum_0_7, slice3window_sum_0_8 : natural range 0 to 2298;
-  signal slice3window_sum_0_9, slice3window_sum_0_10, slice3window_sum_0_11 : natural range 0 to 2298;
-  signal slice3window_sum_0_12, slice3window_sum_0_13, slice3window_sum_0_14 : natural range 0 to 2298;
-  signal slice3window_sum_0_15, slice3window_sum_0_16, slice3window_sum_0_17 : natural range 0 to 2298;
-  signal slice3window_sum_0_18, slice3window_sum_0_19, slice3window_sum_0_20 : natural range 0 to 2298;
-  signal slice3window_sum_0_21, slice3window_sum_0_22, slice3window_sum_0_23 : natural range 0 to 2298;
-  signal slice3window_sum_0_24 : natural range 0 to 2298;
+  signal slice3window_partial_0_0 : natural_766_1d(0 to 24);
+  signal slice3window_partial_0_1 : natural_1532_1d(0 to 24);
+  signal slice3window_sum_0 : natural_2298_1d(0 to 24);
   -- slice3winner1
-  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_0_6, slice3winner1_best_cost_0_7 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_0_8, slice3winner1_best_cost_0_9 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_0_10, slice3winner1_best_cost_0_11 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_0_12 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0 : natural_2298_1d(0 to 12);
   signal slice3winner1_best_index_0_0 : boolean;
   signal slice3winner1_best_index_0_1 : natural range 0 to 3;
   signal slice3winner1_best_index_0_2 : natural range 0 to 5;
@@ -803,10 +373,7 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice3winner1_best_index_0_10 : natural range 0 to 21;
   signal slice3winner1_best_index_0_11 : natural range 0 to 23;
   -- slice3winner2
-  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 2298;
-  signal slice3winner2_best_cost_0_2, slice3winner2_best_cost_0_3 : natural range 0 to 2298;
-  signal slice3winner2_best_cost_0_4, slice3winner2_best_cost_0_5 : natural range 0 to 2298;
-  signal slice3winner2_best_cost_0_6 : natural range 0 to 2298;
+  signal slice3winner2_best_cost_0 : natural_2298_1d(0 to 6);
   signal slice3winner2_best_index_0_0 : natural range 0 to 3;
   signal slice3winner2_best_index_0_1 : natural range 0 to 7;
   signal slice3winner2_best_index_0_2 : natural range 0 to 11;
@@ -814,13 +381,12 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice3winner2_best_index_0_4 : natural range 0 to 19;
   signal slice3winner2_best_index_0_5 : natural range 0 to 23;
   -- slice3winner3
-  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 2298;
-  signal slice3winner3_best_cost_0_2, slice3winner3_best_cost_0_3 : natural range 0 to 2298;
+  signal slice3winner3_best_cost_0 : natural_2298_1d(0 to 3);
   signal slice3winner3_best_index_0_0 : natural range 0 to 7;
   signal slice3winner3_best_index_0_1 : natural range 0 to 15;
   signal slice3winner3_best_index_0_2 : natural range 0 to 23;
   -- slice3winner4
-  signal slice3winner4_best_cost_0_0, slice3winner4_best_cost_0_1 : natural range 0 to 2298;
+  signal slice3winner4_best_cost_0 : natural_2298_1d(0 to 1);
   signal slice3winner4_best_index_0_0 : natural range 0 to 15;
   signal slice3winner4_best_index_0_1 : natural range 0 to 24;
   -- slice3winner5
@@ -829,8 +395,7 @@ architecture rtl of stereo_core_ambrosch2007 is
   -- slice3
   signal slice3_best_index_0_0 : natural range 0 to 99;
   signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
-  signal slice3_best_tag_end_of_line : boolean;
-  signal slice3cost_signs_read_words_1_memory_read_enable : boolean;
+  signal slice3_best_tag_end_of_line, slice3cost_signs_read_words_1_memory_read_enable : boolean;
   signal slice3cost_signs_read_words_1_memory_read_address : unsigned(8 downto 0);
   signal slice3cost_signs_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
@@ -871,8 +436,7 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address : unsigned(6 downto 0);
-  signal delay_delayed_0_memory_write_address : unsigned(6 downto 0);
+  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(6 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
 
 begin
@@ -889,89 +453,89 @@ begin
   slice3cost_signs_read_words_1_memory_read_enable <= true;
   slice3cost_signs_read_words_1_memory_read_address <= to_unsigned(slice0cost_signs_difference_column, 9);
   slice3cost_signs_read_words_1_memory_write_address <= to_unsigned(slice3cost_signs_write_column, 9);
-  slice3cost_signs_read_words_1_memory_write_data <= to_unsigned(slice3cost_signs_write_words_1, 25);
+  slice3cost_signs_read_words_1_memory_write_data <= to_unsigned(slice3cost_signs_write_words(1), 25);
   slice3cost_signs_read_words_1_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice3cost_signs_read_words_1_memory_read_enable,
-      read_address => slice3cost_signs_read_words_1_memory_read_address, read_data => slice3cost_signs_read_words_1,
+      read_address => slice3cost_signs_read_words_1_memory_read_address, read_data => slice3cost_signs_read_words(1),
       write_address => slice3cost_signs_read_words_1_memory_write_address, write_data => slice3cost_signs_read_words_1_memory_write_data);
 
   slice3cost_signs_read_words_0_memory_read_enable <= true;
   slice3cost_signs_read_words_0_memory_read_address <= to_unsigned(slice0cost_signs_difference_column, 9);
   slice3cost_signs_read_words_0_memory_write_address <= to_unsigned(slice3cost_signs_write_column, 9);
-  slice3cost_signs_read_words_0_memory_write_data <= to_unsigned(slice3cost_signs_write_words_0, 25);
+  slice3cost_signs_read_words_0_memory_write_data <= to_unsigned(slice3cost_signs_write_words(0), 25);
   slice3cost_signs_read_words_0_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice3cost_signs_read_words_0_memory_read_enable,
-      read_address => slice3cost_signs_read_words_0_memory_read_address, read_data => slice3cost_signs_read_words_0,
+      read_address => slice3cost_signs_read_words_0_memory_read_address, read_data => slice3cost_signs_read_words(0),
       write_address => slice3cost_signs_read_words_0_memory_write_address, write_data => slice3cost_signs_read_words_0_memory_write_data);
 
   slice2cost_signs_read_words_1_memory_read_enable <= true;
   slice2cost_signs_read_words_1_memory_read_address <= to_unsigned(slice0cost_signs_next_column, 9);
   slice2cost_signs_read_words_1_memory_write_address <= to_unsigned(slice3cost_signs_difference_column, 9);
-  slice2cost_signs_read_words_1_memory_write_data <= to_unsigned(slice2cost_signs_write_words_1, 25);
+  slice2cost_signs_read_words_1_memory_write_data <= to_unsigned(slice2cost_signs_write_words(1), 25);
   slice2cost_signs_read_words_1_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice2cost_signs_read_words_1_memory_read_enable,
-      read_address => slice2cost_signs_read_words_1_memory_read_address, read_data => slice2cost_signs_read_words_1,
+      read_address => slice2cost_signs_read_words_1_memory_read_address, read_data => slice2cost_signs_read_words(1),
       write_address => slice2cost_signs_read_words_1_memory_write_address, write_data => slice2cost_signs_read_words_1_memory_write_data);
 
   slice2cost_signs_read_words_0_memory_read_enable <= true;
   slice2cost_signs_read_words_0_memory_read_address <= to_unsigned(slice0cost_signs_next_column, 9);
   slice2cost_signs_read_words_0_memory_write_address <= to_unsigned(slice3cost_signs_difference_column, 9);
-  slice2cost_signs_read_words_0_memory_write_data <= to_unsigned(slice2cost_signs_write_words_0, 25);
+  slice2cost_signs_read_words_0_memory_write_data <= to_unsigned(slice2cost_signs_write_words(0), 25);
   slice2cost_signs_read_words_0_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice2cost_signs_read_words_0_memory_read_enable,
-      read_address => slice2cost_signs_read_words_0_memory_read_address, read_data => slice2cost_signs_read_words_0,
+      read_address => slice2cost_signs_read_words_0_memory_read_address, read_data => slice2cost_signs_read_words(0),
       write_address => slice2cost_signs_read_words_0_memory_write_address, write_data => slice2cost_signs_read_words_0_memory_write_data);
 
   slice1cost_signs_read_words_1_memory_read_enable <= true;
   slice1cost_signs_read_words_1_memory_read_address <= to_unsigned(slice0cost_signs_column, 9);
   slice1cost_signs_read_words_1_memory_write_address <= to_unsigned(slice2cost_signs_difference_column, 9);
-  slice1cost_signs_read_words_1_memory_write_data <= to_unsigned(slice1cost_signs_write_words_1, 25);
+  slice1cost_signs_read_words_1_memory_write_data <= to_unsigned(slice1cost_signs_write_words(1), 25);
   slice1cost_signs_read_words_1_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice1cost_signs_read_words_1_memory_read_enable,
-      read_address => slice1cost_signs_read_words_1_memory_read_address, read_data => slice1cost_signs_read_words_1,
+      read_address => slice1cost_signs_read_words_1_memory_read_address, read_data => slice1cost_signs_read_words(1),
       write_address => slice1cost_signs_read_words_1_memory_write_address, write_data => slice1cost_signs_read_words_1_memory_write_data);
 
   slice1cost_signs_read_words_0_memory_read_enable <= true;
   slice1cost_signs_read_words_0_memory_read_address <= to_unsigned(slice0cost_signs_column, 9);
   slice1cost_signs_read_words_0_memory_write_address <= to_unsigned(slice2cost_signs_difference_column, 9);
-  slice1cost_signs_read_words_0_memory_write_data <= to_unsigned(slice1cost_signs_write_words_0, 25);
+  slice1cost_signs_read_words_0_memory_write_data <= to_unsigned(slice1cost_signs_write_words(0), 25);
   slice1cost_signs_read_words_0_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice1cost_signs_read_words_0_memory_read_enable,
-      read_address => slice1cost_signs_read_words_0_memory_read_address, read_data => slice1cost_signs_read_words_0,
+      read_address => slice1cost_signs_read_words_0_memory_read_address, read_data => slice1cost_signs_read_words(0),
       write_address => slice1cost_signs_read_words_0_memory_write_address, write_data => slice1cost_signs_read_words_0_memory_write_data);
 
   slice0cost_signs_read_words_1_memory_read_enable <= true;
   slice0cost_signs_read_words_1_memory_read_address <= to_unsigned(rows_ready_column, 9);
   slice0cost_signs_read_words_1_memory_write_address <= to_unsigned(slice0cost_signs_write_column, 9);
-  slice0cost_signs_read_words_1_memory_write_data <= to_unsigned(slice0cost_signs_write_words_1, 25);
+  slice0cost_signs_read_words_1_memory_write_data <= to_unsigned(slice0cost_signs_write_words(1), 25);
   slice0cost_signs_read_words_1_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice0cost_signs_read_words_1_memory_read_enable,
-      read_address => slice0cost_signs_read_words_1_memory_read_address, read_data => slice0cost_signs_read_words_1,
+      read_address => slice0cost_signs_read_words_1_memory_read_address, read_data => slice0cost_signs_read_words(1),
       write_address => slice0cost_signs_read_words_1_memory_write_address, write_data => slice0cost_signs_read_words_1_memory_write_data);
 
   slice0cost_signs_read_words_0_memory_read_enable <= true;
   slice0cost_signs_read_words_0_memory_read_address <= to_unsigned(rows_ready_column, 9);
   slice0cost_signs_read_words_0_memory_write_address <= to_unsigned(slice0cost_signs_write_column, 9);
-  slice0cost_signs_read_words_0_memory_write_data <= to_unsigned(slice0cost_signs_write_words_0, 25);
+  slice0cost_signs_read_words_0_memory_write_data <= to_unsigned(slice0cost_signs_write_words(0), 25);
   slice0cost_signs_read_words_0_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice0cost_signs_read_words_0_memory_read_enable,
-      read_address => slice0cost_signs_read_words_0_memory_read_address, read_data => slice0cost_signs_read_words_0,
+      read_address => slice0cost_signs_read_words_0_memory_read_address, read_data => slice0cost_signs_read_words(0),
       write_address => slice0cost_signs_read_words_0_memory_write_address, write_data => slice0cost_signs_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_0_memory_read_enable <= true;
@@ -1008,407 +572,54 @@ begin
       write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_place_group_choice_2, raster_place_group_is_equal_3, raster_place_next_frame_choice : boolean;
-    variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, slice0cost_difference_0_1_value : boolean;
-    variable slice0cost_difference_0_2_value, slice0cost_difference_0_3_value : boolean;
-    variable slice0cost_difference_0_4_value, slice0cost_difference_0_5_value : boolean;
-    variable slice0cost_difference_0_6_value, slice0cost_difference_0_7_value : boolean;
-    variable slice0cost_difference_0_8_value, slice0cost_difference_0_9_value : boolean;
-    variable slice0cost_difference_0_10_value, slice0cost_difference_0_11_value : boolean;
-    variable slice0cost_difference_0_12_value, slice0cost_difference_0_13_value : boolean;
-    variable slice0cost_difference_0_14_value, slice0cost_difference_0_15_value : boolean;
-    variable slice0cost_difference_0_16_value, slice0cost_difference_0_17_value : boolean;
-    variable slice0cost_difference_0_18_value, slice0cost_difference_0_19_value : boolean;
-    variable slice0cost_difference_0_20_value, slice0cost_difference_0_21_value : boolean;
-    variable slice0cost_difference_0_22_value, slice0cost_difference_0_23_value : boolean;
-    variable slice0cost_difference_1_1_value, slice0cost_difference_1_2_value : boolean;
-    variable slice0cost_difference_1_3_value, slice0cost_difference_1_4_value : boolean;
-    variable slice0cost_difference_1_5_value, slice0cost_difference_1_6_value : boolean;
-    variable slice0cost_difference_1_7_value, slice0cost_difference_1_8_value : boolean;
-    variable slice0cost_difference_1_9_value, slice0cost_difference_1_10_value : boolean;
-    variable slice0cost_difference_1_11_value, slice0cost_difference_1_12_value : boolean;
-    variable slice0cost_difference_1_13_value, slice0cost_difference_1_14_value : boolean;
-    variable slice0cost_difference_1_15_value, slice0cost_difference_1_16_value : boolean;
-    variable slice0cost_difference_1_17_value, slice0cost_difference_1_18_value : boolean;
-    variable slice0cost_difference_1_19_value, slice0cost_difference_1_20_value : boolean;
-    variable slice0cost_difference_1_21_value, slice0cost_difference_1_22_value : boolean;
-    variable slice0cost_difference_1_23_value, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
-    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
-    variable slice0winner1_best_cost_0_7_is_less, slice0winner1_best_cost_0_8_is_less : boolean;
-    variable slice0winner1_best_cost_0_9_is_less, slice0winner1_best_cost_0_10_is_less : boolean;
-    variable slice0winner1_best_cost_0_11_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
-    variable slice0winner2_best_cost_0_3_is_less, slice0winner2_best_cost_0_4_is_less : boolean;
-    variable slice0winner2_best_cost_0_5_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice0winner3_best_cost_0_1_is_less, slice0winner3_best_cost_0_2_is_less : boolean;
-    variable slice0winner4_best_cost_0_0_is_less, slice0winner4_best_cost_0_1_is_less : boolean;
-    variable slice0winner5_best_cost_0_0_is_less, slice1cost_difference_0_1_value : boolean;
-    variable slice1cost_difference_0_2_value, slice1cost_difference_0_3_value : boolean;
-    variable slice1cost_difference_0_4_value, slice1cost_difference_0_5_value : boolean;
-    variable slice1cost_difference_0_6_value, slice1cost_difference_0_7_value : boolean;
-    variable slice1cost_difference_0_8_value, slice1cost_difference_0_9_value : boolean;
-    variable slice1cost_difference_0_10_value, slice1cost_difference_0_11_value : boolean;
-    variable slice1cost_difference_0_12_value, slice1cost_difference_0_13_value : boolean;
-    variable slice1cost_difference_0_14_value, slice1cost_difference_0_15_value : boolean;
-    variable slice1cost_difference_0_16_value, slice1cost_difference_0_17_value : boolean;
-    variable slice1cost_difference_0_18_value, slice1cost_difference_0_19_value : boolean;
-    variable slice1cost_difference_0_20_value, slice1cost_difference_0_21_value : boolean;
-    variable slice1cost_difference_0_22_value, slice1cost_difference_0_23_value : boolean;
-    variable slice1cost_difference_1_1_value, slice1cost_difference_1_2_value : boolean;
-    variable slice1cost_difference_1_3_value, slice1cost_difference_1_4_value : boolean;
-    variable slice1cost_difference_1_5_value, slice1cost_difference_1_6_value : boolean;
-    variable slice1cost_difference_1_7_value, slice1cost_difference_1_8_value : boolean;
-    variable slice1cost_difference_1_9_value, slice1cost_difference_1_10_value : boolean;
-    variable slice1cost_difference_1_11_value, slice1cost_difference_1_12_value : boolean;
-    variable slice1cost_difference_1_13_value, slice1cost_difference_1_14_value : boolean;
-    variable slice1cost_difference_1_15_value, slice1cost_difference_1_16_value : boolean;
-    variable slice1cost_difference_1_17_value, slice1cost_difference_1_18_value : boolean;
-    variable slice1cost_difference_1_19_value, slice1cost_difference_1_20_value : boolean;
-    variable slice1cost_difference_1_21_value, slice1cost_difference_1_22_value : boolean;
-    variable slice1cost_difference_1_23_value, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
-    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
-    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
-    variable slice1winner1_best_cost_0_7_is_less, slice1winner1_best_cost_0_8_is_less : boolean;
-    variable slice1winner1_best_cost_0_9_is_less, slice1winner1_best_cost_0_10_is_less : boolean;
-    variable slice1winner1_best_cost_0_11_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
-    variable slice1winner2_best_cost_0_3_is_less, slice1winner2_best_cost_0_4_is_less : boolean;
-    variable slice1winner2_best_cost_0_5_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
-    variable slice1winner3_best_cost_0_1_is_less, slice1winner3_best_cost_0_2_is_less : boolean;
-    variable slice1winner4_best_cost_0_0_is_less, slice1winner4_best_cost_0_1_is_less : boolean;
+    variable raster_place_group_is_equal : boolean;
+    variable raster_place_group_is_equals : boolean_1d(2 to 3);  -- raster_place_group_is_equal_#
+    variable raster_place_group_all, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
+    variable slice0cost_difference_value : boolean_2d(0 to 1, 1 to 23);  -- slice0cost_difference_#_#_value
+    variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- slice0winner1_best_cost_0_#_is_less
+    variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice0winner2_best_cost_0_#_is_less
+    variable slice0winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice0winner3_best_cost_0_#_is_less
+    variable slice0winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice0winner4_best_cost_0_#_is_less
+    variable slice0winner5_best_cost_0_0_is_less : boolean;
+    variable slice1cost_difference_value : boolean_2d(0 to 1, 1 to 23);  -- slice1cost_difference_#_#_value
+    variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- slice1winner1_best_cost_0_#_is_less
+    variable slice1winner2_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice1winner2_best_cost_0_#_is_less
+    variable slice1winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice1winner3_best_cost_0_#_is_less
+    variable slice1winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice1winner4_best_cost_0_#_is_less
     variable slice1winner5_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
-    variable slice2cost_difference_0_1_value, slice2cost_difference_0_2_value : boolean;
-    variable slice2cost_difference_0_3_value, slice2cost_difference_0_4_value : boolean;
-    variable slice2cost_difference_0_5_value, slice2cost_difference_0_6_value : boolean;
-    variable slice2cost_difference_0_7_value, slice2cost_difference_0_8_value : boolean;
-    variable slice2cost_difference_0_9_value, slice2cost_difference_0_10_value : boolean;
-    variable slice2cost_difference_0_11_value, slice2cost_difference_0_12_value : boolean;
-    variable slice2cost_difference_0_13_value, slice2cost_difference_0_14_value : boolean;
-    variable slice2cost_difference_0_15_value, slice2cost_difference_0_16_value : boolean;
-    variable slice2cost_difference_0_17_value, slice2cost_difference_0_18_value : boolean;
-    variable slice2cost_difference_0_19_value, slice2cost_difference_0_20_value : boolean;
-    variable slice2cost_difference_0_21_value, slice2cost_difference_0_22_value : boolean;
-    variable slice2cost_difference_0_23_value, slice2cost_difference_1_1_value : boolean;
-    variable slice2cost_difference_1_2_value, slice2cost_difference_1_3_value : boolean;
-    variable slice2cost_difference_1_4_value, slice2cost_difference_1_5_value : boolean;
-    variable slice2cost_difference_1_6_value, slice2cost_difference_1_7_value : boolean;
-    variable slice2cost_difference_1_8_value, slice2cost_difference_1_9_value : boolean;
-    variable slice2cost_difference_1_10_value, slice2cost_difference_1_11_value : boolean;
-    variable slice2cost_difference_1_12_value, slice2cost_difference_1_13_value : boolean;
-    variable slice2cost_difference_1_14_value, slice2cost_difference_1_15_value : boolean;
-    variable slice2cost_difference_1_16_value, slice2cost_difference_1_17_value : boolean;
-    variable slice2cost_difference_1_18_value, slice2cost_difference_1_19_value : boolean;
-    variable slice2cost_difference_1_20_value, slice2cost_difference_1_21_value : boolean;
-    variable slice2cost_difference_1_22_value, slice2cost_difference_1_23_value : boolean;
-    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_0_1_is_less : boolean;
-    variable slice2winner1_best_cost_0_2_is_less, slice2winner1_best_cost_0_3_is_less : boolean;
-    variable slice2winner1_best_cost_0_4_is_less, slice2winner1_best_cost_0_5_is_less : boolean;
-    variable slice2winner1_best_cost_0_6_is_less, slice2winner1_best_cost_0_7_is_less : boolean;
-    variable slice2winner1_best_cost_0_8_is_less, slice2winner1_best_cost_0_9_is_less : boolean;
-    variable slice2winner1_best_cost_0_10_is_less, slice2winner1_best_cost_0_11_is_less : boolean;
-    variable slice2winner2_best_cost_0_0_is_less, slice2winner2_best_cost_0_1_is_less : boolean;
-    variable slice2winner2_best_cost_0_2_is_less, slice2winner2_best_cost_0_3_is_less : boolean;
-    variable slice2winner2_best_cost_0_4_is_less, slice2winner2_best_cost_0_5_is_less : boolean;
-    variable slice2winner3_best_cost_0_0_is_less, slice2winner3_best_cost_0_1_is_less : boolean;
-    variable slice2winner3_best_cost_0_2_is_less, slice2winner4_best_cost_0_0_is_less : boolean;
-    variable slice2winner4_best_cost_0_1_is_less, slice2winner5_best_cost_0_0_is_less : boolean;
-    variable slice2_best_cost_0_0_is_less, slice3cost_difference_0_1_value, slice3cost_difference_0_2_value : boolean;
-    variable slice3cost_difference_0_3_value, slice3cost_difference_0_4_value : boolean;
-    variable slice3cost_difference_0_5_value, slice3cost_difference_0_6_value : boolean;
-    variable slice3cost_difference_0_7_value, slice3cost_difference_0_8_value : boolean;
-    variable slice3cost_difference_0_9_value, slice3cost_difference_0_10_value : boolean;
-    variable slice3cost_difference_0_11_value, slice3cost_difference_0_12_value : boolean;
-    variable slice3cost_difference_0_13_value, slice3cost_difference_0_14_value : boolean;
-    variable slice3cost_difference_0_15_value, slice3cost_difference_0_16_value : boolean;
-    variable slice3cost_difference_0_17_value, slice3cost_difference_0_18_value : boolean;
-    variable slice3cost_difference_0_19_value, slice3cost_difference_0_20_value : boolean;
-    variable slice3cost_difference_0_21_value, slice3cost_difference_0_22_value : boolean;
-    variable slice3cost_difference_0_23_value, slice3cost_difference_1_1_value : boolean;
-    variable slice3cost_difference_1_2_value, slice3cost_difference_1_3_value : boolean;
-    variable slice3cost_difference_1_4_value, slice3cost_difference_1_5_value : boolean;
-    variable slice3cost_difference_1_6_value, slice3cost_difference_1_7_value : boolean;
-    variable slice3cost_difference_1_8_value, slice3cost_difference_1_9_value : boolean;
-    variable slice3cost_difference_1_10_value, slice3cost_difference_1_11_value : boolean;
-    variable slice3cost_difference_1_12_value, slice3cost_difference_1_13_value : boolean;
-    variable slice3cost_difference_1_14_value, slice3cost_difference_1_15_value : boolean;
-    variable slice3cost_difference_1_16_value, slice3cost_difference_1_17_value : boolean;
-    variable slice3cost_difference_1_18_value, slice3cost_difference_1_19_value : boolean;
-    variable slice3cost_difference_1_20_value, slice3cost_difference_1_21_value : boolean;
-    variable slice3cost_difference_1_22_value, slice3cost_difference_1_23_value : boolean;
-    variable slice3winner1_best_cost_0_0_is_less, slice3winner1_best_cost_0_1_is_less : boolean;
-    variable slice3winner1_best_cost_0_2_is_less, slice3winner1_best_cost_0_3_is_less : boolean;
-    variable slice3winner1_best_cost_0_4_is_less, slice3winner1_best_cost_0_5_is_less : boolean;
-    variable slice3winner1_best_cost_0_6_is_less, slice3winner1_best_cost_0_7_is_less : boolean;
-    variable slice3winner1_best_cost_0_8_is_less, slice3winner1_best_cost_0_9_is_less : boolean;
-    variable slice3winner1_best_cost_0_10_is_less, slice3winner1_best_cost_0_11_is_less : boolean;
-    variable slice3winner2_best_cost_0_0_is_less, slice3winner2_best_cost_0_1_is_less : boolean;
-    variable slice3winner2_best_cost_0_2_is_less, slice3winner2_best_cost_0_3_is_less : boolean;
-    variable slice3winner2_best_cost_0_4_is_less, slice3winner2_best_cost_0_5_is_less : boolean;
-    variable slice3winner3_best_cost_0_0_is_less, slice3winner3_best_cost_0_1_is_less : boolean;
-    variable slice3winner3_best_cost_0_2_is_less, slice3winner4_best_cost_0_0_is_less : boolean;
-    variable slice3winner4_best_cost_0_1_is_less, slice3winner5_best_cost_0_0_is_less : boolean;
+    variable slice2cost_difference_value : boolean_2d(0 to 1, 1 to 23);  -- slice2cost_difference_#_#_value
+    variable slice2winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- slice2winner1_best_cost_0_#_is_less
+    variable slice2winner2_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice2winner2_best_cost_0_#_is_less
+    variable slice2winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice2winner3_best_cost_0_#_is_less
+    variable slice2winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice2winner4_best_cost_0_#_is_less
+    variable slice2winner5_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
+    variable slice3cost_difference_value : boolean_2d(0 to 1, 1 to 23);  -- slice3cost_difference_#_#_value
+    variable slice3winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- slice3winner1_best_cost_0_#_is_less
+    variable slice3winner2_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice3winner2_best_cost_0_#_is_less
+    variable slice3winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice3winner3_best_cost_0_#_is_less
+    variable slice3winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice3winner4_best_cost_0_#_is_less
+    variable slice3winner5_best_cost_0_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 15;
-    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 255;
-    variable slice0cost_difference_0_0_choice, slice0cost_difference_0_0_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_1_choice, slice0cost_difference_0_1_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_2_choice, slice0cost_difference_0_2_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_3_choice, slice0cost_difference_0_3_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_4_choice, slice0cost_difference_0_4_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_5_choice, slice0cost_difference_0_5_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_6_choice, slice0cost_difference_0_6_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_7_choice, slice0cost_difference_0_7_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_8_choice, slice0cost_difference_0_8_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_9_choice, slice0cost_difference_0_9_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_10_choice, slice0cost_difference_0_10_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_11_choice, slice0cost_difference_0_11_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_12_choice, slice0cost_difference_0_12_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_13_choice, slice0cost_difference_0_13_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_14_choice, slice0cost_difference_0_14_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_15_choice, slice0cost_difference_0_15_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_16_choice, slice0cost_difference_0_16_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_17_choice, slice0cost_difference_0_17_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_18_choice, slice0cost_difference_0_18_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_19_choice, slice0cost_difference_0_19_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_20_choice, slice0cost_difference_0_20_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_21_choice, slice0cost_difference_0_21_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_22_choice, slice0cost_difference_0_22_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_23_choice, slice0cost_difference_0_23_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_24_choice, slice0cost_difference_0_24_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_0_choice, slice0cost_difference_1_0_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_1_choice, slice0cost_difference_1_1_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_2_choice, slice0cost_difference_1_2_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_3_choice, slice0cost_difference_1_3_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_4_choice, slice0cost_difference_1_4_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_5_choice, slice0cost_difference_1_5_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_6_choice, slice0cost_difference_1_6_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_7_choice, slice0cost_difference_1_7_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_8_choice, slice0cost_difference_1_8_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_9_choice, slice0cost_difference_1_9_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_10_choice, slice0cost_difference_1_10_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_11_choice, slice0cost_difference_1_11_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_12_choice, slice0cost_difference_1_12_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_13_choice, slice0cost_difference_1_13_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_14_choice, slice0cost_difference_1_14_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_15_choice, slice0cost_difference_1_15_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_16_choice, slice0cost_difference_1_16_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_17_choice, slice0cost_difference_1_17_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_18_choice, slice0cost_difference_1_18_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_19_choice, slice0cost_difference_1_19_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_20_choice, slice0cost_difference_1_20_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_21_choice, slice0cost_difference_1_21_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_22_choice, slice0cost_difference_1_22_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_23_choice, slice0cost_difference_1_23_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_24_choice, slice0cost_difference_1_24_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_0_choice, slice1cost_difference_0_0_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_1_choice, slice1cost_difference_0_1_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_2_choice, slice1cost_difference_0_2_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_3_choice, slice1cost_difference_0_3_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_4_choice, slice1cost_difference_0_4_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_5_choice, slice1cost_difference_0_5_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_6_choice, slice1cost_difference_0_6_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_7_choice, slice1cost_difference_0_7_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_8_choice, slice1cost_difference_0_8_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_9_choice, slice1cost_difference_0_9_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_10_choice, slice1cost_difference_0_10_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_11_choice, slice1cost_difference_0_11_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_12_choice, slice1cost_difference_0_12_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_13_choice, slice1cost_difference_0_13_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_14_choice, slice1cost_difference_0_14_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_15_choice, slice1cost_difference_0_15_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_16_choice, slice1cost_difference_0_16_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_17_choice, slice1cost_difference_0_17_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_18_choice, slice1cost_difference_0_18_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_19_choice, slice1cost_difference_0_19_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_20_choice, slice1cost_difference_0_20_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_21_choice, slice1cost_difference_0_21_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_22_choice, slice1cost_difference_0_22_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_23_choice, slice1cost_difference_0_23_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_24_choice, slice1cost_difference_0_24_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_0_choice, slice1cost_difference_1_0_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_1_choice, slice1cost_difference_1_1_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_2_choice, slice1cost_difference_1_2_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_3_choice, slice1cost_difference_1_3_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_4_choice, slice1cost_difference_1_4_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_5_choice, slice1cost_difference_1_5_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_6_choice, slice1cost_difference_1_6_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_7_choice, slice1cost_difference_1_7_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_8_choice, slice1cost_difference_1_8_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_9_choice, slice1cost_difference_1_9_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_10_choice, slice1cost_difference_1_10_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_11_choice, slice1cost_difference_1_11_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_12_choice, slice1cost_difference_1_12_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_13_choice, slice1cost_difference_1_13_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_14_choice, slice1cost_difference_1_14_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_15_choice, slice1cost_difference_1_15_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_16_choice, slice1cost_difference_1_16_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_17_choice, slice1cost_difference_1_17_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_18_choice, slice1cost_difference_1_18_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_19_choice, slice1cost_difference_1_19_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_20_choice, slice1cost_difference_1_20_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_21_choice, slice1cost_difference_1_21_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_22_choice, slice1cost_difference_1_22_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_23_choice, slice1cost_difference_1_23_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_24_choice, slice1cost_difference_1_24_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_0_choice, slice2cost_difference_0_0_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_1_choice, slice2cost_difference_0_1_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_2_choice, slice2cost_difference_0_2_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_3_choice, slice2cost_difference_0_3_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_4_choice, slice2cost_difference_0_4_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_5_choice, slice2cost_difference_0_5_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_6_choice, slice2cost_difference_0_6_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_7_choice, slice2cost_difference_0_7_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_8_choice, slice2cost_difference_0_8_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_9_choice, slice2cost_difference_0_9_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_10_choice, slice2cost_difference_0_10_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_11_choice, slice2cost_difference_0_11_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_12_choice, slice2cost_difference_0_12_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_13_choice, slice2cost_difference_0_13_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_14_choice, slice2cost_difference_0_14_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_15_choice, slice2cost_difference_0_15_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_16_choice, slice2cost_difference_0_16_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_17_choice, slice2cost_difference_0_17_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_18_choice, slice2cost_difference_0_18_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_19_choice, slice2cost_difference_0_19_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_20_choice, slice2cost_difference_0_20_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_21_choice, slice2cost_difference_0_21_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_22_choice, slice2cost_difference_0_22_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_23_choice, slice2cost_difference_0_23_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_24_choice, slice2cost_difference_0_24_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_0_choice, slice2cost_difference_1_0_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_1_choice, slice2cost_difference_1_1_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_2_choice, slice2cost_difference_1_2_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_3_choice, slice2cost_difference_1_3_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_4_choice, slice2cost_difference_1_4_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_5_choice, slice2cost_difference_1_5_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_6_choice, slice2cost_difference_1_6_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_7_choice, slice2cost_difference_1_7_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_8_choice, slice2cost_difference_1_8_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_9_choice, slice2cost_difference_1_9_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_10_choice, slice2cost_difference_1_10_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_11_choice, slice2cost_difference_1_11_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_12_choice, slice2cost_difference_1_12_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_13_choice, slice2cost_difference_1_13_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_14_choice, slice2cost_difference_1_14_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_15_choice, slice2cost_difference_1_15_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_16_choice, slice2cost_difference_1_16_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_17_choice, slice2cost_difference_1_17_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_18_choice, slice2cost_difference_1_18_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_19_choice, slice2cost_difference_1_19_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_20_choice, slice2cost_difference_1_20_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_21_choice, slice2cost_difference_1_21_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_22_choice, slice2cost_difference_1_22_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_23_choice, slice2cost_difference_1_23_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_24_choice, slice2cost_difference_1_24_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_0_choice, slice3cost_difference_0_0_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_1_choice, slice3cost_difference_0_1_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_2_choice, slice3cost_difference_0_2_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_3_choice, slice3cost_difference_0_3_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_4_choice, slice3cost_difference_0_4_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_5_choice, slice3cost_difference_0_5_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_6_choice, slice3cost_difference_0_6_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_7_choice, slice3cost_difference_0_7_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_8_choice, slice3cost_difference_0_8_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_9_choice, slice3cost_difference_0_9_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_10_choice, slice3cost_difference_0_10_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_11_choice, slice3cost_difference_0_11_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_12_choice, slice3cost_difference_0_12_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_13_choice, slice3cost_difference_0_13_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_14_choice, slice3cost_difference_0_14_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_15_choice, slice3cost_difference_0_15_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_16_choice, slice3cost_difference_0_16_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_17_choice, slice3cost_difference_0_17_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_18_choice, slice3cost_difference_0_18_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_19_choice, slice3cost_difference_0_19_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_20_choice, slice3cost_difference_0_20_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_21_choice, slice3cost_difference_0_21_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_22_choice, slice3cost_difference_0_22_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_23_choice, slice3cost_difference_0_23_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_24_choice, slice3cost_difference_0_24_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_0_choice, slice3cost_difference_1_0_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_1_choice, slice3cost_difference_1_1_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_2_choice, slice3cost_difference_1_2_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_3_choice, slice3cost_difference_1_3_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_4_choice, slice3cost_difference_1_4_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_5_choice, slice3cost_difference_1_5_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_6_choice, slice3cost_difference_1_6_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_7_choice, slice3cost_difference_1_7_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_8_choice, slice3cost_difference_1_8_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_9_choice, slice3cost_difference_1_9_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_10_choice, slice3cost_difference_1_10_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_11_choice, slice3cost_difference_1_11_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_12_choice, slice3cost_difference_1_12_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_13_choice, slice3cost_difference_1_13_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_14_choice, slice3cost_difference_1_14_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_15_choice, slice3cost_difference_1_15_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_16_choice, slice3cost_difference_1_16_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_17_choice, slice3cost_difference_1_17_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_18_choice, slice3cost_difference_1_18_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_19_choice, slice3cost_difference_1_19_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_20_choice, slice3cost_difference_1_20_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_21_choice, slice3cost_difference_1_21_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_22_choice, slice3cost_difference_1_22_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_23_choice, slice3cost_difference_1_23_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_24_choice, slice3cost_difference_1_24_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_2_0_difference, slice0cost_difference_2_1_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_2_difference, slice0cost_difference_2_3_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_4_difference, slice0cost_difference_2_5_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_6_difference, slice0cost_difference_2_7_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_8_difference, slice0cost_difference_2_9_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_10_difference, slice0cost_difference_2_11_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_12_difference, slice0cost_difference_2_13_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_14_difference, slice0cost_difference_2_15_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_16_difference, slice0cost_difference_2_17_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_18_difference, slice0cost_difference_2_19_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_20_difference, slice0cost_difference_2_21_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_22_difference, slice0cost_difference_2_23_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_24_difference, slice1cost_difference_2_0_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_1_difference, slice1cost_difference_2_2_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_3_difference, slice1cost_difference_2_4_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_5_difference, slice1cost_difference_2_6_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_7_difference, slice1cost_difference_2_8_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_9_difference, slice1cost_difference_2_10_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_11_difference, slice1cost_difference_2_12_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_13_difference, slice1cost_difference_2_14_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_15_difference, slice1cost_difference_2_16_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_17_difference, slice1cost_difference_2_18_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_19_difference, slice1cost_difference_2_20_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_21_difference, slice1cost_difference_2_22_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_23_difference, slice1cost_difference_2_24_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_0_difference, slice2cost_difference_2_1_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_2_difference, slice2cost_difference_2_3_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_4_difference, slice2cost_difference_2_5_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_6_difference, slice2cost_difference_2_7_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_8_difference, slice2cost_difference_2_9_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_10_difference, slice2cost_difference_2_11_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_12_difference, slice2cost_difference_2_13_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_14_difference, slice2cost_difference_2_15_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_16_difference, slice2cost_difference_2_17_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_18_difference, slice2cost_difference_2_19_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_20_difference, slice2cost_difference_2_21_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_22_difference, slice2cost_difference_2_23_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_24_difference, slice3cost_difference_2_0_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_1_difference, slice3cost_difference_2_2_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_3_difference, slice3cost_difference_2_4_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_5_difference, slice3cost_difference_2_6_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_7_difference, slice3cost_difference_2_8_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_9_difference, slice3cost_difference_2_10_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_11_difference, slice3cost_difference_2_12_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_13_difference, slice3cost_difference_2_14_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_15_difference, slice3cost_difference_2_16_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_17_difference, slice3cost_difference_2_18_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_19_difference, slice3cost_difference_2_20_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_21_difference, slice3cost_difference_2_22_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_23_difference, slice3cost_difference_2_24_difference : integer range -255 to 255;
+    variable raster_place_group_choices : natural_255_1d(3 to 4);  -- raster_place_group_choice_#
+    variable slice0cost_difference_choice : natural_255_2d(0 to 1, 0 to 24);  -- slice0cost_difference_#_#_choice
+    variable slice0cost_difference_choice_2 : natural_255_2d(0 to 1, 0 to 24);  -- slice0cost_difference_#_#_choice_2
+    variable slice1cost_difference_choice : natural_255_2d(0 to 1, 0 to 24);  -- slice1cost_difference_#_#_choice
+    variable slice1cost_difference_choice_2 : natural_255_2d(0 to 1, 0 to 24);  -- slice1cost_difference_#_#_choice_2
+    variable slice2cost_difference_choice : natural_255_2d(0 to 1, 0 to 24);  -- slice2cost_difference_#_#_choice
+    variable slice2cost_difference_choice_2 : natural_255_2d(0 to 1, 0 to 24);  -- slice2cost_difference_#_#_choice_2
+    variable slice3cost_difference_choice : natural_255_2d(0 to 1, 0 to 24);  -- slice3cost_difference_#_#_choice
+    variable slice3cost_difference_choice_2 : natural_255_2d(0 to 1, 0 to 24);  -- slice3cost_difference_#_#_choice_2
+    variable slice0cost_difference_2_difference : integer_minus_255_to_255_1d(0 to 24);  -- slice0cost_difference_2_#_difference
+    variable slice1cost_difference_2_difference : integer_minus_255_to_255_1d(0 to 24);  -- slice1cost_difference_2_#_difference
+    variable slice2cost_difference_2_difference : integer_minus_255_to_255_1d(0 to 24);  -- slice2cost_difference_2_#_difference
+    variable slice3cost_difference_2_difference : integer_minus_255_to_255_1d(0 to 24);  -- slice3cost_difference_2_#_difference
   begin
     if rising_edge(clock) then
       -- raster
       raster_place_group_is_equal := raster_place_column = 319;
-      raster_place_group_is_equal_2 := raster_place_group = 239;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_is_equals(2) := raster_place_group = 239;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equals(2);
       if raster_place_group_all then
         raster_place_group_choice := 15;
       else
@@ -1419,16 +630,16 @@ begin
       else
         raster_place_group_choice_2 := raster_place_group_is_equal and in_valid;
       end if;
-      raster_place_group_is_equal_3 := raster_place_group = 240;
-      if raster_place_group_is_equal_3 and raster_place_next_frame then
-        raster_place_group_choice_3 := 1;
+      raster_place_group_is_equals(3) := raster_place_group = 240;
+      if raster_place_group_is_equals(3) and raster_place_next_frame then
+        raster_place_group_choices(3) := 1;
       else
-        raster_place_group_choice_3 := (raster_place_group + 1) mod 256;
+        raster_place_group_choices(3) := (raster_place_group + 1) mod 256;
       end if;
       if raster_place_group_choice_2 then
-        raster_place_group_choice_4 := raster_place_group_choice_3;
+        raster_place_group_choices(4) := raster_place_group_choices(3);
       else
-        raster_place_group_choice_4 := raster_place_group;
+        raster_place_group_choices(4) := raster_place_group;
       end if;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
@@ -1436,9 +647,9 @@ begin
       if in_start_of_frame and in_valid then
         raster_place_group <= raster_place_group_choice * 16;
       else
-        raster_place_group <= raster_place_group_choice_4;
+        raster_place_group <= raster_place_group_choices(4);
       end if;
-      if raster_place_group_is_equal_3 then
+      if raster_place_group_is_equals(3) then
         raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame;
       else
         raster_place_next_frame_choice := raster_place_next_frame;
@@ -1452,7 +663,7 @@ begin
         if raster_place_next_frame_choice then
           raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
         else
-          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equals(2) and
             in_start_of_frame;
         end if;
       end if;
@@ -1469,10 +680,10 @@ begin
       delay_row_inside_1_is_less := raster_place_group < 241;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 240;
-      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
-      delay_row_inside_2 <= (not ((raster_place_group / 128) = 1)) or (not (((raster_place_group / 64) mod 2) = 1)) or
-        (not (((raster_place_group / 32) mod 2) = 1)) or (not (((raster_place_group / 16) mod 2) = 1));
+      delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 240;
+      delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+      delay_row_inside(2) <= (not is_set(raster_place_group, 7)) or (not is_set(raster_place_group, 6)) or (not
+        is_set(raster_place_group, 5)) or (not is_set(raster_place_group, 4));
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= raster_place_column < 99;
       delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and (raster_place_column
@@ -1487,44 +698,44 @@ begin
       rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside_0 <= delay_row_inside_0;
-      rows_read_inside_1 <= delay_row_inside_1;
-      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_inside(0) <= delay_row_inside(0);
+      rows_read_inside(1) <= delay_row_inside(1);
+      rows_read_inside(2) <= delay_row_inside(2);
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_border_column <= delay_tag_border_column;
       rows_read_tag_output_column <= delay_tag_output_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= rows_read_inside_1;
-      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_inside(0) <= rows_read_inside(0);
+      rows_ready_inside(1) <= rows_read_inside(1);
+      rows_ready_inside(2) <= rows_read_inside(2);
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_border_column <= rows_read_tag_border_column;
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_2 <= rows_search_rows_ready_newest_0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0;
-      rows_inside_2 <= rows_ready_inside_2;
+      rows_search(2) <= rows_search_rows_ready_newest_0;
+      rows_reference(2) <= rows_reference_rows_ready_newest_0;
+      rows_inside_2 <= rows_ready_inside(2);
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside_0 then
-        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
-        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      if rows_ready_inside(0) then
+        rows_search(0) <= rows_search_rows_ready_words_0 mod 256;
+        rows_reference(0) <= rows_reference_rows_ready_words_0 mod 256;
       else
-        rows_search_0 <= 0;
-        rows_reference_0 <= 0;
+        rows_search(0) <= 0;
+        rows_reference(0) <= 0;
       end if;
-      if rows_ready_inside_1 then
-        rows_search_1 <= rows_search_rows_ready_words_0 / 256;
-        rows_reference_1 <= rows_reference_rows_ready_words_0 / 256;
+      if rows_ready_inside(1) then
+        rows_search(1) <= rows_search_rows_ready_words_0 / 256;
+        rows_reference(1) <= rows_reference_rows_ready_words_0 / 256;
       else
-        rows_search_1 <= 0;
-        rows_reference_1 <= 0;
+        rows_search(1) <= 0;
+        rows_reference(1) <= 0;
       end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_newest_0 * 256) + (rows_search_rows_ready_words_0 /
@@ -1535,88 +746,19 @@ begin
       end if;
       -- slice0shift
       if rows_tag_valid then
-        slice0shift_search_0_0 <= slice0shift_search_0_1;
-        slice0shift_search_0_1 <= slice0shift_search_0_2;
-        slice0shift_search_0_2 <= slice0shift_search_0_3;
-        slice0shift_search_0_3 <= slice0shift_search_0_4;
-        slice0shift_search_0_4 <= slice0shift_search_0_5;
-        slice0shift_search_0_5 <= slice0shift_search_0_6;
-        slice0shift_search_0_6 <= slice0shift_search_0_7;
-        slice0shift_search_0_7 <= slice0shift_search_0_8;
-        slice0shift_search_0_8 <= slice0shift_search_0_9;
-        slice0shift_search_0_9 <= slice0shift_search_0_10;
-        slice0shift_search_0_10 <= slice0shift_search_0_11;
-        slice0shift_search_0_11 <= slice0shift_search_0_12;
-        slice0shift_search_0_12 <= slice0shift_search_0_13;
-        slice0shift_search_0_13 <= slice0shift_search_0_14;
-        slice0shift_search_0_14 <= slice0shift_search_0_15;
-        slice0shift_search_0_15 <= slice0shift_search_0_16;
-        slice0shift_search_0_16 <= slice0shift_search_0_17;
-        slice0shift_search_0_17 <= slice0shift_search_0_18;
-        slice0shift_search_0_18 <= slice0shift_search_0_19;
-        slice0shift_search_0_19 <= slice0shift_search_0_20;
-        slice0shift_search_0_20 <= slice0shift_search_0_21;
-        slice0shift_search_0_21 <= slice0shift_search_0_22;
-        slice0shift_search_0_22 <= slice0shift_search_0_23;
-        slice0shift_search_0_23 <= slice0shift_search_0_24;
-        slice0shift_search_0_24 <= rows_search_0;
-        slice0shift_search_1_0 <= slice0shift_search_1_1;
-        slice0shift_search_1_1 <= slice0shift_search_1_2;
-        slice0shift_search_1_2 <= slice0shift_search_1_3;
-        slice0shift_search_1_3 <= slice0shift_search_1_4;
-        slice0shift_search_1_4 <= slice0shift_search_1_5;
-        slice0shift_search_1_5 <= slice0shift_search_1_6;
-        slice0shift_search_1_6 <= slice0shift_search_1_7;
-        slice0shift_search_1_7 <= slice0shift_search_1_8;
-        slice0shift_search_1_8 <= slice0shift_search_1_9;
-        slice0shift_search_1_9 <= slice0shift_search_1_10;
-        slice0shift_search_1_10 <= slice0shift_search_1_11;
-        slice0shift_search_1_11 <= slice0shift_search_1_12;
-        slice0shift_search_1_12 <= slice0shift_search_1_13;
-        slice0shift_search_1_13 <= slice0shift_search_1_14;
-        slice0shift_search_1_14 <= slice0shift_search_1_15;
-        slice0shift_search_1_15 <= slice0shift_search_1_16;
-        slice0shift_search_1_16 <= slice0shift_search_1_17;
-        slice0shift_search_1_17 <= slice0shift_search_1_18;
-        slice0shift_search_1_18 <= slice0shift_search_1_19;
-        slice0shift_search_1_19 <= slice0shift_search_1_20;
-        slice0shift_search_1_20 <= slice0shift_search_1_21;
-        slice0shift_search_1_21 <= slice0shift_search_1_22;
-        slice0shift_search_1_22 <= slice0shift_search_1_23;
-        slice0shift_search_1_23 <= slice0shift_search_1_24;
-        slice0shift_search_1_24 <= rows_search_1;
-        slice0shift_search_2_0 <= slice0shift_search_2_1;
-        slice0shift_search_2_1 <= slice0shift_search_2_2;
-        slice0shift_search_2_2 <= slice0shift_search_2_3;
-        slice0shift_search_2_3 <= slice0shift_search_2_4;
-        slice0shift_search_2_4 <= slice0shift_search_2_5;
-        slice0shift_search_2_5 <= slice0shift_search_2_6;
-        slice0shift_search_2_6 <= slice0shift_search_2_7;
-        slice0shift_search_2_7 <= slice0shift_search_2_8;
-        slice0shift_search_2_8 <= slice0shift_search_2_9;
-        slice0shift_search_2_9 <= slice0shift_search_2_10;
-        slice0shift_search_2_10 <= slice0shift_search_2_11;
-        slice0shift_search_2_11 <= slice0shift_search_2_12;
-        slice0shift_search_2_12 <= slice0shift_search_2_13;
-        slice0shift_search_2_13 <= slice0shift_search_2_14;
-        slice0shift_search_2_14 <= slice0shift_search_2_15;
-        slice0shift_search_2_15 <= slice0shift_search_2_16;
-        slice0shift_search_2_16 <= slice0shift_search_2_17;
-        slice0shift_search_2_17 <= slice0shift_search_2_18;
-        slice0shift_search_2_18 <= slice0shift_search_2_19;
-        slice0shift_search_2_19 <= slice0shift_search_2_20;
-        slice0shift_search_2_20 <= slice0shift_search_2_21;
-        slice0shift_search_2_21 <= slice0shift_search_2_22;
-        slice0shift_search_2_22 <= slice0shift_search_2_23;
-        slice0shift_search_2_23 <= slice0shift_search_2_24;
-        slice0shift_search_2_24 <= rows_search_2;
+        for i in 0 to 2 loop
+          for j in 0 to 23 loop
+            slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
+          end loop;
+          slice0shift_search(i, 24) <= rows_search(i);
+        end loop;
       end if;
-      slice0shift_reference_0 <= rows_reference_0;
-      slice0shift_reference_1 <= rows_reference_1;
-      slice0shift_reference_2 <= rows_reference_2;
-      slice0shift_search_out_0 <= slice0shift_search_0_0;
-      slice0shift_search_out_1 <= slice0shift_search_1_0;
-      slice0shift_search_out_2 <= slice0shift_search_2_0;
+      slice0shift_reference(0) <= rows_reference(0);
+      slice0shift_reference(1) <= rows_reference(1);
+      slice0shift_reference(2) <= rows_reference(2);
+      slice0shift_search_out(0) <= slice0shift_search(0, 0);
+      slice0shift_search_out(1) <= slice0shift_search(1, 0);
+      slice0shift_search_out(2) <= slice0shift_search(2, 0);
       slice0shift_tag_valid <= rows_tag_valid;
       slice0shift_tag_newest_inside <= rows_inside_2;
       slice0shift_tag_border_column <= rows_tag_border_column;
@@ -1624,739 +766,95 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      if (slice0cost_signs_ready_words_0 mod 2) = 1 then
-        slice0cost_difference_0_0_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_0_choice := slice0shift_search_0_0;
-      end if;
-      if (slice0cost_signs_ready_words_0 mod 2) = 1 then
-        slice0cost_difference_0_0_choice_2 := slice0shift_search_0_0;
-      else
-        slice0cost_difference_0_0_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_1_value := ((slice0cost_signs_ready_words_0 / 2) mod 2) = 1;
-      if slice0cost_difference_0_1_value then
-        slice0cost_difference_0_1_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_1_choice := slice0shift_search_0_1;
-      end if;
-      if slice0cost_difference_0_1_value then
-        slice0cost_difference_0_1_choice_2 := slice0shift_search_0_1;
-      else
-        slice0cost_difference_0_1_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_2_value := ((slice0cost_signs_ready_words_0 / 4) mod 2) = 1;
-      if slice0cost_difference_0_2_value then
-        slice0cost_difference_0_2_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_2_choice := slice0shift_search_0_2;
-      end if;
-      if slice0cost_difference_0_2_value then
-        slice0cost_difference_0_2_choice_2 := slice0shift_search_0_2;
-      else
-        slice0cost_difference_0_2_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_3_value := ((slice0cost_signs_ready_words_0 / 8) mod 2) = 1;
-      if slice0cost_difference_0_3_value then
-        slice0cost_difference_0_3_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_3_choice := slice0shift_search_0_3;
-      end if;
-      if slice0cost_difference_0_3_value then
-        slice0cost_difference_0_3_choice_2 := slice0shift_search_0_3;
-      else
-        slice0cost_difference_0_3_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_4_value := ((slice0cost_signs_ready_words_0 / 16) mod 2) = 1;
-      if slice0cost_difference_0_4_value then
-        slice0cost_difference_0_4_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_4_choice := slice0shift_search_0_4;
-      end if;
-      if slice0cost_difference_0_4_value then
-        slice0cost_difference_0_4_choice_2 := slice0shift_search_0_4;
-      else
-        slice0cost_difference_0_4_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_5_value := ((slice0cost_signs_ready_words_0 / 32) mod 2) = 1;
-      if slice0cost_difference_0_5_value then
-        slice0cost_difference_0_5_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_5_choice := slice0shift_search_0_5;
-      end if;
-      if slice0cost_difference_0_5_value then
-        slice0cost_difference_0_5_choice_2 := slice0shift_search_0_5;
-      else
-        slice0cost_difference_0_5_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_6_value := ((slice0cost_signs_ready_words_0 / 64) mod 2) = 1;
-      if slice0cost_difference_0_6_value then
-        slice0cost_difference_0_6_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_6_choice := slice0shift_search_0_6;
-      end if;
-      if slice0cost_difference_0_6_value then
-        slice0cost_difference_0_6_choice_2 := slice0shift_search_0_6;
-      else
-        slice0cost_difference_0_6_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_7_value := ((slice0cost_signs_ready_words_0 / 128) mod 2) = 1;
-      if slice0cost_difference_0_7_value then
-        slice0cost_difference_0_7_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_7_choice := slice0shift_search_0_7;
-      end if;
-      if slice0cost_difference_0_7_value then
-        slice0cost_difference_0_7_choice_2 := slice0shift_search_0_7;
-      else
-        slice0cost_difference_0_7_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_8_value := ((slice0cost_signs_ready_words_0 / 256) mod 2) = 1;
-      if slice0cost_difference_0_8_value then
-        slice0cost_difference_0_8_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_8_choice := slice0shift_search_0_8;
-      end if;
-      if slice0cost_difference_0_8_value then
-        slice0cost_difference_0_8_choice_2 := slice0shift_search_0_8;
-      else
-        slice0cost_difference_0_8_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_9_value := ((slice0cost_signs_ready_words_0 / 512) mod 2) = 1;
-      if slice0cost_difference_0_9_value then
-        slice0cost_difference_0_9_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_9_choice := slice0shift_search_0_9;
-      end if;
-      if slice0cost_difference_0_9_value then
-        slice0cost_difference_0_9_choice_2 := slice0shift_search_0_9;
-      else
-        slice0cost_difference_0_9_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_10_value := ((slice0cost_signs_ready_words_0 / 1024) mod 2) = 1;
-      if slice0cost_difference_0_10_value then
-        slice0cost_difference_0_10_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_10_choice := slice0shift_search_0_10;
-      end if;
-      if slice0cost_difference_0_10_value then
-        slice0cost_difference_0_10_choice_2 := slice0shift_search_0_10;
-      else
-        slice0cost_difference_0_10_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_11_value := ((slice0cost_signs_ready_words_0 / 2048) mod 2) = 1;
-      if slice0cost_difference_0_11_value then
-        slice0cost_difference_0_11_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_11_choice := slice0shift_search_0_11;
-      end if;
-      if slice0cost_difference_0_11_value then
-        slice0cost_difference_0_11_choice_2 := slice0shift_search_0_11;
-      else
-        slice0cost_difference_0_11_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_12_value := ((slice0cost_signs_ready_words_0 / 4096) mod 2) = 1;
-      if slice0cost_difference_0_12_value then
-        slice0cost_difference_0_12_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_12_choice := slice0shift_search_0_12;
-      end if;
-      if slice0cost_difference_0_12_value then
-        slice0cost_difference_0_12_choice_2 := slice0shift_search_0_12;
-      else
-        slice0cost_difference_0_12_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_13_value := ((slice0cost_signs_ready_words_0 / 8192) mod 2) = 1;
-      if slice0cost_difference_0_13_value then
-        slice0cost_difference_0_13_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_13_choice := slice0shift_search_0_13;
-      end if;
-      if slice0cost_difference_0_13_value then
-        slice0cost_difference_0_13_choice_2 := slice0shift_search_0_13;
-      else
-        slice0cost_difference_0_13_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_14_value := ((slice0cost_signs_ready_words_0 / 16384) mod 2) = 1;
-      if slice0cost_difference_0_14_value then
-        slice0cost_difference_0_14_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_14_choice := slice0shift_search_0_14;
-      end if;
-      if slice0cost_difference_0_14_value then
-        slice0cost_difference_0_14_choice_2 := slice0shift_search_0_14;
-      else
-        slice0cost_difference_0_14_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_15_value := ((slice0cost_signs_ready_words_0 / 32768) mod 2) = 1;
-      if slice0cost_difference_0_15_value then
-        slice0cost_difference_0_15_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_15_choice := slice0shift_search_0_15;
-      end if;
-      if slice0cost_difference_0_15_value then
-        slice0cost_difference_0_15_choice_2 := slice0shift_search_0_15;
-      else
-        slice0cost_difference_0_15_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_16_value := ((slice0cost_signs_ready_words_0 / 65536) mod 2) = 1;
-      if slice0cost_difference_0_16_value then
-        slice0cost_difference_0_16_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_16_choice := slice0shift_search_0_16;
-      end if;
-      if slice0cost_difference_0_16_value then
-        slice0cost_difference_0_16_choice_2 := slice0shift_search_0_16;
-      else
-        slice0cost_difference_0_16_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_17_value := ((slice0cost_signs_ready_words_0 / 131072) mod 2) = 1;
-      if slice0cost_difference_0_17_value then
-        slice0cost_difference_0_17_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_17_choice := slice0shift_search_0_17;
-      end if;
-      if slice0cost_difference_0_17_value then
-        slice0cost_difference_0_17_choice_2 := slice0shift_search_0_17;
-      else
-        slice0cost_difference_0_17_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_18_value := ((slice0cost_signs_ready_words_0 / 262144) mod 2) = 1;
-      if slice0cost_difference_0_18_value then
-        slice0cost_difference_0_18_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_18_choice := slice0shift_search_0_18;
-      end if;
-      if slice0cost_difference_0_18_value then
-        slice0cost_difference_0_18_choice_2 := slice0shift_search_0_18;
-      else
-        slice0cost_difference_0_18_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_19_value := ((slice0cost_signs_ready_words_0 / 524288) mod 2) = 1;
-      if slice0cost_difference_0_19_value then
-        slice0cost_difference_0_19_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_19_choice := slice0shift_search_0_19;
-      end if;
-      if slice0cost_difference_0_19_value then
-        slice0cost_difference_0_19_choice_2 := slice0shift_search_0_19;
-      else
-        slice0cost_difference_0_19_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_20_value := ((slice0cost_signs_ready_words_0 / 1048576) mod 2) = 1;
-      if slice0cost_difference_0_20_value then
-        slice0cost_difference_0_20_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_20_choice := slice0shift_search_0_20;
-      end if;
-      if slice0cost_difference_0_20_value then
-        slice0cost_difference_0_20_choice_2 := slice0shift_search_0_20;
-      else
-        slice0cost_difference_0_20_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_21_value := ((slice0cost_signs_ready_words_0 / 2097152) mod 2) = 1;
-      if slice0cost_difference_0_21_value then
-        slice0cost_difference_0_21_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_21_choice := slice0shift_search_0_21;
-      end if;
-      if slice0cost_difference_0_21_value then
-        slice0cost_difference_0_21_choice_2 := slice0shift_search_0_21;
-      else
-        slice0cost_difference_0_21_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_22_value := ((slice0cost_signs_ready_words_0 / 4194304) mod 2) = 1;
-      if slice0cost_difference_0_22_value then
-        slice0cost_difference_0_22_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_22_choice := slice0shift_search_0_22;
-      end if;
-      if slice0cost_difference_0_22_value then
-        slice0cost_difference_0_22_choice_2 := slice0shift_search_0_22;
-      else
-        slice0cost_difference_0_22_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_23_value := ((slice0cost_signs_ready_words_0 / 8388608) mod 2) = 1;
-      if slice0cost_difference_0_23_value then
-        slice0cost_difference_0_23_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_23_choice := slice0shift_search_0_23;
-      end if;
-      if slice0cost_difference_0_23_value then
-        slice0cost_difference_0_23_choice_2 := slice0shift_search_0_23;
-      else
-        slice0cost_difference_0_23_choice_2 := slice0shift_reference_0;
-      end if;
-      if (slice0cost_signs_ready_words_0 / 16777216) = 1 then
-        slice0cost_difference_0_24_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_24_choice := slice0shift_search_0_24;
-      end if;
-      if (slice0cost_signs_ready_words_0 / 16777216) = 1 then
-        slice0cost_difference_0_24_choice_2 := slice0shift_search_0_24;
-      else
-        slice0cost_difference_0_24_choice_2 := slice0shift_reference_0;
-      end if;
-      if (slice0cost_signs_ready_words_1 mod 2) = 1 then
-        slice0cost_difference_1_0_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_0_choice := slice0shift_search_1_0;
-      end if;
-      if (slice0cost_signs_ready_words_1 mod 2) = 1 then
-        slice0cost_difference_1_0_choice_2 := slice0shift_search_1_0;
-      else
-        slice0cost_difference_1_0_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_1_value := ((slice0cost_signs_ready_words_1 / 2) mod 2) = 1;
-      if slice0cost_difference_1_1_value then
-        slice0cost_difference_1_1_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_1_choice := slice0shift_search_1_1;
-      end if;
-      if slice0cost_difference_1_1_value then
-        slice0cost_difference_1_1_choice_2 := slice0shift_search_1_1;
-      else
-        slice0cost_difference_1_1_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_2_value := ((slice0cost_signs_ready_words_1 / 4) mod 2) = 1;
-      if slice0cost_difference_1_2_value then
-        slice0cost_difference_1_2_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_2_choice := slice0shift_search_1_2;
-      end if;
-      if slice0cost_difference_1_2_value then
-        slice0cost_difference_1_2_choice_2 := slice0shift_search_1_2;
-      else
-        slice0cost_difference_1_2_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_3_value := ((slice0cost_signs_ready_words_1 / 8) mod 2) = 1;
-      if slice0cost_difference_1_3_value then
-        slice0cost_difference_1_3_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_3_choice := slice0shift_search_1_3;
-      end if;
-      if slice0cost_difference_1_3_value then
-        slice0cost_difference_1_3_choice_2 := slice0shift_search_1_3;
-      else
-        slice0cost_difference_1_3_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_4_value := ((slice0cost_signs_ready_words_1 / 16) mod 2) = 1;
-      if slice0cost_difference_1_4_value then
-        slice0cost_difference_1_4_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_4_choice := slice0shift_search_1_4;
-      end if;
-      if slice0cost_difference_1_4_value then
-        slice0cost_difference_1_4_choice_2 := slice0shift_search_1_4;
-      else
-        slice0cost_difference_1_4_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_5_value := ((slice0cost_signs_ready_words_1 / 32) mod 2) = 1;
-      if slice0cost_difference_1_5_value then
-        slice0cost_difference_1_5_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_5_choice := slice0shift_search_1_5;
-      end if;
-      if slice0cost_difference_1_5_value then
-        slice0cost_difference_1_5_choice_2 := slice0shift_search_1_5;
-      else
-        slice0cost_difference_1_5_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_6_value := ((slice0cost_signs_ready_words_1 / 64) mod 2) = 1;
-      if slice0cost_difference_1_6_value then
-        slice0cost_difference_1_6_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_6_choice := slice0shift_search_1_6;
-      end if;
-      if slice0cost_difference_1_6_value then
-        slice0cost_difference_1_6_choice_2 := slice0shift_search_1_6;
-      else
-        slice0cost_difference_1_6_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_7_value := ((slice0cost_signs_ready_words_1 / 128) mod 2) = 1;
-      if slice0cost_difference_1_7_value then
-        slice0cost_difference_1_7_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_7_choice := slice0shift_search_1_7;
-      end if;
-      if slice0cost_difference_1_7_value then
-        slice0cost_difference_1_7_choice_2 := slice0shift_search_1_7;
-      else
-        slice0cost_difference_1_7_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_8_value := ((slice0cost_signs_ready_words_1 / 256) mod 2) = 1;
-      if slice0cost_difference_1_8_value then
-        slice0cost_difference_1_8_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_8_choice := slice0shift_search_1_8;
-      end if;
-      if slice0cost_difference_1_8_value then
-        slice0cost_difference_1_8_choice_2 := slice0shift_search_1_8;
-      else
-        slice0cost_difference_1_8_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_9_value := ((slice0cost_signs_ready_words_1 / 512) mod 2) = 1;
-      if slice0cost_difference_1_9_value then
-        slice0cost_difference_1_9_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_9_choice := slice0shift_search_1_9;
-      end if;
-      if slice0cost_difference_1_9_value then
-        slice0cost_difference_1_9_choice_2 := slice0shift_search_1_9;
-      else
-        slice0cost_difference_1_9_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_10_value := ((slice0cost_signs_ready_words_1 / 1024) mod 2) = 1;
-      if slice0cost_difference_1_10_value then
-        slice0cost_difference_1_10_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_10_choice := slice0shift_search_1_10;
-      end if;
-      if slice0cost_difference_1_10_value then
-        slice0cost_difference_1_10_choice_2 := slice0shift_search_1_10;
-      else
-        slice0cost_difference_1_10_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_11_value := ((slice0cost_signs_ready_words_1 / 2048) mod 2) = 1;
-      if slice0cost_difference_1_11_value then
-        slice0cost_difference_1_11_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_11_choice := slice0shift_search_1_11;
-      end if;
-      if slice0cost_difference_1_11_value then
-        slice0cost_difference_1_11_choice_2 := slice0shift_search_1_11;
-      else
-        slice0cost_difference_1_11_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_12_value := ((slice0cost_signs_ready_words_1 / 4096) mod 2) = 1;
-      if slice0cost_difference_1_12_value then
-        slice0cost_difference_1_12_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_12_choice := slice0shift_search_1_12;
-      end if;
-      if slice0cost_difference_1_12_value then
-        slice0cost_difference_1_12_choice_2 := slice0shift_search_1_12;
-      else
-        slice0cost_difference_1_12_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_13_value := ((slice0cost_signs_ready_words_1 / 8192) mod 2) = 1;
-      if slice0cost_difference_1_13_value then
-        slice0cost_difference_1_13_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_13_choice := slice0shift_search_1_13;
-      end if;
-      if slice0cost_difference_1_13_value then
-        slice0cost_difference_1_13_choice_2 := slice0shift_search_1_13;
-      else
-        slice0cost_difference_1_13_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_14_value := ((slice0cost_signs_ready_words_1 / 16384) mod 2) = 1;
-      if slice0cost_difference_1_14_value then
-        slice0cost_difference_1_14_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_14_choice := slice0shift_search_1_14;
-      end if;
-      if slice0cost_difference_1_14_value then
-        slice0cost_difference_1_14_choice_2 := slice0shift_search_1_14;
-      else
-        slice0cost_difference_1_14_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_15_value := ((slice0cost_signs_ready_words_1 / 32768) mod 2) = 1;
-      if slice0cost_difference_1_15_value then
-        slice0cost_difference_1_15_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_15_choice := slice0shift_search_1_15;
-      end if;
-      if slice0cost_difference_1_15_value then
-        slice0cost_difference_1_15_choice_2 := slice0shift_search_1_15;
-      else
-        slice0cost_difference_1_15_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_16_value := ((slice0cost_signs_ready_words_1 / 65536) mod 2) = 1;
-      if slice0cost_difference_1_16_value then
-        slice0cost_difference_1_16_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_16_choice := slice0shift_search_1_16;
-      end if;
-      if slice0cost_difference_1_16_value then
-        slice0cost_difference_1_16_choice_2 := slice0shift_search_1_16;
-      else
-        slice0cost_difference_1_16_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_17_value := ((slice0cost_signs_ready_words_1 / 131072) mod 2) = 1;
-      if slice0cost_difference_1_17_value then
-        slice0cost_difference_1_17_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_17_choice := slice0shift_search_1_17;
-      end if;
-      if slice0cost_difference_1_17_value then
-        slice0cost_difference_1_17_choice_2 := slice0shift_search_1_17;
-      else
-        slice0cost_difference_1_17_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_18_value := ((slice0cost_signs_ready_words_1 / 262144) mod 2) = 1;
-      if slice0cost_difference_1_18_value then
-        slice0cost_difference_1_18_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_18_choice := slice0shift_search_1_18;
-      end if;
-      if slice0cost_difference_1_18_value then
-        slice0cost_difference_1_18_choice_2 := slice0shift_search_1_18;
-      else
-        slice0cost_difference_1_18_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_19_value := ((slice0cost_signs_ready_words_1 / 524288) mod 2) = 1;
-      if slice0cost_difference_1_19_value then
-        slice0cost_difference_1_19_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_19_choice := slice0shift_search_1_19;
-      end if;
-      if slice0cost_difference_1_19_value then
-        slice0cost_difference_1_19_choice_2 := slice0shift_search_1_19;
-      else
-        slice0cost_difference_1_19_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_20_value := ((slice0cost_signs_ready_words_1 / 1048576) mod 2) = 1;
-      if slice0cost_difference_1_20_value then
-        slice0cost_difference_1_20_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_20_choice := slice0shift_search_1_20;
-      end if;
-      if slice0cost_difference_1_20_value then
-        slice0cost_difference_1_20_choice_2 := slice0shift_search_1_20;
-      else
-        slice0cost_difference_1_20_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_21_value := ((slice0cost_signs_ready_words_1 / 2097152) mod 2) = 1;
-      if slice0cost_difference_1_21_value then
-        slice0cost_difference_1_21_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_21_choice := slice0shift_search_1_21;
-      end if;
-      if slice0cost_difference_1_21_value then
-        slice0cost_difference_1_21_choice_2 := slice0shift_search_1_21;
-      else
-        slice0cost_difference_1_21_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_22_value := ((slice0cost_signs_ready_words_1 / 4194304) mod 2) = 1;
-      if slice0cost_difference_1_22_value then
-        slice0cost_difference_1_22_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_22_choice := slice0shift_search_1_22;
-      end if;
-      if slice0cost_difference_1_22_value then
-        slice0cost_difference_1_22_choice_2 := slice0shift_search_1_22;
-      else
-        slice0cost_difference_1_22_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_23_value := ((slice0cost_signs_ready_words_1 / 8388608) mod 2) = 1;
-      if slice0cost_difference_1_23_value then
-        slice0cost_difference_1_23_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_23_choice := slice0shift_search_1_23;
-      end if;
-      if slice0cost_difference_1_23_value then
-        slice0cost_difference_1_23_choice_2 := slice0shift_search_1_23;
-      else
-        slice0cost_difference_1_23_choice_2 := slice0shift_reference_1;
-      end if;
-      if (slice0cost_signs_ready_words_1 / 16777216) = 1 then
-        slice0cost_difference_1_24_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_24_choice := slice0shift_search_1_24;
-      end if;
-      if (slice0cost_signs_ready_words_1 / 16777216) = 1 then
-        slice0cost_difference_1_24_choice_2 := slice0shift_search_1_24;
-      else
-        slice0cost_difference_1_24_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_2_0_difference := slice0shift_search_2_0 - slice0shift_reference_2;
-      slice0cost_difference_2_1_difference := slice0shift_search_2_1 - slice0shift_reference_2;
-      slice0cost_difference_2_2_difference := slice0shift_search_2_2 - slice0shift_reference_2;
-      slice0cost_difference_2_3_difference := slice0shift_search_2_3 - slice0shift_reference_2;
-      slice0cost_difference_2_4_difference := slice0shift_search_2_4 - slice0shift_reference_2;
-      slice0cost_difference_2_5_difference := slice0shift_search_2_5 - slice0shift_reference_2;
-      slice0cost_difference_2_6_difference := slice0shift_search_2_6 - slice0shift_reference_2;
-      slice0cost_difference_2_7_difference := slice0shift_search_2_7 - slice0shift_reference_2;
-      slice0cost_difference_2_8_difference := slice0shift_search_2_8 - slice0shift_reference_2;
-      slice0cost_difference_2_9_difference := slice0shift_search_2_9 - slice0shift_reference_2;
-      slice0cost_difference_2_10_difference := slice0shift_search_2_10 - slice0shift_reference_2;
-      slice0cost_difference_2_11_difference := slice0shift_search_2_11 - slice0shift_reference_2;
-      slice0cost_difference_2_12_difference := slice0shift_search_2_12 - slice0shift_reference_2;
-      slice0cost_difference_2_13_difference := slice0shift_search_2_13 - slice0shift_reference_2;
-      slice0cost_difference_2_14_difference := slice0shift_search_2_14 - slice0shift_reference_2;
-      slice0cost_difference_2_15_difference := slice0shift_search_2_15 - slice0shift_reference_2;
-      slice0cost_difference_2_16_difference := slice0shift_search_2_16 - slice0shift_reference_2;
-      slice0cost_difference_2_17_difference := slice0shift_search_2_17 - slice0shift_reference_2;
-      slice0cost_difference_2_18_difference := slice0shift_search_2_18 - slice0shift_reference_2;
-      slice0cost_difference_2_19_difference := slice0shift_search_2_19 - slice0shift_reference_2;
-      slice0cost_difference_2_20_difference := slice0shift_search_2_20 - slice0shift_reference_2;
-      slice0cost_difference_2_21_difference := slice0shift_search_2_21 - slice0shift_reference_2;
-      slice0cost_difference_2_22_difference := slice0shift_search_2_22 - slice0shift_reference_2;
-      slice0cost_difference_2_23_difference := slice0shift_search_2_23 - slice0shift_reference_2;
-      slice0cost_difference_2_24_difference := slice0shift_search_2_24 - slice0shift_reference_2;
+      if is_set(slice0cost_signs_ready_words(0), 0) then
+        slice0cost_difference_choice(0, 0) := slice0shift_reference(0);
+      else
+        slice0cost_difference_choice(0, 0) := slice0shift_search(0, 0);
+      end if;
+      if is_set(slice0cost_signs_ready_words(0), 0) then
+        slice0cost_difference_choice_2(0, 0) := slice0shift_search(0, 0);
+      else
+        slice0cost_difference_choice_2(0, 0) := slice0shift_reference(0);
+      end if;
+      for i in 1 to 23 loop
+        slice0cost_difference_value(0, i) := is_set(slice0cost_signs_ready_words(0), i);
+        if slice0cost_difference_value(0, i) then
+          slice0cost_difference_choice(0, i) := slice0shift_reference(0);
+        else
+          slice0cost_difference_choice(0, i) := slice0shift_search(0, i);
+        end if;
+        if slice0cost_difference_value(0, i) then
+          slice0cost_difference_choice_2(0, i) := slice0shift_search(0, i);
+        else
+          slice0cost_difference_choice_2(0, i) := slice0shift_reference(0);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if is_set(slice0cost_signs_ready_words(i), 24 - 24 * i) then
+          slice0cost_difference_choice(i, 24 - 24 * i) := slice0shift_reference(i);
+        else
+          slice0cost_difference_choice(i, 24 - 24 * i) := slice0shift_search(i, 24 - 24 * i);
+        end if;
+        if is_set(slice0cost_signs_ready_words(i), 24 - 24 * i) then
+          slice0cost_difference_choice_2(i, 24 - 24 * i) := slice0shift_search(i, 24 - 24 * i);
+        else
+          slice0cost_difference_choice_2(i, 24 - 24 * i) := slice0shift_reference(i);
+        end if;
+      end loop;
+      for i in 1 to 23 loop
+        slice0cost_difference_value(1, i) := is_set(slice0cost_signs_ready_words(1), i);
+        if slice0cost_difference_value(1, i) then
+          slice0cost_difference_choice(1, i) := slice0shift_reference(1);
+        else
+          slice0cost_difference_choice(1, i) := slice0shift_search(1, i);
+        end if;
+        if slice0cost_difference_value(1, i) then
+          slice0cost_difference_choice_2(1, i) := slice0shift_search(1, i);
+        else
+          slice0cost_difference_choice_2(1, i) := slice0shift_reference(1);
+        end if;
+      end loop;
+      if is_set(slice0cost_signs_ready_words(1), 24) then
+        slice0cost_difference_choice(1, 24) := slice0shift_reference(1);
+      else
+        slice0cost_difference_choice(1, 24) := slice0shift_search(1, 24);
+      end if;
+      if is_set(slice0cost_signs_ready_words(1), 24) then
+        slice0cost_difference_choice_2(1, 24) := slice0shift_search(1, 24);
+      else
+        slice0cost_difference_choice_2(1, 24) := slice0shift_reference(1);
+      end if;
+      for i in 0 to 24 loop
+        slice0cost_difference_2_difference(i) := slice0shift_search(2, i) - slice0shift_reference(2);
+      end loop;
       slice0cost_signs_column <= rows_ready_column;
       slice0cost_signs_next_column <= slice0cost_signs_column;
       slice0cost_signs_difference_column <= slice0cost_signs_next_column;
-      slice0cost_signs_ready_words_0 <= to_integer(slice0cost_signs_read_words_0);
-      slice0cost_signs_ready_words_1 <= to_integer(slice0cost_signs_read_words_1);
-      slice0cost_signs_known_words_1 <= slice0cost_signs_ready_words_1;
-      slice0cost_difference_0_0 <= (slice0cost_difference_0_0_choice - slice0cost_difference_0_0_choice_2) mod 256;
-      slice0cost_difference_0_1 <= (slice0cost_difference_0_1_choice - slice0cost_difference_0_1_choice_2) mod 256;
-      slice0cost_difference_0_2 <= (slice0cost_difference_0_2_choice - slice0cost_difference_0_2_choice_2) mod 256;
-      slice0cost_difference_0_3 <= (slice0cost_difference_0_3_choice - slice0cost_difference_0_3_choice_2) mod 256;
-      slice0cost_difference_0_4 <= (slice0cost_difference_0_4_choice - slice0cost_difference_0_4_choice_2) mod 256;
-      slice0cost_difference_0_5 <= (slice0cost_difference_0_5_choice - slice0cost_difference_0_5_choice_2) mod 256;
-      slice0cost_difference_0_6 <= (slice0cost_difference_0_6_choice - slice0cost_difference_0_6_choice_2) mod 256;
-      slice0cost_difference_0_7 <= (slice0cost_difference_0_7_choice - slice0cost_difference_0_7_choice_2) mod 256;
-      slice0cost_difference_0_8 <= (slice0cost_difference_0_8_choice - slice0cost_difference_0_8_choice_2) mod 256;
-      slice0cost_difference_0_9 <= (slice0cost_difference_0_9_choice - slice0cost_difference_0_9_choice_2) mod 256;
-      slice0cost_difference_0_10 <= (slice0cost_difference_0_10_choice - slice0cost_difference_0_10_choice_2) mod 256;
-      slice0cost_difference_0_11 <= (slice0cost_difference_0_11_choice - slice0cost_difference_0_11_choice_2) mod 256;
-      slice0cost_difference_0_12 <= (slice0cost_difference_0_12_choice - slice0cost_difference_0_12_choice_2) mod 256;
-      slice0cost_difference_0_13 <= (slice0cost_difference_0_13_choice - slice0cost_difference_0_13_choice_2) mod 256;
-      slice0cost_difference_0_14 <= (slice0cost_difference_0_14_choice - slice0cost_difference_0_14_choice_2) mod 256;
-      slice0cost_difference_0_15 <= (slice0cost_difference_0_15_choice - slice0cost_difference_0_15_choice_2) mod 256;
-      slice0cost_difference_0_16 <= (slice0cost_difference_0_16_choice - slice0cost_difference_0_16_choice_2) mod 256;
-      slice0cost_difference_0_17 <= (slice0cost_difference_0_17_choice - slice0cost_difference_0_17_choice_2) mod 256;
-      slice0cost_difference_0_18 <= (slice0cost_difference_0_18_choice - slice0cost_difference_0_18_choice_2) mod 256;
-      slice0cost_difference_0_19 <= (slice0cost_difference_0_19_choice - slice0cost_difference_0_19_choice_2) mod 256;
-      slice0cost_difference_0_20 <= (slice0cost_difference_0_20_choice - slice0cost_difference_0_20_choice_2) mod 256;
-      slice0cost_difference_0_21 <= (slice0cost_difference_0_21_choice - slice0cost_difference_0_21_choice_2) mod 256;
-      slice0cost_difference_0_22 <= (slice0cost_difference_0_22_choice - slice0cost_difference_0_22_choice_2) mod 256;
-      slice0cost_difference_0_23 <= (slice0cost_difference_0_23_choice - slice0cost_difference_0_23_choice_2) mod 256;
-      slice0cost_difference_0_24 <= (slice0cost_difference_0_24_choice - slice0cost_difference_0_24_choice_2) mod 256;
-      slice0cost_difference_1_0 <= (slice0cost_difference_1_0_choice - slice0cost_difference_1_0_choice_2) mod 256;
-      slice0cost_difference_1_1 <= (slice0cost_difference_1_1_choice - slice0cost_difference_1_1_choice_2) mod 256;
-      slice0cost_difference_1_2 <= (slice0cost_difference_1_2_choice - slice0cost_difference_1_2_choice_2) mod 256;
-      slice0cost_difference_1_3 <= (slice0cost_difference_1_3_choice - slice0cost_difference_1_3_choice_2) mod 256;
-      slice0cost_difference_1_4 <= (slice0cost_difference_1_4_choice - slice0cost_difference_1_4_choice_2) mod 256;
-      slice0cost_difference_1_5 <= (slice0cost_difference_1_5_choice - slice0cost_difference_1_5_choice_2) mod 256;
-      slice0cost_difference_1_6 <= (slice0cost_difference_1_6_choice - slice0cost_difference_1_6_choice_2) mod 256;
-      slice0cost_difference_1_7 <= (slice0cost_difference_1_7_choice - slice0cost_difference_1_7_choice_2) mod 256;
-      slice0cost_difference_1_8 <= (slice0cost_difference_1_8_choice - slice0cost_difference_1_8_choice_2) mod 256;
-      slice0cost_difference_1_9 <= (slice0cost_difference_1_9_choice - slice0cost_difference_1_9_choice_2) mod 256;
-      slice0cost_difference_1_10 <= (slice0cost_difference_1_10_choice - slice0cost_difference_1_10_choice_2) mod 256;
-      slice0cost_difference_1_11 <= (slice0cost_difference_1_11_choice - slice0cost_difference_1_11_choice_2) mod 256;
-      slice0cost_difference_1_12 <= (slice0cost_difference_1_12_choice - slice0cost_difference_1_12_choice_2) mod 256;
-      slice0cost_difference_1_13 <= (slice0cost_difference_1_13_choice - slice0cost_difference_1_13_choice_2) mod 256;
-      slice0cost_difference_1_14 <= (slice0cost_difference_1_14_choice - slice0cost_difference_1_14_choice_2) mod 256;
-      slice0cost_difference_1_15 <= (slice0cost_difference_1_15_choice - slice0cost_difference_1_15_choice_2) mod 256;
-      slice0cost_difference_1_16 <= (slice0cost_difference_1_16_choice - slice0cost_difference_1_16_choice_2) mod 256;
-      slice0cost_difference_1_17 <= (slice0cost_difference_1_17_choice - slice0cost_difference_1_17_choice_2) mod 256;
-      slice0cost_difference_1_18 <= (slice0cost_difference_1_18_choice - slice0cost_difference_1_18_choice_2) mod 256;
-      slice0cost_difference_1_19 <= (slice0cost_difference_1_19_choice - slice0cost_difference_1_19_choice_2) mod 256;
-      slice0cost_difference_1_20 <= (slice0cost_difference_1_20_choice - slice0cost_difference_1_20_choice_2) mod 256;
-      slice0cost_difference_1_21 <= (slice0cost_difference_1_21_choice - slice0cost_difference_1_21_choice_2) mod 256;
-      slice0cost_difference_1_22 <= (slice0cost_difference_1_22_choice - slice0cost_difference_1_22_choice_2) mod 256;
-      slice0cost_difference_1_23 <= (slice0cost_difference_1_23_choice - slice0cost_difference_1_23_choice_2) mod 256;
-      slice0cost_difference_1_24 <= (slice0cost_difference_1_24_choice - slice0cost_difference_1_24_choice_2) mod 256;
-      slice0cost_newest_negative_0_0 <= slice0cost_difference_2_0_difference < 0;
-      slice0cost_newest_negative_0_1 <= slice0cost_difference_2_1_difference < 0;
-      slice0cost_newest_negative_0_2 <= slice0cost_difference_2_2_difference < 0;
-      slice0cost_newest_negative_0_3 <= slice0cost_difference_2_3_difference < 0;
-      slice0cost_newest_negative_0_4 <= slice0cost_difference_2_4_difference < 0;
-      slice0cost_newest_negative_0_5 <= slice0cost_difference_2_5_difference < 0;
-      slice0cost_newest_negative_0_6 <= slice0cost_difference_2_6_difference < 0;
-      slice0cost_newest_negative_0_7 <= slice0cost_difference_2_7_difference < 0;
-      slice0cost_newest_negative_0_8 <= slice0cost_difference_2_8_difference < 0;
-      slice0cost_newest_negative_0_9 <= slice0cost_difference_2_9_difference < 0;
-      slice0cost_newest_negative_0_10 <= slice0cost_difference_2_10_difference < 0;
-      slice0cost_newest_negative_0_11 <= slice0cost_difference_2_11_difference < 0;
-      slice0cost_newest_negative_0_12 <= slice0cost_difference_2_12_difference < 0;
-      slice0cost_newest_negative_0_13 <= slice0cost_difference_2_13_difference < 0;
-      slice0cost_newest_negative_0_14 <= slice0cost_difference_2_14_difference < 0;
-      slice0cost_newest_negative_0_15 <= slice0cost_difference_2_15_difference < 0;
-      slice0cost_newest_negative_0_16 <= slice0cost_difference_2_16_difference < 0;
-      slice0cost_newest_negative_0_17 <= slice0cost_difference_2_17_difference < 0;
-      slice0cost_newest_negative_0_18 <= slice0cost_difference_2_18_difference < 0;
-      slice0cost_newest_negative_0_19 <= slice0cost_difference_2_19_difference < 0;
-      slice0cost_newest_negative_0_20 <= slice0cost_difference_2_20_difference < 0;
-      slice0cost_newest_negative_0_21 <= slice0cost_difference_2_21_difference < 0;
-      slice0cost_newest_negative_0_22 <= slice0cost_difference_2_22_difference < 0;
-      slice0cost_newest_negative_0_23 <= slice0cost_difference_2_23_difference < 0;
-      slice0cost_newest_negative_0_24 <= slice0cost_difference_2_24_difference < 0;
+      slice0cost_signs_ready_words(0) <= to_integer(slice0cost_signs_read_words(0));
+      slice0cost_signs_ready_words(1) <= to_integer(slice0cost_signs_read_words(1));
+      slice0cost_signs_known_words_1 <= slice0cost_signs_ready_words(1);
+      for i in 0 to 1 loop
+        for j in 0 to 24 loop
+          slice0cost_difference(i, j) <= (slice0cost_difference_choice(i, j) - slice0cost_difference_choice_2(i, j))
+            mod 256;
+        end loop;
+      end loop;
+      for i in 0 to 24 loop
+        slice0cost_newest_negative_0(i) <= slice0cost_difference_2_difference(i) < 0;
+      end loop;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_newest_inside <= slice0shift_tag_newest_inside;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= as_number((slice0cost_difference_2_0 < 0)) + slice0cost_difference_1_0 +
-        folded(slice0cost_difference_2_0);
-      slice0cost_pair_0_1 <= as_number((slice0cost_difference_2_1 < 0)) + slice0cost_difference_1_1 +
-        folded(slice0cost_difference_2_1);
-      slice0cost_pair_0_2 <= as_number((slice0cost_difference_2_2 < 0)) + slice0cost_difference_1_2 +
-        folded(slice0cost_difference_2_2);
-      slice0cost_pair_0_3 <= as_number((slice0cost_difference_2_3 < 0)) + slice0cost_difference_1_3 +
-        folded(slice0cost_difference_2_3);
-      slice0cost_pair_0_4 <= as_number((slice0cost_difference_2_4 < 0)) + slice0cost_difference_1_4 +
-        folded(slice0cost_difference_2_4);
-      slice0cost_pair_0_5 <= as_number((slice0cost_difference_2_5 < 0)) + slice0cost_difference_1_5 +
-        folded(slice0cost_difference_2_5);
-      slice0cost_pair_0_6 <= as_number((slice0cost_difference_2_6 < 0)) + slice0cost_difference_1_6 +
-        folded(slice0cost_difference_2_6);
-      slice0cost_pair_0_7 <= as_number((slice0cost_difference_2_7 < 0)) + slice0cost_difference_1_7 +
-        folded(slice0cost_difference_2_7);
-      slice0cost_pair_0_8 <= as_number((slice0cost_difference_2_8 < 0)) + slice0cost_difference_1_8 +
-        folded(slice0cost_difference_2_8);
-      slice0cost_pair_0_9 <= as_number((slice0cost_difference_2_9 < 0)) + slice0cost_difference_1_9 +
-        folded(slice0cost_difference_2_9);
-      slice0cost_pair_0_10 <= as_number((slice0cost_difference_2_10 < 0)) + slice0cost_difference_1_10 +
-        folded(slice0cost_difference_2_10);
-      slice0cost_pair_0_11 <= as_number((slice0cost_difference_2_11 < 0)) + slice0cost_difference_1_11 +
-        folded(slice0cost_difference_2_11);
-      slice0cost_pair_0_12 <= as_number((slice0cost_difference_2_12 < 0)) + slice0cost_difference_1_12 +
-        folded(slice0cost_difference_2_12);
-      slice0cost_pair_0_13 <= as_number((slice0cost_difference_2_13 < 0)) + slice0cost_difference_1_13 +
-        folded(slice0cost_difference_2_13);
-      slice0cost_pair_0_14 <= as_number((slice0cost_difference_2_14 < 0)) + slice0cost_difference_1_14 +
-        folded(slice0cost_difference_2_14);
-      slice0cost_pair_0_15 <= as_number((slice0cost_difference_2_15 < 0)) + slice0cost_difference_1_15 +
-        folded(slice0cost_difference_2_15);
-      slice0cost_pair_0_16 <= as_number((slice0cost_difference_2_16 < 0)) + slice0cost_difference_1_16 +
-        folded(slice0cost_difference_2_16);
-      slice0cost_pair_0_17 <= as_number((slice0cost_difference_2_17 < 0)) + slice0cost_difference_1_17 +
-        folded(slice0cost_difference_2_17);
-      slice0cost_pair_0_18 <= as_number((slice0cost_difference_2_18 < 0)) + slice0cost_difference_1_18 +
-        folded(slice0cost_difference_2_18);
-      slice0cost_pair_0_19 <= as_number((slice0cost_difference_2_19 < 0)) + slice0cost_difference_1_19 +
-        folded(slice0cost_difference_2_19);
-      slice0cost_pair_0_20 <= as_number((slice0cost_difference_2_20 < 0)) + slice0cost_difference_1_20 +
-        folded(slice0cost_difference_2_20);
-      slice0cost_pair_0_21 <= as_number((slice0cost_difference_2_21 < 0)) + slice0cost_difference_1_21 +
-        folded(slice0cost_difference_2_21);
-      slice0cost_pair_0_22 <= as_number((slice0cost_difference_2_22 < 0)) + slice0cost_difference_1_22 +
-        folded(slice0cost_difference_2_22);
-      slice0cost_pair_0_23 <= as_number((slice0cost_difference_2_23 < 0)) + slice0cost_difference_1_23 +
-        folded(slice0cost_difference_2_23);
-      slice0cost_pair_0_24 <= as_number((slice0cost_difference_2_24 < 0)) + slice0cost_difference_1_24 +
-        folded(slice0cost_difference_2_24);
-      slice0cost_single_0_0 <= slice0cost_difference_0_0;
-      slice0cost_single_0_1 <= slice0cost_difference_0_1;
-      slice0cost_single_0_2 <= slice0cost_difference_0_2;
-      slice0cost_single_0_3 <= slice0cost_difference_0_3;
-      slice0cost_single_0_4 <= slice0cost_difference_0_4;
-      slice0cost_single_0_5 <= slice0cost_difference_0_5;
-      slice0cost_single_0_6 <= slice0cost_difference_0_6;
-      slice0cost_single_0_7 <= slice0cost_difference_0_7;
-      slice0cost_single_0_8 <= slice0cost_difference_0_8;
-      slice0cost_single_0_9 <= slice0cost_difference_0_9;
-      slice0cost_single_0_10 <= slice0cost_difference_0_10;
-      slice0cost_single_0_11 <= slice0cost_difference_0_11;
-      slice0cost_single_0_12 <= slice0cost_difference_0_12;
-      slice0cost_single_0_13 <= slice0cost_difference_0_13;
-      slice0cost_single_0_14 <= slice0cost_difference_0_14;
-      slice0cost_single_0_15 <= slice0cost_difference_0_15;
-      slice0cost_single_0_16 <= slice0cost_difference_0_16;
-      slice0cost_single_0_17 <= slice0cost_difference_0_17;
-      slice0cost_single_0_18 <= slice0cost_difference_0_18;
-      slice0cost_single_0_19 <= slice0cost_difference_0_19;
-      slice0cost_single_0_20 <= slice0cost_difference_0_20;
-      slice0cost_single_0_21 <= slice0cost_difference_0_21;
-      slice0cost_single_0_22 <= slice0cost_difference_0_22;
-      slice0cost_single_0_23 <= slice0cost_difference_0_23;
-      slice0cost_single_0_24 <= slice0cost_difference_0_24;
+      for i in 0 to 24 loop
+        slice0cost_pair_0(i) <= as_number((slice0cost_difference_2(i) < 0)) + slice0cost_difference(1, i) +
+          folded(slice0cost_difference_2(i));
+      end loop;
+      for i in 0 to 24 loop
+        slice0cost_single_0(i) <= slice0cost_difference(0, i);
+      end loop;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_newest_inside <= slice0cost_difference_tag_newest_inside;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
@@ -2370,366 +868,202 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       if slice0shift_tag_newest_inside then
-        slice0cost_difference_2_0 <= slice0cost_difference_2_0_difference;
-        slice0cost_difference_2_1 <= slice0cost_difference_2_1_difference;
-        slice0cost_difference_2_2 <= slice0cost_difference_2_2_difference;
-        slice0cost_difference_2_3 <= slice0cost_difference_2_3_difference;
-        slice0cost_difference_2_4 <= slice0cost_difference_2_4_difference;
-        slice0cost_difference_2_5 <= slice0cost_difference_2_5_difference;
-        slice0cost_difference_2_6 <= slice0cost_difference_2_6_difference;
-        slice0cost_difference_2_7 <= slice0cost_difference_2_7_difference;
-        slice0cost_difference_2_8 <= slice0cost_difference_2_8_difference;
-        slice0cost_difference_2_9 <= slice0cost_difference_2_9_difference;
-        slice0cost_difference_2_10 <= slice0cost_difference_2_10_difference;
-        slice0cost_difference_2_11 <= slice0cost_difference_2_11_difference;
-        slice0cost_difference_2_12 <= slice0cost_difference_2_12_difference;
-        slice0cost_difference_2_13 <= slice0cost_difference_2_13_difference;
-        slice0cost_difference_2_14 <= slice0cost_difference_2_14_difference;
-        slice0cost_difference_2_15 <= slice0cost_difference_2_15_difference;
-        slice0cost_difference_2_16 <= slice0cost_difference_2_16_difference;
-        slice0cost_difference_2_17 <= slice0cost_difference_2_17_difference;
-        slice0cost_difference_2_18 <= slice0cost_difference_2_18_difference;
-        slice0cost_difference_2_19 <= slice0cost_difference_2_19_difference;
-        slice0cost_difference_2_20 <= slice0cost_difference_2_20_difference;
-        slice0cost_difference_2_21 <= slice0cost_difference_2_21_difference;
-        slice0cost_difference_2_22 <= slice0cost_difference_2_22_difference;
-        slice0cost_difference_2_23 <= slice0cost_difference_2_23_difference;
-        slice0cost_difference_2_24 <= slice0cost_difference_2_24_difference;
+        for i in 0 to 24 loop
+          slice0cost_difference_2(i) <= slice0cost_difference_2_difference(i);
+        end loop;
       else
-        slice0cost_difference_2_0 <= 0;
-        slice0cost_difference_2_1 <= 0;
-        slice0cost_difference_2_2 <= 0;
-        slice0cost_difference_2_3 <= 0;
-        slice0cost_difference_2_4 <= 0;
-        slice0cost_difference_2_5 <= 0;
-        slice0cost_difference_2_6 <= 0;
-        slice0cost_difference_2_7 <= 0;
-        slice0cost_difference_2_8 <= 0;
-        slice0cost_difference_2_9 <= 0;
-        slice0cost_difference_2_10 <= 0;
-        slice0cost_difference_2_11 <= 0;
-        slice0cost_difference_2_12 <= 0;
-        slice0cost_difference_2_13 <= 0;
-        slice0cost_difference_2_14 <= 0;
-        slice0cost_difference_2_15 <= 0;
-        slice0cost_difference_2_16 <= 0;
-        slice0cost_difference_2_17 <= 0;
-        slice0cost_difference_2_18 <= 0;
-        slice0cost_difference_2_19 <= 0;
-        slice0cost_difference_2_20 <= 0;
-        slice0cost_difference_2_21 <= 0;
-        slice0cost_difference_2_22 <= 0;
-        slice0cost_difference_2_23 <= 0;
-        slice0cost_difference_2_24 <= 0;
+        for i in 0 to 24 loop
+          slice0cost_difference_2(i) <= 0;
+        end loop;
       end if;
       if slice0cost_pair_tag_border_column then
-        slice0cost_column_0_0 <= 0;
-        slice0cost_column_0_1 <= 0;
-        slice0cost_column_0_2 <= 0;
-        slice0cost_column_0_3 <= 0;
-        slice0cost_column_0_4 <= 0;
-        slice0cost_column_0_5 <= 0;
-        slice0cost_column_0_6 <= 0;
-        slice0cost_column_0_7 <= 0;
-        slice0cost_column_0_8 <= 0;
-        slice0cost_column_0_9 <= 0;
-        slice0cost_column_0_10 <= 0;
-        slice0cost_column_0_11 <= 0;
-        slice0cost_column_0_12 <= 0;
-        slice0cost_column_0_13 <= 0;
-        slice0cost_column_0_14 <= 0;
-        slice0cost_column_0_15 <= 0;
-        slice0cost_column_0_16 <= 0;
-        slice0cost_column_0_17 <= 0;
-        slice0cost_column_0_18 <= 0;
-        slice0cost_column_0_19 <= 0;
-        slice0cost_column_0_20 <= 0;
-        slice0cost_column_0_21 <= 0;
-        slice0cost_column_0_22 <= 0;
-        slice0cost_column_0_23 <= 0;
-        slice0cost_column_0_24 <= 0;
+        for i in 0 to 24 loop
+          slice0cost_column_0(i) <= 0;
+        end loop;
       else
-        slice0cost_column_0_0 <= slice0cost_pair_0_0 + slice0cost_single_0_0;
-        slice0cost_column_0_1 <= slice0cost_pair_0_1 + slice0cost_single_0_1;
-        slice0cost_column_0_2 <= slice0cost_pair_0_2 + slice0cost_single_0_2;
-        slice0cost_column_0_3 <= slice0cost_pair_0_3 + slice0cost_single_0_3;
-        slice0cost_column_0_4 <= slice0cost_pair_0_4 + slice0cost_single_0_4;
-        slice0cost_column_0_5 <= slice0cost_pair_0_5 + slice0cost_single_0_5;
-        slice0cost_column_0_6 <= slice0cost_pair_0_6 + slice0cost_single_0_6;
-        slice0cost_column_0_7 <= slice0cost_pair_0_7 + slice0cost_single_0_7;
-        slice0cost_column_0_8 <= slice0cost_pair_0_8 + slice0cost_single_0_8;
-        slice0cost_column_0_9 <= slice0cost_pair_0_9 + slice0cost_single_0_9;
-        slice0cost_column_0_10 <= slice0cost_pair_0_10 + slice0cost_single_0_10;
-        slice0cost_column_0_11 <= slice0cost_pair_0_11 + slice0cost_single_0_11;
-        slice0cost_column_0_12 <= slice0cost_pair_0_12 + slice0cost_single_0_12;
-        slice0cost_column_0_13 <= slice0cost_pair_0_13 + slice0cost_single_0_13;
-        slice0cost_column_0_14 <= slice0cost_pair_0_14 + slice0cost_single_0_14;
-        slice0cost_column_0_15 <= slice0cost_pair_0_15 + slice0cost_single_0_15;
-        slice0cost_column_0_16 <= slice0cost_pair_0_16 + slice0cost_single_0_16;
-        slice0cost_column_0_17 <= slice0cost_pair_0_17 + slice0cost_single_0_17;
-        slice0cost_column_0_18 <= slice0cost_pair_0_18 + slice0cost_single_0_18;
-        slice0cost_column_0_19 <= slice0cost_pair_0_19 + slice0cost_single_0_19;
-        slice0cost_column_0_20 <= slice0cost_pair_0_20 + slice0cost_single_0_20;
-        slice0cost_column_0_21 <= slice0cost_pair_0_21 + slice0cost_single_0_21;
-        slice0cost_column_0_22 <= slice0cost_pair_0_22 + slice0cost_single_0_22;
-        slice0cost_column_0_23 <= slice0cost_pair_0_23 + slice0cost_single_0_23;
-        slice0cost_column_0_24 <= slice0cost_pair_0_24 + slice0cost_single_0_24;
+        for i in 0 to 24 loop
+          slice0cost_column_0(i) <= slice0cost_pair_0(i) + slice0cost_single_0(i);
+        end loop;
       end if;
       if slice0cost_difference_tag_valid then
         slice0cost_signs_write_column <= slice0cost_signs_difference_column;
-        slice0cost_signs_write_words_0 <= slice0cost_signs_known_words_1;
-        slice0cost_signs_write_words_1 <= (as_number(slice0cost_newest_negative_0_23) * 8388608) +
-          (as_number(slice0cost_newest_negative_0_24) * 16777216) + (as_number(slice0cost_newest_negative_0_22) *
-          4194304) + (as_number(slice0cost_newest_negative_0_21) * 2097152) +
-          (as_number(slice0cost_newest_negative_0_20) * 1048576) + (as_number(slice0cost_newest_negative_0_19) *
-          524288) + (as_number(slice0cost_newest_negative_0_18) * 262144) + (as_number(slice0cost_newest_negative_0_17)
-          * 131072) + (as_number(slice0cost_newest_negative_0_16) * 65536) +
-          (as_number(slice0cost_newest_negative_0_15) * 32768) + (as_number(slice0cost_newest_negative_0_14) * 16384) +
-          (as_number(slice0cost_newest_negative_0_13) * 8192) + (as_number(slice0cost_newest_negative_0_12) * 4096) +
-          (as_number(slice0cost_newest_negative_0_11) * 2048) + (as_number(slice0cost_newest_negative_0_10) * 1024) +
-          (as_number(slice0cost_newest_negative_0_9) * 512) + (as_number(slice0cost_newest_negative_0_8) * 256) +
-          (as_number(slice0cost_newest_negative_0_6) * 64) + (as_number(slice0cost_newest_negative_0_7) * 128) +
-          (as_number(slice0cost_newest_negative_0_5) * 32) + (as_number(slice0cost_newest_negative_0_4) * 16) +
-          (as_number(slice0cost_newest_negative_0_3) * 8) + (as_number(slice0cost_newest_negative_0_2) * 4) +
-          as_number(slice0cost_newest_negative_0_0) + (as_number(slice0cost_newest_negative_0_1) * 2);
+        slice0cost_signs_write_words(0) <= slice0cost_signs_known_words_1;
+        slice0cost_signs_write_words(1) <= (as_number(slice0cost_newest_negative_0(23)) * 8388608) +
+          (as_number(slice0cost_newest_negative_0(24)) * 16777216) + (as_number(slice0cost_newest_negative_0(22)) *
+          4194304) + (as_number(slice0cost_newest_negative_0(21)) * 2097152) +
+          (as_number(slice0cost_newest_negative_0(20)) * 1048576) + (as_number(slice0cost_newest_negative_0(19)) *
+          524288) + (as_number(slice0cost_newest_negative_0(18)) * 262144) +
+          (as_number(slice0cost_newest_negative_0(17)) * 131072) + (as_number(slice0cost_newest_negative_0(16)) *
+          65536) + (as_number(slice0cost_newest_negative_0(15)) * 32768) + (as_number(slice0cost_newest_negative_0(14))
+          * 16384) + (as_number(slice0cost_newest_negative_0(13)) * 8192) +
+          (as_number(slice0cost_newest_negative_0(12)) * 4096) + (as_number(slice0cost_newest_negative_0(11)) * 2048) +
+          (as_number(slice0cost_newest_negative_0(10)) * 1024) + (as_number(slice0cost_newest_negative_0(9)) * 512) +
+          (as_number(slice0cost_newest_negative_0(8)) * 256) + (as_number(slice0cost_newest_negative_0(6)) * 64) +
+          (as_number(slice0cost_newest_negative_0(7)) * 128) + (as_number(slice0cost_newest_negative_0(5)) * 32) +
+          (as_number(slice0cost_newest_negative_0(4)) * 16) + (as_number(slice0cost_newest_negative_0(3)) * 8) +
+          (as_number(slice0cost_newest_negative_0(2)) * 4) + as_number(slice0cost_newest_negative_0(0)) +
+          (as_number(slice0cost_newest_negative_0(1)) * 2);
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
-        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
-        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
-        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
-        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
-        slice0window_partial_0_0_5 <= slice0cost_column_0_5;
-        slice0window_partial_0_0_6 <= slice0cost_column_0_6;
-        slice0window_partial_0_0_7 <= slice0cost_column_0_7;
-        slice0window_partial_0_0_8 <= slice0cost_column_0_8;
-        slice0window_partial_0_0_9 <= slice0cost_column_0_9;
-        slice0window_partial_0_0_10 <= slice0cost_column_0_10;
-        slice0window_partial_0_0_11 <= slice0cost_column_0_11;
-        slice0window_partial_0_0_12 <= slice0cost_column_0_12;
-        slice0window_partial_0_0_13 <= slice0cost_column_0_13;
-        slice0window_partial_0_0_14 <= slice0cost_column_0_14;
-        slice0window_partial_0_0_15 <= slice0cost_column_0_15;
-        slice0window_partial_0_0_16 <= slice0cost_column_0_16;
-        slice0window_partial_0_0_17 <= slice0cost_column_0_17;
-        slice0window_partial_0_0_18 <= slice0cost_column_0_18;
-        slice0window_partial_0_0_19 <= slice0cost_column_0_19;
-        slice0window_partial_0_0_20 <= slice0cost_column_0_20;
-        slice0window_partial_0_0_21 <= slice0cost_column_0_21;
-        slice0window_partial_0_0_22 <= slice0cost_column_0_22;
-        slice0window_partial_0_0_23 <= slice0cost_column_0_23;
-        slice0window_partial_0_0_24 <= slice0cost_column_0_24;
-        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
-        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
-        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
-        slice0window_partial_0_1_3 <= slice0cost_column_0_3 + slice0window_partial_0_0_3;
-        slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
-        slice0window_partial_0_1_5 <= slice0cost_column_0_5 + slice0window_partial_0_0_5;
-        slice0window_partial_0_1_6 <= slice0cost_column_0_6 + slice0window_partial_0_0_6;
-        slice0window_partial_0_1_7 <= slice0cost_column_0_7 + slice0window_partial_0_0_7;
-        slice0window_partial_0_1_8 <= slice0cost_column_0_8 + slice0window_partial_0_0_8;
-        slice0window_partial_0_1_9 <= slice0cost_column_0_9 + slice0window_partial_0_0_9;
-        slice0window_partial_0_1_10 <= slice0cost_column_0_10 + slice0window_partial_0_0_10;
-        slice0window_partial_0_1_11 <= slice0cost_column_0_11 + slice0window_partial_0_0_11;
-        slice0window_partial_0_1_12 <= slice0cost_column_0_12 + slice0window_partial_0_0_12;
-        slice0window_partial_0_1_13 <= slice0cost_column_0_13 + slice0window_partial_0_0_13;
-        slice0window_partial_0_1_14 <= slice0cost_column_0_14 + slice0window_partial_0_0_14;
-        slice0window_partial_0_1_15 <= slice0cost_column_0_15 + slice0window_partial_0_0_15;
-        slice0window_partial_0_1_16 <= slice0cost_column_0_16 + slice0window_partial_0_0_16;
-        slice0window_partial_0_1_17 <= slice0cost_column_0_17 + slice0window_partial_0_0_17;
-        slice0window_partial_0_1_18 <= slice0cost_column_0_18 + slice0window_partial_0_0_18;
-        slice0window_partial_0_1_19 <= slice0cost_column_0_19 + slice0window_partial_0_0_19;
-        slice0window_partial_0_1_20 <= slice0cost_column_0_20 + slice0window_partial_0_0_20;
-        slice0window_partial_0_1_21 <= slice0cost_column_0_21 + slice0window_partial_0_0_21;
-        slice0window_partial_0_1_22 <= slice0cost_column_0_22 + slice0window_partial_0_0_22;
-        slice0window_partial_0_1_23 <= slice0cost_column_0_23 + slice0window_partial_0_0_23;
-        slice0window_partial_0_1_24 <= slice0cost_column_0_24 + slice0window_partial_0_0_24;
+        for i in 0 to 24 loop
+          slice0window_partial_0_0(i) <= slice0cost_column_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice0window_partial_0_1(i) <= slice0cost_column_0(i) + slice0window_partial_0_0(i);
+        end loop;
       end if;
       slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
       slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
       slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
-      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
-      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
-      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
-      slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_1_3;
-      slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
-      slice0window_sum_0_5 <= slice0cost_column_0_5 + slice0window_partial_0_1_5;
-      slice0window_sum_0_6 <= slice0cost_column_0_6 + slice0window_partial_0_1_6;
-      slice0window_sum_0_7 <= slice0cost_column_0_7 + slice0window_partial_0_1_7;
-      slice0window_sum_0_8 <= slice0cost_column_0_8 + slice0window_partial_0_1_8;
-      slice0window_sum_0_9 <= slice0cost_column_0_9 + slice0window_partial_0_1_9;
-      slice0window_sum_0_10 <= slice0cost_column_0_10 + slice0window_partial_0_1_10;
-      slice0window_sum_0_11 <= slice0cost_column_0_11 + slice0window_partial_0_1_11;
-      slice0window_sum_0_12 <= slice0cost_column_0_12 + slice0window_partial_0_1_12;
-      slice0window_sum_0_13 <= slice0cost_column_0_13 + slice0window_partial_0_1_13;
-      slice0window_sum_0_14 <= slice0cost_column_0_14 + slice0window_partial_0_1_14;
-      slice0window_sum_0_15 <= slice0cost_column_0_15 + slice0window_partial_0_1_15;
-      slice0window_sum_0_16 <= slice0cost_column_0_16 + slice0window_partial_0_1_16;
-      slice0window_sum_0_17 <= slice0cost_column_0_17 + slice0window_partial_0_1_17;
-      slice0window_sum_0_18 <= slice0cost_column_0_18 + slice0window_partial_0_1_18;
-      slice0window_sum_0_19 <= slice0cost_column_0_19 + slice0window_partial_0_1_19;
-      slice0window_sum_0_20 <= slice0cost_column_0_20 + slice0window_partial_0_1_20;
-      slice0window_sum_0_21 <= slice0cost_column_0_21 + slice0window_partial_0_1_21;
-      slice0window_sum_0_22 <= slice0cost_column_0_22 + slice0window_partial_0_1_22;
-      slice0window_sum_0_23 <= slice0cost_column_0_23 + slice0window_partial_0_1_23;
-      slice0window_sum_0_24 <= slice0cost_column_0_24 + slice0window_partial_0_1_24;
+      for i in 0 to 24 loop
+        slice0window_sum_0(i) <= slice0cost_column_0(i) + slice0window_partial_0_1(i);
+      end loop;
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_output_column <= slice0window_centre_output_column_0;
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
-      slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_best_cost_0_8_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
-      slice0winner1_best_cost_0_9_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
-      slice0winner1_best_cost_0_10_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
-      slice0winner1_best_cost_0_11_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
-      slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      for i in 0 to 11 loop
+        slice0winner1_best_cost_0_is_less(i) := (slice0window_sum_0(2 * i + 1) - slice0window_sum_0(2 * i)) < 0;
+      end loop;
+      slice0winner1_best_cost_0(12) <= slice0window_sum_0(24);
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
       slice0winner1_best_index_0_12 <= 24;
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_output_column <= slice0window_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
-      if slice0winner1_best_cost_0_0_is_less then
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      if slice0winner1_best_cost_0_is_less(0) then
+        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
       else
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
       end if;
-      if slice0winner1_best_cost_0_1_is_less then
-        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+      if slice0winner1_best_cost_0_is_less(1) then
+        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
         slice0winner1_best_index_0_1 <= 3;
       else
-        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
         slice0winner1_best_index_0_1 <= 2;
       end if;
-      if slice0winner1_best_cost_0_2_is_less then
-        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+      if slice0winner1_best_cost_0_is_less(2) then
+        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
         slice0winner1_best_index_0_2 <= 5;
       else
-        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
         slice0winner1_best_index_0_2 <= 4;
       end if;
-      if slice0winner1_best_cost_0_3_is_less then
-        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+      if slice0winner1_best_cost_0_is_less(3) then
+        slice0winner1_best_cost_0(3) <= slice0window_sum_0(7);
         slice0winner1_best_index_0_3 <= 7;
       else
-        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_cost_0(3) <= slice0window_sum_0(6);
         slice0winner1_best_index_0_3 <= 6;
       end if;
-      if slice0winner1_best_cost_0_4_is_less then
-        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
+      if slice0winner1_best_cost_0_is_less(4) then
+        slice0winner1_best_cost_0(4) <= slice0window_sum_0(9);
         slice0winner1_best_index_0_4 <= 9;
       else
-        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_cost_0(4) <= slice0window_sum_0(8);
         slice0winner1_best_index_0_4 <= 8;
       end if;
-      if slice0winner1_best_cost_0_5_is_less then
-        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
+      if slice0winner1_best_cost_0_is_less(5) then
+        slice0winner1_best_cost_0(5) <= slice0window_sum_0(11);
         slice0winner1_best_index_0_5 <= 11;
       else
-        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_cost_0(5) <= slice0window_sum_0(10);
         slice0winner1_best_index_0_5 <= 10;
       end if;
-      if slice0winner1_best_cost_0_6_is_less then
-        slice0winner1_best_cost_0_6 <= slice0window_sum_0_13;
+      if slice0winner1_best_cost_0_is_less(6) then
+        slice0winner1_best_cost_0(6) <= slice0window_sum_0(13);
         slice0winner1_best_index_0_6 <= 13;
       else
-        slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
+        slice0winner1_best_cost_0(6) <= slice0window_sum_0(12);
         slice0winner1_best_index_0_6 <= 12;
       end if;
-      if slice0winner1_best_cost_0_7_is_less then
-        slice0winner1_best_cost_0_7 <= slice0window_sum_0_15;
+      if slice0winner1_best_cost_0_is_less(7) then
+        slice0winner1_best_cost_0(7) <= slice0window_sum_0(15);
         slice0winner1_best_index_0_7 <= 15;
       else
-        slice0winner1_best_cost_0_7 <= slice0window_sum_0_14;
+        slice0winner1_best_cost_0(7) <= slice0window_sum_0(14);
         slice0winner1_best_index_0_7 <= 14;
       end if;
-      if slice0winner1_best_cost_0_8_is_less then
-        slice0winner1_best_cost_0_8 <= slice0window_sum_0_17;
+      if slice0winner1_best_cost_0_is_less(8) then
+        slice0winner1_best_cost_0(8) <= slice0window_sum_0(17);
         slice0winner1_best_index_0_8 <= 17;
       else
-        slice0winner1_best_cost_0_8 <= slice0window_sum_0_16;
+        slice0winner1_best_cost_0(8) <= slice0window_sum_0(16);
         slice0winner1_best_index_0_8 <= 16;
       end if;
-      if slice0winner1_best_cost_0_9_is_less then
-        slice0winner1_best_cost_0_9 <= slice0window_sum_0_19;
+      if slice0winner1_best_cost_0_is_less(9) then
+        slice0winner1_best_cost_0(9) <= slice0window_sum_0(19);
         slice0winner1_best_index_0_9 <= 19;
       else
-        slice0winner1_best_cost_0_9 <= slice0window_sum_0_18;
+        slice0winner1_best_cost_0(9) <= slice0window_sum_0(18);
         slice0winner1_best_index_0_9 <= 18;
       end if;
-      if slice0winner1_best_cost_0_10_is_less then
-        slice0winner1_best_cost_0_10 <= slice0window_sum_0_21;
+      if slice0winner1_best_cost_0_is_less(10) then
+        slice0winner1_best_cost_0(10) <= slice0window_sum_0(21);
         slice0winner1_best_index_0_10 <= 21;
       else
-        slice0winner1_best_cost_0_10 <= slice0window_sum_0_20;
+        slice0winner1_best_cost_0(10) <= slice0window_sum_0(20);
         slice0winner1_best_index_0_10 <= 20;
       end if;
-      if slice0winner1_best_cost_0_11_is_less then
-        slice0winner1_best_cost_0_11 <= slice0window_sum_0_23;
+      if slice0winner1_best_cost_0_is_less(11) then
+        slice0winner1_best_cost_0(11) <= slice0window_sum_0(23);
         slice0winner1_best_index_0_11 <= 23;
       else
-        slice0winner1_best_cost_0_11 <= slice0window_sum_0_22;
+        slice0winner1_best_cost_0(11) <= slice0window_sum_0(22);
         slice0winner1_best_index_0_11 <= 22;
       end if;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
-      slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
-      slice0winner2_best_cost_0_4_is_less := (slice0winner1_best_cost_0_9 - slice0winner1_best_cost_0_8) < 0;
-      slice0winner2_best_cost_0_5_is_less := (slice0winner1_best_cost_0_11 - slice0winner1_best_cost_0_10) < 0;
-      slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
+      for i in 0 to 5 loop
+        slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      slice0winner2_best_cost_0(6) <= slice0winner1_best_cost_0(12);
       slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      if slice0winner2_best_cost_0_0_is_less then
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+      if slice0winner2_best_cost_0_is_less(0) then
+        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
         slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
       else
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
         slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
       end if;
-      if slice0winner2_best_cost_0_1_is_less then
-        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+      if slice0winner2_best_cost_0_is_less(1) then
+        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
         slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
       else
-        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
         slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
       end if;
-      if slice0winner2_best_cost_0_2_is_less then
-        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
+      if slice0winner2_best_cost_0_is_less(2) then
+        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(5);
         slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
       else
-        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(4);
         slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
       end if;
-      if slice0winner2_best_cost_0_3_is_less then
-        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7;
+      if slice0winner2_best_cost_0_is_less(3) then
+        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(7);
         slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
       else
-        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
+        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(6);
         slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
       end if;
-      if slice0winner2_best_cost_0_4_is_less then
-        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9;
+      if slice0winner2_best_cost_0_is_less(4) then
+        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(9);
         slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9;
       else
-        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_8;
+        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(8);
         slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
       end if;
-      if slice0winner2_best_cost_0_5_is_less then
-        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11;
+      if slice0winner2_best_cost_0_is_less(5) then
+        slice0winner2_best_cost_0(5) <= slice0winner1_best_cost_0(11);
         slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11;
       else
-        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_10;
+        slice0winner2_best_cost_0(5) <= slice0winner1_best_cost_0(10);
         slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_10;
       end if;
       if slice0winner2_tag_valid then
@@ -2738,68 +1072,69 @@ begin
         slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       end if;
       -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
-      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
-      slice0winner3_best_cost_0_2_is_less := (slice0winner2_best_cost_0_5 - slice0winner2_best_cost_0_4) < 0;
-      slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
+      for i in 0 to 2 loop
+        slice0winner3_best_cost_0_is_less(i) := (slice0winner2_best_cost_0(2 * i + 1) - slice0winner2_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      slice0winner3_best_cost_0(3) <= slice0winner2_best_cost_0(6);
       slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      if slice0winner3_best_cost_0_0_is_less then
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+      if slice0winner3_best_cost_0_is_less(0) then
+        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(1);
         slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
       else
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(0);
         slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
       end if;
-      if slice0winner3_best_cost_0_1_is_less then
-        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3;
+      if slice0winner3_best_cost_0_is_less(1) then
+        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(3);
         slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
       else
-        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
+        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(2);
         slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
       end if;
-      if slice0winner3_best_cost_0_2_is_less then
-        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5;
+      if slice0winner3_best_cost_0_is_less(2) then
+        slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(5);
         slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5;
       else
-        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_4;
+        slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(4);
         slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
       end if;
       -- slice0winner4
-      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
-      slice0winner4_best_cost_0_1_is_less := (slice0winner3_best_cost_0_3 - slice0winner3_best_cost_0_2) < 0;
+      slice0winner4_best_cost_0_is_less(0) := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
+      slice0winner4_best_cost_0_is_less(1) := (slice0winner3_best_cost_0(3) - slice0winner3_best_cost_0(2)) < 0;
       slice0winner4_tag_valid <= slice0winner3_tag_valid;
       slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
       slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
       slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
-      if slice0winner4_best_cost_0_0_is_less then
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+      if slice0winner4_best_cost_0_is_less(0) then
+        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(1);
         slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
       else
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(0);
         slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
       end if;
-      if slice0winner4_best_cost_0_1_is_less then
-        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3;
+      if slice0winner4_best_cost_0_is_less(1) then
+        slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(3);
         slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
       else
-        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_2;
+        slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(2);
         slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
       end if;
       -- slice0winner5
-      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
+      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0(1) - slice0winner4_best_cost_0(0)) < 0;
       slice0winner5_tag_valid <= slice0winner4_tag_valid;
       slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
       slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
       slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
       if slice0winner5_best_cost_0_0_is_less then
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1;
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(1);
         slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1;
       else
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_0;
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(0);
         slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_0;
       end if;
       -- slice0
@@ -2811,1214 +1146,338 @@ begin
       slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
-        slice1shift_search_0_0 <= slice1shift_search_0_1;
-        slice1shift_search_0_1 <= slice1shift_search_0_2;
-        slice1shift_search_0_2 <= slice1shift_search_0_3;
-        slice1shift_search_0_3 <= slice1shift_search_0_4;
-        slice1shift_search_0_4 <= slice1shift_search_0_5;
-        slice1shift_search_0_5 <= slice1shift_search_0_6;
-        slice1shift_search_0_6 <= slice1shift_search_0_7;
-        slice1shift_search_0_7 <= slice1shift_search_0_8;
-        slice1shift_search_0_8 <= slice1shift_search_0_9;
-        slice1shift_search_0_9 <= slice1shift_search_0_10;
-        slice1shift_search_0_10 <= slice1shift_search_0_11;
-        slice1shift_search_0_11 <= slice1shift_search_0_12;
-        slice1shift_search_0_12 <= slice1shift_search_0_13;
-        slice1shift_search_0_13 <= slice1shift_search_0_14;
-        slice1shift_search_0_14 <= slice1shift_search_0_15;
-        slice1shift_search_0_15 <= slice1shift_search_0_16;
-        slice1shift_search_0_16 <= slice1shift_search_0_17;
-        slice1shift_search_0_17 <= slice1shift_search_0_18;
-        slice1shift_search_0_18 <= slice1shift_search_0_19;
-        slice1shift_search_0_19 <= slice1shift_search_0_20;
-        slice1shift_search_0_20 <= slice1shift_search_0_21;
-        slice1shift_search_0_21 <= slice1shift_search_0_22;
-        slice1shift_search_0_22 <= slice1shift_search_0_23;
-        slice1shift_search_0_23 <= slice1shift_search_0_24;
-        slice1shift_search_0_24 <= slice0shift_search_out_0;
-        slice1shift_search_1_0 <= slice1shift_search_1_1;
-        slice1shift_search_1_1 <= slice1shift_search_1_2;
-        slice1shift_search_1_2 <= slice1shift_search_1_3;
-        slice1shift_search_1_3 <= slice1shift_search_1_4;
-        slice1shift_search_1_4 <= slice1shift_search_1_5;
-        slice1shift_search_1_5 <= slice1shift_search_1_6;
-        slice1shift_search_1_6 <= slice1shift_search_1_7;
-        slice1shift_search_1_7 <= slice1shift_search_1_8;
-        slice1shift_search_1_8 <= slice1shift_search_1_9;
-        slice1shift_search_1_9 <= slice1shift_search_1_10;
-        slice1shift_search_1_10 <= slice1shift_search_1_11;
-        slice1shift_search_1_11 <= slice1shift_search_1_12;
-        slice1shift_search_1_12 <= slice1shift_search_1_13;
-        slice1shift_search_1_13 <= slice1shift_search_1_14;
-        slice1shift_search_1_14 <= slice1shift_search_1_15;
-        slice1shift_search_1_15 <= slice1shift_search_1_16;
-        slice1shift_search_1_16 <= slice1shift_search_1_17;
-        slice1shift_search_1_17 <= slice1shift_search_1_18;
-        slice1shift_search_1_18 <= slice1shift_search_1_19;
-        slice1shift_search_1_19 <= slice1shift_search_1_20;
-        slice1shift_search_1_20 <= slice1shift_search_1_21;
-        slice1shift_search_1_21 <= slice1shift_search_1_22;
-        slice1shift_search_1_22 <= slice1shift_search_1_23;
-        slice1shift_search_1_23 <= slice1shift_search_1_24;
-        slice1shift_search_1_24 <= slice0shift_search_out_1;
-        slice1shift_search_2_0 <= slice1shift_search_2_1;
-        slice1shift_search_2_1 <= slice1shift_search_2_2;
-        slice1shift_search_2_2 <= slice1shift_search_2_3;
-        slice1shift_search_2_3 <= slice1shift_search_2_4;
-        slice1shift_search_2_4 <= slice1shift_search_2_5;
-        slice1shift_search_2_5 <= slice1shift_search_2_6;
-        slice1shift_search_2_6 <= slice1shift_search_2_7;
-        slice1shift_search_2_7 <= slice1shift_search_2_8;
-        slice1shift_search_2_8 <= slice1shift_search_2_9;
-        slice1shift_search_2_9 <= slice1shift_search_2_10;
-        slice1shift_search_2_10 <= slice1shift_search_2_11;
-        slice1shift_search_2_11 <= slice1shift_search_2_12;
-        slice1shift_search_2_12 <= slice1shift_search_2_13;
-        slice1shift_search_2_13 <= slice1shift_search_2_14;
-        slice1shift_search_2_14 <= slice1shift_search_2_15;
-        slice1shift_search_2_15 <= slice1shift_search_2_16;
-        slice1shift_search_2_16 <= slice1shift_search_2_17;
-        slice1shift_search_2_17 <= slice1shift_search_2_18;
-        slice1shift_search_2_18 <= slice1shift_search_2_19;
-        slice1shift_search_2_19 <= slice1shift_search_2_20;
-        slice1shift_search_2_20 <= slice1shift_search_2_21;
-        slice1shift_search_2_21 <= slice1shift_search_2_22;
-        slice1shift_search_2_22 <= slice1shift_search_2_23;
-        slice1shift_search_2_23 <= slice1shift_search_2_24;
-        slice1shift_search_2_24 <= slice0shift_search_out_2;
+        for i in 0 to 2 loop
+          for j in 0 to 23 loop
+            slice1shift_search(i, j) <= slice1shift_search(i, j + 1);
+          end loop;
+          slice1shift_search(i, 24) <= slice0shift_search_out(i);
+        end loop;
       end if;
-      slice1shift_reference_0 <= slice0shift_reference_0;
-      slice1shift_reference_1 <= slice0shift_reference_1;
-      slice1shift_reference_2 <= slice0shift_reference_2;
-      slice1shift_search_out_0 <= slice1shift_search_0_0;
-      slice1shift_search_out_1 <= slice1shift_search_1_0;
-      slice1shift_search_out_2 <= slice1shift_search_2_0;
+      slice1shift_reference(0) <= slice0shift_reference(0);
+      slice1shift_reference(1) <= slice0shift_reference(1);
+      slice1shift_reference(2) <= slice0shift_reference(2);
+      slice1shift_search_out(0) <= slice1shift_search(0, 0);
+      slice1shift_search_out(1) <= slice1shift_search(1, 0);
+      slice1shift_search_out(2) <= slice1shift_search(2, 0);
       -- slice1cost
-      if (slice1cost_signs_ready_words_0 mod 2) = 1 then
-        slice1cost_difference_0_0_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_0_choice := slice1shift_search_0_0;
-      end if;
-      if (slice1cost_signs_ready_words_0 mod 2) = 1 then
-        slice1cost_difference_0_0_choice_2 := slice1shift_search_0_0;
-      else
-        slice1cost_difference_0_0_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_1_value := ((slice1cost_signs_ready_words_0 / 2) mod 2) = 1;
-      if slice1cost_difference_0_1_value then
-        slice1cost_difference_0_1_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_1_choice := slice1shift_search_0_1;
-      end if;
-      if slice1cost_difference_0_1_value then
-        slice1cost_difference_0_1_choice_2 := slice1shift_search_0_1;
-      else
-        slice1cost_difference_0_1_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_2_value := ((slice1cost_signs_ready_words_0 / 4) mod 2) = 1;
-      if slice1cost_difference_0_2_value then
-        slice1cost_difference_0_2_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_2_choice := slice1shift_search_0_2;
-      end if;
-      if slice1cost_difference_0_2_value then
-        slice1cost_difference_0_2_choice_2 := slice1shift_search_0_2;
-      else
-        slice1cost_difference_0_2_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_3_value := ((slice1cost_signs_ready_words_0 / 8) mod 2) = 1;
-      if slice1cost_difference_0_3_value then
-        slice1cost_difference_0_3_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_3_choice := slice1shift_search_0_3;
-      end if;
-      if slice1cost_difference_0_3_value then
-        slice1cost_difference_0_3_choice_2 := slice1shift_search_0_3;
-      else
-        slice1cost_difference_0_3_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_4_value := ((slice1cost_signs_ready_words_0 / 16) mod 2) = 1;
-      if slice1cost_difference_0_4_value then
-        slice1cost_difference_0_4_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_4_choice := slice1shift_search_0_4;
-      end if;
-      if slice1cost_difference_0_4_value then
-        slice1cost_difference_0_4_choice_2 := slice1shift_search_0_4;
-      else
-        slice1cost_difference_0_4_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_5_value := ((slice1cost_signs_ready_words_0 / 32) mod 2) = 1;
-      if slice1cost_difference_0_5_value then
-        slice1cost_difference_0_5_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_5_choice := slice1shift_search_0_5;
-      end if;
-      if slice1cost_difference_0_5_value then
-        slice1cost_difference_0_5_choice_2 := slice1shift_search_0_5;
-      else
-        slice1cost_difference_0_5_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_6_value := ((slice1cost_signs_ready_words_0 / 64) mod 2) = 1;
-      if slice1cost_difference_0_6_value then
-        slice1cost_difference_0_6_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_6_choice := slice1shift_search_0_6;
-      end if;
-      if slice1cost_difference_0_6_value then
-        slice1cost_difference_0_6_choice_2 := slice1shift_search_0_6;
-      else
-        slice1cost_difference_0_6_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_7_value := ((slice1cost_signs_ready_words_0 / 128) mod 2) = 1;
-      if slice1cost_difference_0_7_value then
-        slice1cost_difference_0_7_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_7_choice := slice1shift_search_0_7;
-      end if;
-      if slice1cost_difference_0_7_value then
-        slice1cost_difference_0_7_choice_2 := slice1shift_search_0_7;
-      else
-        slice1cost_difference_0_7_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_8_value := ((slice1cost_signs_ready_words_0 / 256) mod 2) = 1;
-      if slice1cost_difference_0_8_value then
-        slice1cost_difference_0_8_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_8_choice := slice1shift_search_0_8;
-      end if;
-      if slice1cost_difference_0_8_value then
-        slice1cost_difference_0_8_choice_2 := slice1shift_search_0_8;
-      else
-        slice1cost_difference_0_8_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_9_value := ((slice1cost_signs_ready_words_0 / 512) mod 2) = 1;
-      if slice1cost_difference_0_9_value then
-        slice1cost_difference_0_9_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_9_choice := slice1shift_search_0_9;
-      end if;
-      if slice1cost_difference_0_9_value then
-        slice1cost_difference_0_9_choice_2 := slice1shift_search_0_9;
-      else
-        slice1cost_difference_0_9_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_10_value := ((slice1cost_signs_ready_words_0 / 1024) mod 2) = 1;
-      if slice1cost_difference_0_10_value then
-        slice1cost_difference_0_10_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_10_choice := slice1shift_search_0_10;
-      end if;
-      if slice1cost_difference_0_10_value then
-        slice1cost_difference_0_10_choice_2 := slice1shift_search_0_10;
-      else
-        slice1cost_difference_0_10_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_11_value := ((slice1cost_signs_ready_words_0 / 2048) mod 2) = 1;
-      if slice1cost_difference_0_11_value then
-        slice1cost_difference_0_11_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_11_choice := slice1shift_search_0_11;
-      end if;
-      if slice1cost_difference_0_11_value then
-        slice1cost_difference_0_11_choice_2 := slice1shift_search_0_11;
-      else
-        slice1cost_difference_0_11_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_12_value := ((slice1cost_signs_ready_words_0 / 4096) mod 2) = 1;
-      if slice1cost_difference_0_12_value then
-        slice1cost_difference_0_12_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_12_choice := slice1shift_search_0_12;
-      end if;
-      if slice1cost_difference_0_12_value then
-        slice1cost_difference_0_12_choice_2 := slice1shift_search_0_12;
-      else
-        slice1cost_difference_0_12_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_13_value := ((slice1cost_signs_ready_words_0 / 8192) mod 2) = 1;
-      if slice1cost_difference_0_13_value then
-        slice1cost_difference_0_13_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_13_choice := slice1shift_search_0_13;
-      end if;
-      if slice1cost_difference_0_13_value then
-        slice1cost_difference_0_13_choice_2 := slice1shift_search_0_13;
-      else
-        slice1cost_difference_0_13_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_14_value := ((slice1cost_signs_ready_words_0 / 16384) mod 2) = 1;
-      if slice1cost_difference_0_14_value then
-        slice1cost_difference_0_14_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_14_choice := slice1shift_search_0_14;
-      end if;
-      if slice1cost_difference_0_14_value then
-        slice1cost_difference_0_14_choice_2 := slice1shift_search_0_14;
-      else
-        slice1cost_difference_0_14_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_15_value := ((slice1cost_signs_ready_words_0 / 32768) mod 2) = 1;
-      if slice1cost_difference_0_15_value then
-        slice1cost_difference_0_15_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_15_choice := slice1shift_search_0_15;
-      end if;
-      if slice1cost_difference_0_15_value then
-        slice1cost_difference_0_15_choice_2 := slice1shift_search_0_15;
-      else
-        slice1cost_difference_0_15_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_16_value := ((slice1cost_signs_ready_words_0 / 65536) mod 2) = 1;
-      if slice1cost_difference_0_16_value then
-        slice1cost_difference_0_16_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_16_choice := slice1shift_search_0_16;
-      end if;
-      if slice1cost_difference_0_16_value then
-        slice1cost_difference_0_16_choice_2 := slice1shift_search_0_16;
-      else
-        slice1cost_difference_0_16_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_17_value := ((slice1cost_signs_ready_words_0 / 131072) mod 2) = 1;
-      if slice1cost_difference_0_17_value then
-        slice1cost_difference_0_17_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_17_choice := slice1shift_search_0_17;
-      end if;
-      if slice1cost_difference_0_17_value then
-        slice1cost_difference_0_17_choice_2 := slice1shift_search_0_17;
-      else
-        slice1cost_difference_0_17_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_18_value := ((slice1cost_signs_ready_words_0 / 262144) mod 2) = 1;
-      if slice1cost_difference_0_18_value then
-        slice1cost_difference_0_18_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_18_choice := slice1shift_search_0_18;
-      end if;
-      if slice1cost_difference_0_18_value then
-        slice1cost_difference_0_18_choice_2 := slice1shift_search_0_18;
-      else
-        slice1cost_difference_0_18_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_19_value := ((slice1cost_signs_ready_words_0 / 524288) mod 2) = 1;
-      if slice1cost_difference_0_19_value then
-        slice1cost_difference_0_19_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_19_choice := slice1shift_search_0_19;
-      end if;
-      if slice1cost_difference_0_19_value then
-        slice1cost_difference_0_19_choice_2 := slice1shift_search_0_19;
-      else
-        slice1cost_difference_0_19_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_20_value := ((slice1cost_signs_ready_words_0 / 1048576) mod 2) = 1;
-      if slice1cost_difference_0_20_value then
-        slice1cost_difference_0_20_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_20_choice := slice1shift_search_0_20;
-      end if;
-      if slice1cost_difference_0_20_value then
-        slice1cost_difference_0_20_choice_2 := slice1shift_search_0_20;
-      else
-        slice1cost_difference_0_20_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_21_value := ((slice1cost_signs_ready_words_0 / 2097152) mod 2) = 1;
-      if slice1cost_difference_0_21_value then
-        slice1cost_difference_0_21_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_21_choice := slice1shift_search_0_21;
-      end if;
-      if slice1cost_difference_0_21_value then
-        slice1cost_difference_0_21_choice_2 := slice1shift_search_0_21;
-      else
-        slice1cost_difference_0_21_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_22_value := ((slice1cost_signs_ready_words_0 / 4194304) mod 2) = 1;
-      if slice1cost_difference_0_22_value then
-        slice1cost_difference_0_22_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_22_choice := slice1shift_search_0_22;
-      end if;
-      if slice1cost_difference_0_22_value then
-        slice1cost_difference_0_22_choice_2 := slice1shift_search_0_22;
-      else
-        slice1cost_difference_0_22_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_23_value := ((slice1cost_signs_ready_words_0 / 8388608) mod 2) = 1;
-      if slice1cost_difference_0_23_value then
-        slice1cost_difference_0_23_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_23_choice := slice1shift_search_0_23;
-      end if;
-      if slice1cost_difference_0_23_value then
-        slice1cost_difference_0_23_choice_2 := slice1shift_search_0_23;
-      else
-        slice1cost_difference_0_23_choice_2 := slice1shift_reference_0;
-      end if;
-      if (slice1cost_signs_ready_words_0 / 16777216) = 1 then
-        slice1cost_difference_0_24_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_24_choice := slice1shift_search_0_24;
-      end if;
-      if (slice1cost_signs_ready_words_0 / 16777216) = 1 then
-        slice1cost_difference_0_24_choice_2 := slice1shift_search_0_24;
-      else
-        slice1cost_difference_0_24_choice_2 := slice1shift_reference_0;
-      end if;
-      if (slice1cost_signs_ready_words_1 mod 2) = 1 then
-        slice1cost_difference_1_0_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_0_choice := slice1shift_search_1_0;
-      end if;
-      if (slice1cost_signs_ready_words_1 mod 2) = 1 then
-        slice1cost_difference_1_0_choice_2 := slice1shift_search_1_0;
-      else
-        slice1cost_difference_1_0_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_1_value := ((slice1cost_signs_ready_words_1 / 2) mod 2) = 1;
-      if slice1cost_difference_1_1_value then
-        slice1cost_difference_1_1_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_1_choice := slice1shift_search_1_1;
-      end if;
-      if slice1cost_difference_1_1_value then
-        slice1cost_difference_1_1_choice_2 := slice1shift_search_1_1;
-      else
-        slice1cost_difference_1_1_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_2_value := ((slice1cost_signs_ready_words_1 / 4) mod 2) = 1;
-      if slice1cost_difference_1_2_value then
-        slice1cost_difference_1_2_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_2_choice := slice1shift_search_1_2;
-      end if;
-      if slice1cost_difference_1_2_value then
-        slice1cost_difference_1_2_choice_2 := slice1shift_search_1_2;
-      else
-        slice1cost_difference_1_2_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_3_value := ((slice1cost_signs_ready_words_1 / 8) mod 2) = 1;
-      if slice1cost_difference_1_3_value then
-        slice1cost_difference_1_3_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_3_choice := slice1shift_search_1_3;
-      end if;
-      if slice1cost_difference_1_3_value then
-        slice1cost_difference_1_3_choice_2 := slice1shift_search_1_3;
-      else
-        slice1cost_difference_1_3_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_4_value := ((slice1cost_signs_ready_words_1 / 16) mod 2) = 1;
-      if slice1cost_difference_1_4_value then
-        slice1cost_difference_1_4_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_4_choice := slice1shift_search_1_4;
-      end if;
-      if slice1cost_difference_1_4_value then
-        slice1cost_difference_1_4_choice_2 := slice1shift_search_1_4;
-      else
-        slice1cost_difference_1_4_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_5_value := ((slice1cost_signs_ready_words_1 / 32) mod 2) = 1;
-      if slice1cost_difference_1_5_value then
-        slice1cost_difference_1_5_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_5_choice := slice1shift_search_1_5;
-      end if;
-      if slice1cost_difference_1_5_value then
-        slice1cost_difference_1_5_choice_2 := slice1shift_search_1_5;
-      else
-        slice1cost_difference_1_5_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_6_value := ((slice1cost_signs_ready_words_1 / 64) mod 2) = 1;
-      if slice1cost_difference_1_6_value then
-        slice1cost_difference_1_6_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_6_choice := slice1shift_search_1_6;
-      end if;
-      if slice1cost_difference_1_6_value then
-        slice1cost_difference_1_6_choice_2 := slice1shift_search_1_6;
-      else
-        slice1cost_difference_1_6_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_7_value := ((slice1cost_signs_ready_words_1 / 128) mod 2) = 1;
-      if slice1cost_difference_1_7_value then
-        slice1cost_difference_1_7_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_7_choice := slice1shift_search_1_7;
-      end if;
-      if slice1cost_difference_1_7_value then
-        slice1cost_difference_1_7_choice_2 := slice1shift_search_1_7;
-      else
-        slice1cost_difference_1_7_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_8_value := ((slice1cost_signs_ready_words_1 / 256) mod 2) = 1;
-      if slice1cost_difference_1_8_value then
-        slice1cost_difference_1_8_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_8_choice := slice1shift_search_1_8;
-      end if;
-      if slice1cost_difference_1_8_value then
-        slice1cost_difference_1_8_choice_2 := slice1shift_search_1_8;
-      else
-        slice1cost_difference_1_8_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_9_value := ((slice1cost_signs_ready_words_1 / 512) mod 2) = 1;
-      if slice1cost_difference_1_9_value then
-        slice1cost_difference_1_9_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_9_choice := slice1shift_search_1_9;
-      end if;
-      if slice1cost_difference_1_9_value then
-        slice1cost_difference_1_9_choice_2 := slice1shift_search_1_9;
-      else
-        slice1cost_difference_1_9_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_10_value := ((slice1cost_signs_ready_words_1 / 1024) mod 2) = 1;
-      if slice1cost_difference_1_10_value then
-        slice1cost_difference_1_10_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_10_choice := slice1shift_search_1_10;
-      end if;
-      if slice1cost_difference_1_10_value then
-        slice1cost_difference_1_10_choice_2 := slice1shift_search_1_10;
-      else
-        slice1cost_difference_1_10_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_11_value := ((slice1cost_signs_ready_words_1 / 2048) mod 2) = 1;
-      if slice1cost_difference_1_11_value then
-        slice1cost_difference_1_11_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_11_choice := slice1shift_search_1_11;
-      end if;
-      if slice1cost_difference_1_11_value then
-        slice1cost_difference_1_11_choice_2 := slice1shift_search_1_11;
-      else
-        slice1cost_difference_1_11_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_12_value := ((slice1cost_signs_ready_words_1 / 4096) mod 2) = 1;
-      if slice1cost_difference_1_12_value then
-        slice1cost_difference_1_12_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_12_choice := slice1shift_search_1_12;
-      end if;
-      if slice1cost_difference_1_12_value then
-        slice1cost_difference_1_12_choice_2 := slice1shift_search_1_12;
-      else
-        slice1cost_difference_1_12_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_13_value := ((slice1cost_signs_ready_words_1 / 8192) mod 2) = 1;
-      if slice1cost_difference_1_13_value then
-        slice1cost_difference_1_13_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_13_choice := slice1shift_search_1_13;
-      end if;
-      if slice1cost_difference_1_13_value then
-        slice1cost_difference_1_13_choice_2 := slice1shift_search_1_13;
-      else
-        slice1cost_difference_1_13_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_14_value := ((slice1cost_signs_ready_words_1 / 16384) mod 2) = 1;
-      if slice1cost_difference_1_14_value then
-        slice1cost_difference_1_14_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_14_choice := slice1shift_search_1_14;
-      end if;
-      if slice1cost_difference_1_14_value then
-        slice1cost_difference_1_14_choice_2 := slice1shift_search_1_14;
-      else
-        slice1cost_difference_1_14_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_15_value := ((slice1cost_signs_ready_words_1 / 32768) mod 2) = 1;
-      if slice1cost_difference_1_15_value then
-        slice1cost_difference_1_15_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_15_choice := slice1shift_search_1_15;
-      end if;
-      if slice1cost_difference_1_15_value then
-        slice1cost_difference_1_15_choice_2 := slice1shift_search_1_15;
-      else
-        slice1cost_difference_1_15_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_16_value := ((slice1cost_signs_ready_words_1 / 65536) mod 2) = 1;
-      if slice1cost_difference_1_16_value then
-        slice1cost_difference_1_16_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_16_choice := slice1shift_search_1_16;
-      end if;
-      if slice1cost_difference_1_16_value then
-        slice1cost_difference_1_16_choice_2 := slice1shift_search_1_16;
-      else
-        slice1cost_difference_1_16_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_17_value := ((slice1cost_signs_ready_words_1 / 131072) mod 2) = 1;
-      if slice1cost_difference_1_17_value then
-        slice1cost_difference_1_17_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_17_choice := slice1shift_search_1_17;
-      end if;
-      if slice1cost_difference_1_17_value then
-        slice1cost_difference_1_17_choice_2 := slice1shift_search_1_17;
-      else
-        slice1cost_difference_1_17_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_18_value := ((slice1cost_signs_ready_words_1 / 262144) mod 2) = 1;
-      if slice1cost_difference_1_18_value then
-        slice1cost_difference_1_18_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_18_choice := slice1shift_search_1_18;
-      end if;
-      if slice1cost_difference_1_18_value then
-        slice1cost_difference_1_18_choice_2 := slice1shift_search_1_18;
-      else
-        slice1cost_difference_1_18_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_19_value := ((slice1cost_signs_ready_words_1 / 524288) mod 2) = 1;
-      if slice1cost_difference_1_19_value then
-        slice1cost_difference_1_19_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_19_choice := slice1shift_search_1_19;
-      end if;
-      if slice1cost_difference_1_19_value then
-        slice1cost_difference_1_19_choice_2 := slice1shift_search_1_19;
-      else
-        slice1cost_difference_1_19_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_20_value := ((slice1cost_signs_ready_words_1 / 1048576) mod 2) = 1;
-      if slice1cost_difference_1_20_value then
-        slice1cost_difference_1_20_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_20_choice := slice1shift_search_1_20;
-      end if;
-      if slice1cost_difference_1_20_value then
-        slice1cost_difference_1_20_choice_2 := slice1shift_search_1_20;
-      else
-        slice1cost_difference_1_20_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_21_value := ((slice1cost_signs_ready_words_1 / 2097152) mod 2) = 1;
-      if slice1cost_difference_1_21_value then
-        slice1cost_difference_1_21_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_21_choice := slice1shift_search_1_21;
-      end if;
-      if slice1cost_difference_1_21_value then
-        slice1cost_difference_1_21_choice_2 := slice1shift_search_1_21;
-      else
-        slice1cost_difference_1_21_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_22_value := ((slice1cost_signs_ready_words_1 / 4194304) mod 2) = 1;
-      if slice1cost_difference_1_22_value then
-        slice1cost_difference_1_22_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_22_choice := slice1shift_search_1_22;
-      end if;
-      if slice1cost_difference_1_22_value then
-        slice1cost_difference_1_22_choice_2 := slice1shift_search_1_22;
-      else
-        slice1cost_difference_1_22_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_23_value := ((slice1cost_signs_ready_words_1 / 8388608) mod 2) = 1;
-      if slice1cost_difference_1_23_value then
-        slice1cost_difference_1_23_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_23_choice := slice1shift_search_1_23;
-      end if;
-      if slice1cost_difference_1_23_value then
-        slice1cost_difference_1_23_choice_2 := slice1shift_search_1_23;
-      else
-        slice1cost_difference_1_23_choice_2 := slice1shift_reference_1;
-      end if;
-      if (slice1cost_signs_ready_words_1 / 16777216) = 1 then
-        slice1cost_difference_1_24_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_24_choice := slice1shift_search_1_24;
-      end if;
-      if (slice1cost_signs_ready_words_1 / 16777216) = 1 then
-        slice1cost_difference_1_24_choice_2 := slice1shift_search_1_24;
-      else
-        slice1cost_difference_1_24_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_2_0_difference := slice1shift_search_2_0 - slice1shift_reference_2;
-      slice1cost_difference_2_1_difference := slice1shift_search_2_1 - slice1shift_reference_2;
-      slice1cost_difference_2_2_difference := slice1shift_search_2_2 - slice1shift_reference_2;
-      slice1cost_difference_2_3_difference := slice1shift_search_2_3 - slice1shift_reference_2;
-      slice1cost_difference_2_4_difference := slice1shift_search_2_4 - slice1shift_reference_2;
-      slice1cost_difference_2_5_difference := slice1shift_search_2_5 - slice1shift_reference_2;
-      slice1cost_difference_2_6_difference := slice1shift_search_2_6 - slice1shift_reference_2;
-      slice1cost_difference_2_7_difference := slice1shift_search_2_7 - slice1shift_reference_2;
-      slice1cost_difference_2_8_difference := slice1shift_search_2_8 - slice1shift_reference_2;
-      slice1cost_difference_2_9_difference := slice1shift_search_2_9 - slice1shift_reference_2;
-      slice1cost_difference_2_10_difference := slice1shift_search_2_10 - slice1shift_reference_2;
-      slice1cost_difference_2_11_difference := slice1shift_search_2_11 - slice1shift_reference_2;
-      slice1cost_difference_2_12_difference := slice1shift_search_2_12 - slice1shift_reference_2;
-      slice1cost_difference_2_13_difference := slice1shift_search_2_13 - slice1shift_reference_2;
-      slice1cost_difference_2_14_difference := slice1shift_search_2_14 - slice1shift_reference_2;
-      slice1cost_difference_2_15_difference := slice1shift_search_2_15 - slice1shift_reference_2;
-      slice1cost_difference_2_16_difference := slice1shift_search_2_16 - slice1shift_reference_2;
-      slice1cost_difference_2_17_difference := slice1shift_search_2_17 - slice1shift_reference_2;
-      slice1cost_difference_2_18_difference := slice1shift_search_2_18 - slice1shift_reference_2;
-      slice1cost_difference_2_19_difference := slice1shift_search_2_19 - slice1shift_reference_2;
-      slice1cost_difference_2_20_difference := slice1shift_search_2_20 - slice1shift_reference_2;
-      slice1cost_difference_2_21_difference := slice1shift_search_2_21 - slice1shift_reference_2;
-      slice1cost_difference_2_22_difference := slice1shift_search_2_22 - slice1shift_reference_2;
-      slice1cost_difference_2_23_difference := slice1shift_search_2_23 - slice1shift_reference_2;
-      slice1cost_difference_2_24_difference := slice1shift_search_2_24 - slice1shift_reference_2;
+      if is_set(slice1cost_signs_ready_words(0), 0) then
+        slice1cost_difference_choice(0, 0) := slice1shift_reference(0);
+      else
+        slice1cost_difference_choice(0, 0) := slice1shift_search(0, 0);
+      end if;
+      if is_set(slice1cost_signs_ready_words(0), 0) then
+        slice1cost_difference_choice_2(0, 0) := slice1shift_search(0, 0);
+      else
+        slice1cost_difference_choice_2(0, 0) := slice1shift_reference(0);
+      end if;
+      for i in 1 to 23 loop
+        slice1cost_difference_value(0, i) := is_set(slice1cost_signs_ready_words(0), i);
+        if slice1cost_difference_value(0, i) then
+          slice1cost_difference_choice(0, i) := slice1shift_reference(0);
+        else
+          slice1cost_difference_choice(0, i) := slice1shift_search(0, i);
+        end if;
+        if slice1cost_difference_value(0, i) then
+          slice1cost_difference_choice_2(0, i) := slice1shift_search(0, i);
+        else
+          slice1cost_difference_choice_2(0, i) := slice1shift_reference(0);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if is_set(slice1cost_signs_ready_words(i), 24 - 24 * i) then
+          slice1cost_difference_choice(i, 24 - 24 * i) := slice1shift_reference(i);
+        else
+          slice1cost_difference_choice(i, 24 - 24 * i) := slice1shift_search(i, 24 - 24 * i);
+        end if;
+        if is_set(slice1cost_signs_ready_words(i), 24 - 24 * i) then
+          slice1cost_difference_choice_2(i, 24 - 24 * i) := slice1shift_search(i, 24 - 24 * i);
+        else
+          slice1cost_difference_choice_2(i, 24 - 24 * i) := slice1shift_reference(i);
+        end if;
+      end loop;
+      for i in 1 to 23 loop
+        slice1cost_difference_value(1, i) := is_set(slice1cost_signs_ready_words(1), i);
+        if slice1cost_difference_value(1, i) then
+          slice1cost_difference_choice(1, i) := slice1shift_reference(1);
+        else
+          slice1cost_difference_choice(1, i) := slice1shift_search(1, i);
+        end if;
+        if slice1cost_difference_value(1, i) then
+          slice1cost_difference_choice_2(1, i) := slice1shift_search(1, i);
+        else
+          slice1cost_difference_choice_2(1, i) := slice1shift_reference(1);
+        end if;
+      end loop;
+      if is_set(slice1cost_signs_ready_words(1), 24) then
+        slice1cost_difference_choice(1, 24) := slice1shift_reference(1);
+      else
+        slice1cost_difference_choice(1, 24) := slice1shift_search(1, 24);
+      end if;
+      if is_set(slice1cost_signs_ready_words(1), 24) then
+        slice1cost_difference_choice_2(1, 24) := slice1shift_search(1, 24);
+      else
+        slice1cost_difference_choice_2(1, 24) := slice1shift_reference(1);
+      end if;
+      for i in 0 to 24 loop
+        slice1cost_difference_2_difference(i) := slice1shift_search(2, i) - slice1shift_reference(2);
+      end loop;
       slice1cost_signs_difference_column <= slice0cost_signs_difference_column;
-      slice1cost_signs_ready_words_0 <= to_integer(slice1cost_signs_read_words_0);
-      slice1cost_signs_ready_words_1 <= to_integer(slice1cost_signs_read_words_1);
-      slice1cost_signs_known_words_1 <= slice1cost_signs_ready_words_1;
+      slice1cost_signs_ready_words(0) <= to_integer(slice1cost_signs_read_words(0));
+      slice1cost_signs_ready_words(1) <= to_integer(slice1cost_signs_read_words(1));
+      slice1cost_signs_known_words_1 <= slice1cost_signs_ready_words(1);
       slice1cost_signs_write_column <= slice1cost_signs_difference_column;
-      slice1cost_difference_0_0 <= (slice1cost_difference_0_0_choice - slice1cost_difference_0_0_choice_2) mod 256;
-      slice1cost_difference_0_1 <= (slice1cost_difference_0_1_choice - slice1cost_difference_0_1_choice_2) mod 256;
-      slice1cost_difference_0_2 <= (slice1cost_difference_0_2_choice - slice1cost_difference_0_2_choice_2) mod 256;
-      slice1cost_difference_0_3 <= (slice1cost_difference_0_3_choice - slice1cost_difference_0_3_choice_2) mod 256;
-      slice1cost_difference_0_4 <= (slice1cost_difference_0_4_choice - slice1cost_difference_0_4_choice_2) mod 256;
-      slice1cost_difference_0_5 <= (slice1cost_difference_0_5_choice - slice1cost_difference_0_5_choice_2) mod 256;
-      slice1cost_difference_0_6 <= (slice1cost_difference_0_6_choice - slice1cost_difference_0_6_choice_2) mod 256;
-      slice1cost_difference_0_7 <= (slice1cost_difference_0_7_choice - slice1cost_difference_0_7_choice_2) mod 256;
-      slice1cost_difference_0_8 <= (slice1cost_difference_0_8_choice - slice1cost_difference_0_8_choice_2) mod 256;
-      slice1cost_difference_0_9 <= (slice1cost_difference_0_9_choice - slice1cost_difference_0_9_choice_2) mod 256;
-      slice1cost_difference_0_10 <= (slice1cost_difference_0_10_choice - slice1cost_difference_0_10_choice_2) mod 256;
-      slice1cost_difference_0_11 <= (slice1cost_difference_0_11_choice - slice1cost_difference_0_11_choice_2) mod 256;
-      slice1cost_difference_0_12 <= (slice1cost_difference_0_12_choice - slice1cost_difference_0_12_choice_2) mod 256;
-      slice1cost_difference_0_13 <= (slice1cost_difference_0_13_choice - slice1cost_difference_0_13_choice_2) mod 256;
-      slice1cost_difference_0_14 <= (slice1cost_difference_0_14_choice - slice1cost_difference_0_14_choice_2) mod 256;
-      slice1cost_difference_0_15 <= (slice1cost_difference_0_15_choice - slice1cost_difference_0_15_choice_2) mod 256;
-      slice1cost_difference_0_16 <= (slice1cost_difference_0_16_choice - slice1cost_difference_0_16_choice_2) mod 256;
-      slice1cost_difference_0_17 <= (slice1cost_difference_0_17_choice - slice1cost_difference_0_17_choice_2) mod 256;
-      slice1cost_difference_0_18 <= (slice1cost_difference_0_18_choice - slice1cost_difference_0_18_choice_2) mod 256;
-      slice1cost_difference_0_19 <= (slice1cost_difference_0_19_choice - slice1cost_difference_0_19_choice_2) mod 256;
-      slice1cost_difference_0_20 <= (slice1cost_difference_0_20_choice - slice1cost_difference_0_20_choice_2) mod 256;
-      slice1cost_difference_0_21 <= (slice1cost_difference_0_21_choice - slice1cost_difference_0_21_choice_2) mod 256;
-      slice1cost_difference_0_22 <= (slice1cost_difference_0_22_choice - slice1cost_difference_0_22_choice_2) mod 256;
-      slice1cost_difference_0_23 <= (slice1cost_difference_0_23_choice - slice1cost_difference_0_23_choice_2) mod 256;
-      slice1cost_difference_0_24 <= (slice1cost_difference_0_24_choice - slice1cost_difference_0_24_choice_2) mod 256;
-      slice1cost_difference_1_0 <= (slice1cost_difference_1_0_choice - slice1cost_difference_1_0_choice_2) mod 256;
-      slice1cost_difference_1_1 <= (slice1cost_difference_1_1_choice - slice1cost_difference_1_1_choice_2) mod 256;
-      slice1cost_difference_1_2 <= (slice1cost_difference_1_2_choice - slice1cost_difference_1_2_choice_2) mod 256;
-      slice1cost_difference_1_3 <= (slice1cost_difference_1_3_choice - slice1cost_difference_1_3_choice_2) mod 256;
-      slice1cost_difference_1_4 <= (slice1cost_difference_1_4_choice - slice1cost_difference_1_4_choice_2) mod 256;
-      slice1cost_difference_1_5 <= (slice1cost_difference_1_5_choice - slice1cost_difference_1_5_choice_2) mod 256;
-      slice1cost_difference_1_6 <= (slice1cost_difference_1_6_choice - slice1cost_difference_1_6_choice_2) mod 256;
-      slice1cost_difference_1_7 <= (slice1cost_difference_1_7_choice - slice1cost_difference_1_7_choice_2) mod 256;
-      slice1cost_difference_1_8 <= (slice1cost_difference_1_8_choice - slice1cost_difference_1_8_choice_2) mod 256;
-      slice1cost_difference_1_9 <= (slice1cost_difference_1_9_choice - slice1cost_difference_1_9_choice_2) mod 256;
-      slice1cost_difference_1_10 <= (slice1cost_difference_1_10_choice - slice1cost_difference_1_10_choice_2) mod 256;
-      slice1cost_difference_1_11 <= (slice1cost_difference_1_11_choice - slice1cost_difference_1_11_choice_2) mod 256;
-      slice1cost_difference_1_12 <= (slice1cost_difference_1_12_choice - slice1cost_difference_1_12_choice_2) mod 256;
-      slice1cost_difference_1_13 <= (slice1cost_difference_1_13_choice - slice1cost_difference_1_13_choice_2) mod 256;
-      slice1cost_difference_1_14 <= (slice1cost_difference_1_14_choice - slice1cost_difference_1_14_choice_2) mod 256;
-      slice1cost_difference_1_15 <= (slice1cost_difference_1_15_choice - slice1cost_difference_1_15_choice_2) mod 256;
-      slice1cost_difference_1_16 <= (slice1cost_difference_1_16_choice - slice1cost_difference_1_16_choice_2) mod 256;
-      slice1cost_difference_1_17 <= (slice1cost_difference_1_17_choice - slice1cost_difference_1_17_choice_2) mod 256;
-      slice1cost_difference_1_18 <= (slice1cost_difference_1_18_choice - slice1cost_difference_1_18_choice_2) mod 256;
-      slice1cost_difference_1_19 <= (slice1cost_difference_1_19_choice - slice1cost_difference_1_19_choice_2) mod 256;
-      slice1cost_difference_1_20 <= (slice1cost_difference_1_20_choice - slice1cost_difference_1_20_choice_2) mod 256;
-      slice1cost_difference_1_21 <= (slice1cost_difference_1_21_choice - slice1cost_difference_1_21_choice_2) mod 256;
-      slice1cost_difference_1_22 <= (slice1cost_difference_1_22_choice - slice1cost_difference_1_22_choice_2) mod 256;
-      slice1cost_difference_1_23 <= (slice1cost_difference_1_23_choice - slice1cost_difference_1_23_choice_2) mod 256;
-      slice1cost_difference_1_24 <= (slice1cost_difference_1_24_choice - slice1cost_difference_1_24_choice_2) mod 256;
-      slice1cost_newest_negative_0_0 <= slice1cost_difference_2_0_difference < 0;
-      slice1cost_newest_negative_0_1 <= slice1cost_difference_2_1_difference < 0;
-      slice1cost_newest_negative_0_2 <= slice1cost_difference_2_2_difference < 0;
-      slice1cost_newest_negative_0_3 <= slice1cost_difference_2_3_difference < 0;
-      slice1cost_newest_negative_0_4 <= slice1cost_difference_2_4_difference < 0;
-      slice1cost_newest_negative_0_5 <= slice1cost_difference_2_5_difference < 0;
-      slice1cost_newest_negative_0_6 <= slice1cost_difference_2_6_difference < 0;
-      slice1cost_newest_negative_0_7 <= slice1cost_difference_2_7_difference < 0;
-      slice1cost_newest_negative_0_8 <= slice1cost_difference_2_8_difference < 0;
-      slice1cost_newest_negative_0_9 <= slice1cost_difference_2_9_difference < 0;
-      slice1cost_newest_negative_0_10 <= slice1cost_difference_2_10_difference < 0;
-      slice1cost_newest_negative_0_11 <= slice1cost_difference_2_11_difference < 0;
-      slice1cost_newest_negative_0_12 <= slice1cost_difference_2_12_difference < 0;
-      slice1cost_newest_negative_0_13 <= slice1cost_difference_2_13_difference < 0;
-      slice1cost_newest_negative_0_14 <= slice1cost_difference_2_14_difference < 0;
-      slice1cost_newest_negative_0_15 <= slice1cost_difference_2_15_difference < 0;
-      slice1cost_newest_negative_0_16 <= slice1cost_difference_2_16_difference < 0;
-      slice1cost_newest_negative_0_17 <= slice1cost_difference_2_17_difference < 0;
-      slice1cost_newest_negative_0_18 <= slice1cost_difference_2_18_difference < 0;
-      slice1cost_newest_negative_0_19 <= slice1cost_difference_2_19_difference < 0;
-      slice1cost_newest_negative_0_20 <= slice1cost_difference_2_20_difference < 0;
-      slice1cost_newest_negative_0_21 <= slice1cost_difference_2_21_difference < 0;
-      slice1cost_newest_negative_0_22 <= slice1cost_difference_2_22_difference < 0;
-      slice1cost_newest_negative_0_23 <= slice1cost_difference_2_23_difference < 0;
-      slice1cost_newest_negative_0_24 <= slice1cost_difference_2_24_difference < 0;
-      slice1cost_pair_0_0 <= as_number((slice1cost_difference_2_0 < 0)) + slice1cost_difference_1_0 +
-        folded(slice1cost_difference_2_0);
-      slice1cost_pair_0_1 <= as_number((slice1cost_difference_2_1 < 0)) + slice1cost_difference_1_1 +
-        folded(slice1cost_difference_2_1);
-      slice1cost_pair_0_2 <= as_number((slice1cost_difference_2_2 < 0)) + slice1cost_difference_1_2 +
-        folded(slice1cost_difference_2_2);
-      slice1cost_pair_0_3 <= as_number((slice1cost_difference_2_3 < 0)) + slice1cost_difference_1_3 +
-        folded(slice1cost_difference_2_3);
-      slice1cost_pair_0_4 <= as_number((slice1cost_difference_2_4 < 0)) + slice1cost_difference_1_4 +
-        folded(slice1cost_difference_2_4);
-      slice1cost_pair_0_5 <= as_number((slice1cost_difference_2_5 < 0)) + slice1cost_difference_1_5 +
-        folded(slice1cost_difference_2_5);
-      slice1cost_pair_0_6 <= as_number((slice1cost_difference_2_6 < 0)) + slice1cost_difference_1_6 +
-        folded(slice1cost_difference_2_6);
-      slice1cost_pair_0_7 <= as_number((slice1cost_difference_2_7 < 0)) + slice1cost_difference_1_7 +
-        folded(slice1cost_difference_2_7);
-      slice1cost_pair_0_8 <= as_number((slice1cost_difference_2_8 < 0)) + slice1cost_difference_1_8 +
-        folded(slice1cost_difference_2_8);
-      slice1cost_pair_0_9 <= as_number((slice1cost_difference_2_9 < 0)) + slice1cost_difference_1_9 +
-        folded(slice1cost_difference_2_9);
-      slice1cost_pair_0_10 <= as_number((slice1cost_difference_2_10 < 0)) + slice1cost_difference_1_10 +
-        folded(slice1cost_difference_2_10);
-      slice1cost_pair_0_11 <= as_number((slice1cost_difference_2_11 < 0)) + slice1cost_difference_1_11 +
-        folded(slice1cost_difference_2_11);
-      slice1cost_pair_0_12 <= as_number((slice1cost_difference_2_12 < 0)) + slice1cost_difference_1_12 +
-        folded(slice1cost_difference_2_12);
-      slice1cost_pair_0_13 <= as_number((slice1cost_difference_2_13 < 0)) + slice1cost_difference_1_13 +
-        folded(slice1cost_difference_2_13);
-      slice1cost_pair_0_14 <= as_number((slice1cost_difference_2_14 < 0)) + slice1cost_difference_1_14 +
-        folded(slice1cost_difference_2_14);
-      slice1cost_pair_0_15 <= as_number((slice1cost_difference_2_15 < 0)) + slice1cost_difference_1_15 +
-        folded(slice1cost_difference_2_15);
-      slice1cost_pair_0_16 <= as_number((slice1cost_difference_2_16 < 0)) + slice1cost_difference_1_16 +
-        folded(slice1cost_difference_2_16);
-      slice1cost_pair_0_17 <= as_number((slice1cost_difference_2_17 < 0)) + slice1cost_difference_1_17 +
-        folded(slice1cost_difference_2_17);
-      slice1cost_pair_0_18 <= as_number((slice1cost_difference_2_18 < 0)) + slice1cost_difference_1_18 +
-        folded(slice1cost_difference_2_18);
-      slice1cost_pair_0_19 <= as_number((slice1cost_difference_2_19 < 0)) + slice1cost_difference_1_19 +
-        folded(slice1cost_difference_2_19);
-      slice1cost_pair_0_20 <= as_number((slice1cost_difference_2_20 < 0)) + slice1cost_difference_1_20 +
-        folded(slice1cost_difference_2_20);
-      slice1cost_pair_0_21 <= as_number((slice1cost_difference_2_21 < 0)) + slice1cost_difference_1_21 +
-        folded(slice1cost_difference_2_21);
-      slice1cost_pair_0_22 <= as_number((slice1cost_difference_2_22 < 0)) + slice1cost_difference_1_22 +
-        folded(slice1cost_difference_2_22);
-      slice1cost_pair_0_23 <= as_number((slice1cost_difference_2_23 < 0)) + slice1cost_difference_1_23 +
-        folded(slice1cost_difference_2_23);
-      slice1cost_pair_0_24 <= as_number((slice1cost_difference_2_24 < 0)) + slice1cost_difference_1_24 +
-        folded(slice1cost_difference_2_24);
-      slice1cost_single_0_0 <= slice1cost_difference_0_0;
-      slice1cost_single_0_1 <= slice1cost_difference_0_1;
-      slice1cost_single_0_2 <= slice1cost_difference_0_2;
-      slice1cost_single_0_3 <= slice1cost_difference_0_3;
-      slice1cost_single_0_4 <= slice1cost_difference_0_4;
-      slice1cost_single_0_5 <= slice1cost_difference_0_5;
-      slice1cost_single_0_6 <= slice1cost_difference_0_6;
-      slice1cost_single_0_7 <= slice1cost_difference_0_7;
-      slice1cost_single_0_8 <= slice1cost_difference_0_8;
-      slice1cost_single_0_9 <= slice1cost_difference_0_9;
-      slice1cost_single_0_10 <= slice1cost_difference_0_10;
-      slice1cost_single_0_11 <= slice1cost_difference_0_11;
-      slice1cost_single_0_12 <= slice1cost_difference_0_12;
-      slice1cost_single_0_13 <= slice1cost_difference_0_13;
-      slice1cost_single_0_14 <= slice1cost_difference_0_14;
-      slice1cost_single_0_15 <= slice1cost_difference_0_15;
-      slice1cost_single_0_16 <= slice1cost_difference_0_16;
-      slice1cost_single_0_17 <= slice1cost_difference_0_17;
-      slice1cost_single_0_18 <= slice1cost_difference_0_18;
-      slice1cost_single_0_19 <= slice1cost_difference_0_19;
-      slice1cost_single_0_20 <= slice1cost_difference_0_20;
-      slice1cost_single_0_21 <= slice1cost_difference_0_21;
-      slice1cost_single_0_22 <= slice1cost_difference_0_22;
-      slice1cost_single_0_23 <= slice1cost_difference_0_23;
-      slice1cost_single_0_24 <= slice1cost_difference_0_24;
+      for i in 0 to 1 loop
+        for j in 0 to 24 loop
+          slice1cost_difference(i, j) <= (slice1cost_difference_choice(i, j) - slice1cost_difference_choice_2(i, j))
+            mod 256;
+        end loop;
+      end loop;
+      for i in 0 to 24 loop
+        slice1cost_newest_negative_0(i) <= slice1cost_difference_2_difference(i) < 0;
+      end loop;
+      for i in 0 to 24 loop
+        slice1cost_pair_0(i) <= as_number((slice1cost_difference_2(i) < 0)) + slice1cost_difference(1, i) +
+          folded(slice1cost_difference_2(i));
+      end loop;
+      for i in 0 to 24 loop
+        slice1cost_single_0(i) <= slice1cost_difference(0, i);
+      end loop;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       if slice0cost_difference_tag_newest_inside then
-        slice1cost_difference_2_0 <= slice1cost_difference_2_0_difference;
-        slice1cost_difference_2_1 <= slice1cost_difference_2_1_difference;
-        slice1cost_difference_2_2 <= slice1cost_difference_2_2_difference;
-        slice1cost_difference_2_3 <= slice1cost_difference_2_3_difference;
-        slice1cost_difference_2_4 <= slice1cost_difference_2_4_difference;
-        slice1cost_difference_2_5 <= slice1cost_difference_2_5_difference;
-        slice1cost_difference_2_6 <= slice1cost_difference_2_6_difference;
-        slice1cost_difference_2_7 <= slice1cost_difference_2_7_difference;
-        slice1cost_difference_2_8 <= slice1cost_difference_2_8_difference;
-        slice1cost_difference_2_9 <= slice1cost_difference_2_9_difference;
-        slice1cost_difference_2_10 <= slice1cost_difference_2_10_difference;
-        slice1cost_difference_2_11 <= slice1cost_difference_2_11_difference;
-        slice1cost_difference_2_12 <= slice1cost_difference_2_12_difference;
-        slice1cost_difference_2_13 <= slice1cost_difference_2_13_difference;
-        slice1cost_difference_2_14 <= slice1cost_difference_2_14_difference;
-        slice1cost_difference_2_15 <= slice1cost_difference_2_15_difference;
-        slice1cost_difference_2_16 <= slice1cost_difference_2_16_difference;
-        slice1cost_difference_2_17 <= slice1cost_difference_2_17_difference;
-        slice1cost_difference_2_18 <= slice1cost_difference_2_18_difference;
-        slice1cost_difference_2_19 <= slice1cost_difference_2_19_difference;
-        slice1cost_difference_2_20 <= slice1cost_difference_2_20_difference;
-        slice1cost_difference_2_21 <= slice1cost_difference_2_21_difference;
-        slice1cost_difference_2_22 <= slice1cost_difference_2_22_difference;
-        slice1cost_difference_2_23 <= slice1cost_difference_2_23_difference;
-        slice1cost_difference_2_24 <= slice1cost_difference_2_24_difference;
+        for i in 0 to 24 loop
+          slice1cost_difference_2(i) <= slice1cost_difference_2_difference(i);
+        end loop;
       else
-        slice1cost_difference_2_0 <= 0;
-        slice1cost_difference_2_1 <= 0;
-        slice1cost_difference_2_2 <= 0;
-        slice1cost_difference_2_3 <= 0;
-        slice1cost_difference_2_4 <= 0;
-        slice1cost_difference_2_5 <= 0;
-        slice1cost_difference_2_6 <= 0;
-        slice1cost_difference_2_7 <= 0;
-        slice1cost_difference_2_8 <= 0;
-        slice1cost_difference_2_9 <= 0;
-        slice1cost_difference_2_10 <= 0;
-        slice1cost_difference_2_11 <= 0;
-        slice1cost_difference_2_12 <= 0;
-        slice1cost_difference_2_13 <= 0;
-        slice1cost_difference_2_14 <= 0;
-        slice1cost_difference_2_15 <= 0;
-        slice1cost_difference_2_16 <= 0;
-        slice1cost_difference_2_17 <= 0;
-        slice1cost_difference_2_18 <= 0;
-        slice1cost_difference_2_19 <= 0;
-        slice1cost_difference_2_20 <= 0;
-        slice1cost_difference_2_21 <= 0;
-        slice1cost_difference_2_22 <= 0;
-        slice1cost_difference_2_23 <= 0;
-        slice1cost_difference_2_24 <= 0;
+        for i in 0 to 24 loop
+          slice1cost_difference_2(i) <= 0;
+        end loop;
       end if;
       if slice0cost_tag_border_column then
-        slice1cost_column_0_0 <= 0;
-        slice1cost_column_0_1 <= 0;
-        slice1cost_column_0_2 <= 0;
-        slice1cost_column_0_3 <= 0;
-        slice1cost_column_0_4 <= 0;
-        slice1cost_column_0_5 <= 0;
-        slice1cost_column_0_6 <= 0;
-        slice1cost_column_0_7 <= 0;
-        slice1cost_column_0_8 <= 0;
-        slice1cost_column_0_9 <= 0;
-        slice1cost_column_0_10 <= 0;
-        slice1cost_column_0_11 <= 0;
-        slice1cost_column_0_12 <= 0;
-        slice1cost_column_0_13 <= 0;
-        slice1cost_column_0_14 <= 0;
-        slice1cost_column_0_15 <= 0;
-        slice1cost_column_0_16 <= 0;
-        slice1cost_column_0_17 <= 0;
-        slice1cost_column_0_18 <= 0;
-        slice1cost_column_0_19 <= 0;
-        slice1cost_column_0_20 <= 0;
-        slice1cost_column_0_21 <= 0;
-        slice1cost_column_0_22 <= 0;
-        slice1cost_column_0_23 <= 0;
-        slice1cost_column_0_24 <= 0;
+        for i in 0 to 24 loop
+          slice1cost_column_0(i) <= 0;
+        end loop;
       else
-        slice1cost_column_0_0 <= slice1cost_pair_0_0 + slice1cost_single_0_0;
-        slice1cost_column_0_1 <= slice1cost_pair_0_1 + slice1cost_single_0_1;
-        slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
-        slice1cost_column_0_3 <= slice1cost_pair_0_3 + slice1cost_single_0_3;
-        slice1cost_column_0_4 <= slice1cost_pair_0_4 + slice1cost_single_0_4;
-        slice1cost_column_0_5 <= slice1cost_pair_0_5 + slice1cost_single_0_5;
-        slice1cost_column_0_6 <= slice1cost_pair_0_6 + slice1cost_single_0_6;
-        slice1cost_column_0_7 <= slice1cost_pair_0_7 + slice1cost_single_0_7;
-        slice1cost_column_0_8 <= slice1cost_pair_0_8 + slice1cost_single_0_8;
-        slice1cost_column_0_9 <= slice1cost_pair_0_9 + slice1cost_single_0_9;
-        slice1cost_column_0_10 <= slice1cost_pair_0_10 + slice1cost_single_0_10;
-        slice1cost_column_0_11 <= slice1cost_pair_0_11 + slice1cost_single_0_11;
-        slice1cost_column_0_12 <= slice1cost_pair_0_12 + slice1cost_single_0_12;
-        slice1cost_column_0_13 <= slice1cost_pair_0_13 + slice1cost_single_0_13;
-        slice1cost_column_0_14 <= slice1cost_pair_0_14 + slice1cost_single_0_14;
-        slice1cost_column_0_15 <= slice1cost_pair_0_15 + slice1cost_single_0_15;
-        slice1cost_column_0_16 <= slice1cost_pair_0_16 + slice1cost_single_0_16;
-        slice1cost_column_0_17 <= slice1cost_pair_0_17 + slice1cost_single_0_17;
-        slice1cost_column_0_18 <= slice1cost_pair_0_18 + slice1cost_single_0_18;
-        slice1cost_column_0_19 <= slice1cost_pair_0_19 + slice1cost_single_0_19;
-        slice1cost_column_0_20 <= slice1cost_pair_0_20 + slice1cost_single_0_20;
-        slice1cost_column_0_21 <= slice1cost_pair_0_21 + slice1cost_single_0_21;
-        slice1cost_column_0_22 <= slice1cost_pair_0_22 + slice1cost_single_0_22;
-        slice1cost_column_0_23 <= slice1cost_pair_0_23 + slice1cost_single_0_23;
-        slice1cost_column_0_24 <= slice1cost_pair_0_24 + slice1cost_single_0_24;
+        for i in 0 to 24 loop
+          slice1cost_column_0(i) <= slice1cost_pair_0(i) + slice1cost_single_0(i);
+        end loop;
       end if;
       if slice0cost_pair_tag_valid then
-        slice1cost_signs_write_words_0 <= slice1cost_signs_known_words_1;
-        slice1cost_signs_write_words_1 <= (as_number(slice1cost_newest_negative_0_23) * 8388608) +
-          (as_number(slice1cost_newest_negative_0_24) * 16777216) + (as_number(slice1cost_newest_negative_0_22) *
-          4194304) + (as_number(slice1cost_newest_negative_0_21) * 2097152) +
-          (as_number(slice1cost_newest_negative_0_20) * 1048576) + (as_number(slice1cost_newest_negative_0_19) *
-          524288) + (as_number(slice1cost_newest_negative_0_18) * 262144) + (as_number(slice1cost_newest_negative_0_17)
-          * 131072) + (as_number(slice1cost_newest_negative_0_16) * 65536) +
-          (as_number(slice1cost_newest_negative_0_15) * 32768) + (as_number(slice1cost_newest_negative_0_14) * 16384) +
-          (as_number(slice1cost_newest_negative_0_13) * 8192) + (as_number(slice1cost_newest_negative_0_12) * 4096) +
-          (as_number(slice1cost_newest_negative_0_11) * 2048) + (as_number(slice1cost_newest_negative_0_10) * 1024) +
-          (as_number(slice1cost_newest_negative_0_9) * 512) + (as_number(slice1cost_newest_negative_0_8) * 256) +
-          (as_number(slice1cost_newest_negative_0_6) * 64) + (as_number(slice1cost_newest_negative_0_7) * 128) +
-          (as_number(slice1cost_newest_negative_0_5) * 32) + (as_number(slice1cost_newest_negative_0_4) * 16) +
-          (as_number(slice1cost_newest_negative_0_3) * 8) + (as_number(slice1cost_newest_negative_0_2) * 4) +
-          as_number(slice1cost_newest_negative_0_0) + (as_number(slice1cost_newest_negative_0_1) * 2);
+        slice1cost_signs_write_words(0) <= slice1cost_signs_known_words_1;
+        slice1cost_signs_write_words(1) <= (as_number(slice1cost_newest_negative_0(23)) * 8388608) +
+          (as_number(slice1cost_newest_negative_0(24)) * 16777216) + (as_number(slice1cost_newest_negative_0(22)) *
+          4194304) + (as_number(slice1cost_newest_negative_0(21)) * 2097152) +
+          (as_number(slice1cost_newest_negative_0(20)) * 1048576) + (as_number(slice1cost_newest_negative_0(19)) *
+          524288) + (as_number(slice1cost_newest_negative_0(18)) * 262144) +
+          (as_number(slice1cost_newest_negative_0(17)) * 131072) + (as_number(slice1cost_newest_negative_0(16)) *
+          65536) + (as_number(slice1cost_newest_negative_0(15)) * 32768) + (as_number(slice1cost_newest_negative_0(14))
+          * 16384) + (as_number(slice1cost_newest_negative_0(13)) * 8192) +
+          (as_number(slice1cost_newest_negative_0(12)) * 4096) + (as_number(slice1cost_newest_negative_0(11)) * 2048) +
+          (as_number(slice1cost_newest_negative_0(10)) * 1024) + (as_number(slice1cost_newest_negative_0(9)) * 512) +
+          (as_number(slice1cost_newest_negative_0(8)) * 256) + (as_number(slice1cost_newest_negative_0(6)) * 64) +
+          (as_number(slice1cost_newest_negative_0(7)) * 128) + (as_number(slice1cost_newest_negative_0(5)) * 32) +
+          (as_number(slice1cost_newest_negative_0(4)) * 16) + (as_number(slice1cost_newest_negative_0(3)) * 8) +
+          (as_number(slice1cost_newest_negative_0(2)) * 4) + as_number(slice1cost_newest_negative_0(0)) +
+          (as_number(slice1cost_newest_negative_0(1)) * 2);
       end if;
       -- slice1window
       if slice0window_tag_valid then
-        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
-        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
-        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
-        slice1window_partial_0_0_3 <= slice1cost_column_0_3;
-        slice1window_partial_0_0_4 <= slice1cost_column_0_4;
-        slice1window_partial_0_0_5 <= slice1cost_column_0_5;
-        slice1window_partial_0_0_6 <= slice1cost_column_0_6;
-        slice1window_partial_0_0_7 <= slice1cost_column_0_7;
-        slice1window_partial_0_0_8 <= slice1cost_column_0_8;
-        slice1window_partial_0_0_9 <= slice1cost_column_0_9;
-        slice1window_partial_0_0_10 <= slice1cost_column_0_10;
-        slice1window_partial_0_0_11 <= slice1cost_column_0_11;
-        slice1window_partial_0_0_12 <= slice1cost_column_0_12;
-        slice1window_partial_0_0_13 <= slice1cost_column_0_13;
-        slice1window_partial_0_0_14 <= slice1cost_column_0_14;
-        slice1window_partial_0_0_15 <= slice1cost_column_0_15;
-        slice1window_partial_0_0_16 <= slice1cost_column_0_16;
-        slice1window_partial_0_0_17 <= slice1cost_column_0_17;
-        slice1window_partial_0_0_18 <= slice1cost_column_0_18;
-        slice1window_partial_0_0_19 <= slice1cost_column_0_19;
-        slice1window_partial_0_0_20 <= slice1cost_column_0_20;
-        slice1window_partial_0_0_21 <= slice1cost_column_0_21;
-        slice1window_partial_0_0_22 <= slice1cost_column_0_22;
-        slice1window_partial_0_0_23 <= slice1cost_column_0_23;
-        slice1window_partial_0_0_24 <= slice1cost_column_0_24;
-        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
-        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
-        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
-        slice1window_partial_0_1_3 <= slice1cost_column_0_3 + slice1window_partial_0_0_3;
-        slice1window_partial_0_1_4 <= slice1cost_column_0_4 + slice1window_partial_0_0_4;
-        slice1window_partial_0_1_5 <= slice1cost_column_0_5 + slice1window_partial_0_0_5;
-        slice1window_partial_0_1_6 <= slice1cost_column_0_6 + slice1window_partial_0_0_6;
-        slice1window_partial_0_1_7 <= slice1cost_column_0_7 + slice1window_partial_0_0_7;
-        slice1window_partial_0_1_8 <= slice1cost_column_0_8 + slice1window_partial_0_0_8;
-        slice1window_partial_0_1_9 <= slice1cost_column_0_9 + slice1window_partial_0_0_9;
-        slice1window_partial_0_1_10 <= slice1cost_column_0_10 + slice1window_partial_0_0_10;
-        slice1window_partial_0_1_11 <= slice1cost_column_0_11 + slice1window_partial_0_0_11;
-        slice1window_partial_0_1_12 <= slice1cost_column_0_12 + slice1window_partial_0_0_12;
-        slice1window_partial_0_1_13 <= slice1cost_column_0_13 + slice1window_partial_0_0_13;
-        slice1window_partial_0_1_14 <= slice1cost_column_0_14 + slice1window_partial_0_0_14;
-        slice1window_partial_0_1_15 <= slice1cost_column_0_15 + slice1window_partial_0_0_15;
-        slice1window_partial_0_1_16 <= slice1cost_column_0_16 + slice1window_partial_0_0_16;
-        slice1window_partial_0_1_17 <= slice1cost_column_0_17 + slice1window_partial_0_0_17;
-        slice1window_partial_0_1_18 <= slice1cost_column_0_18 + slice1window_partial_0_0_18;
-        slice1window_partial_0_1_19 <= slice1cost_column_0_19 + slice1window_partial_0_0_19;
-        slice1window_partial_0_1_20 <= slice1cost_column_0_20 + slice1window_partial_0_0_20;
-        slice1window_partial_0_1_21 <= slice1cost_column_0_21 + slice1window_partial_0_0_21;
-        slice1window_partial_0_1_22 <= slice1cost_column_0_22 + slice1window_partial_0_0_22;
-        slice1window_partial_0_1_23 <= slice1cost_column_0_23 + slice1window_partial_0_0_23;
-        slice1window_partial_0_1_24 <= slice1cost_column_0_24 + slice1window_partial_0_0_24;
+        for i in 0 to 24 loop
+          slice1window_partial_0_0(i) <= slice1cost_column_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice1window_partial_0_1(i) <= slice1cost_column_0(i) + slice1window_partial_0_0(i);
+        end loop;
       end if;
-      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
-      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
-      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
-      slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
-      slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
-      slice1window_sum_0_5 <= slice1cost_column_0_5 + slice1window_partial_0_1_5;
-      slice1window_sum_0_6 <= slice1cost_column_0_6 + slice1window_partial_0_1_6;
-      slice1window_sum_0_7 <= slice1cost_column_0_7 + slice1window_partial_0_1_7;
-      slice1window_sum_0_8 <= slice1cost_column_0_8 + slice1window_partial_0_1_8;
-      slice1window_sum_0_9 <= slice1cost_column_0_9 + slice1window_partial_0_1_9;
-      slice1window_sum_0_10 <= slice1cost_column_0_10 + slice1window_partial_0_1_10;
-      slice1window_sum_0_11 <= slice1cost_column_0_11 + slice1window_partial_0_1_11;
-      slice1window_sum_0_12 <= slice1cost_column_0_12 + slice1window_partial_0_1_12;
-      slice1window_sum_0_13 <= slice1cost_column_0_13 + slice1window_partial_0_1_13;
-      slice1window_sum_0_14 <= slice1cost_column_0_14 + slice1window_partial_0_1_14;
-      slice1window_sum_0_15 <= slice1cost_column_0_15 + slice1window_partial_0_1_15;
-      slice1window_sum_0_16 <= slice1cost_column_0_16 + slice1window_partial_0_1_16;
-      slice1window_sum_0_17 <= slice1cost_column_0_17 + slice1window_partial_0_1_17;
-      slice1window_sum_0_18 <= slice1cost_column_0_18 + slice1window_partial_0_1_18;
-      slice1window_sum_0_19 <= slice1cost_column_0_19 + slice1window_partial_0_1_19;
-      slice1window_sum_0_20 <= slice1cost_column_0_20 + slice1window_partial_0_1_20;
-      slice1window_sum_0_21 <= slice1cost_column_0_21 + slice1window_partial_0_1_21;
-      slice1window_sum_0_22 <= slice1cost_column_0_22 + slice1window_partial_0_1_22;
-      slice1window_sum_0_23 <= slice1cost_column_0_23 + slice1window_partial_0_1_23;
-      slice1window_sum_0_24 <= slice1cost_column_0_24 + slice1window_partial_0_1_24;
+      for i in 0 to 24 loop
+        slice1window_sum_0(i) <= slice1cost_column_0(i) + slice1window_partial_0_1(i);
+      end loop;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
-      slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
-      slice1winner1_best_cost_0_6_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
-      slice1winner1_best_cost_0_7_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
-      slice1winner1_best_cost_0_8_is_less := (slice1window_sum_0_17 - slice1window_sum_0_16) < 0;
-      slice1winner1_best_cost_0_9_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
-      slice1winner1_best_cost_0_10_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
-      slice1winner1_best_cost_0_11_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
-      slice1winner1_best_cost_0_12 <= slice1window_sum_0_24;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      if slice1winner1_best_cost_0_0_is_less then
-        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      for i in 0 to 11 loop
+        slice1winner1_best_cost_0_is_less(i) := (slice1window_sum_0(2 * i + 1) - slice1window_sum_0(2 * i)) < 0;
+      end loop;
+      slice1winner1_best_cost_0(12) <= slice1window_sum_0(24);
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
+      if slice1winner1_best_cost_0_is_less(0) then
+        slice1winner1_best_cost_0(0) <= slice1window_sum_0(1);
       else
-        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_cost_0(0) <= slice1window_sum_0(0);
       end if;
-      if slice1winner1_best_cost_0_1_is_less then
-        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+      if slice1winner1_best_cost_0_is_less(1) then
+        slice1winner1_best_cost_0(1) <= slice1window_sum_0(3);
         slice1winner1_best_index_0_1 <= 3;
       else
-        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_cost_0(1) <= slice1window_sum_0(2);
         slice1winner1_best_index_0_1 <= 2;
       end if;
-      if slice1winner1_best_cost_0_2_is_less then
-        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+      if slice1winner1_best_cost_0_is_less(2) then
+        slice1winner1_best_cost_0(2) <= slice1window_sum_0(5);
         slice1winner1_best_index_0_2 <= 5;
       else
-        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_cost_0(2) <= slice1window_sum_0(4);
         slice1winner1_best_index_0_2 <= 4;
       end if;
-      if slice1winner1_best_cost_0_3_is_less then
-        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
+      if slice1winner1_best_cost_0_is_less(3) then
+        slice1winner1_best_cost_0(3) <= slice1window_sum_0(7);
         slice1winner1_best_index_0_3 <= 7;
       else
-        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_cost_0(3) <= slice1window_sum_0(6);
         slice1winner1_best_index_0_3 <= 6;
       end if;
-      if slice1winner1_best_cost_0_4_is_less then
-        slice1winner1_best_cost_0_4 <= slice1window_sum_0_9;
+      if slice1winner1_best_cost_0_is_less(4) then
+        slice1winner1_best_cost_0(4) <= slice1window_sum_0(9);
         slice1winner1_best_index_0_4 <= 9;
       else
-        slice1winner1_best_cost_0_4 <= slice1window_sum_0_8;
+        slice1winner1_best_cost_0(4) <= slice1window_sum_0(8);
         slice1winner1_best_index_0_4 <= 8;
       end if;
-      if slice1winner1_best_cost_0_5_is_less then
-        slice1winner1_best_cost_0_5 <= slice1window_sum_0_11;
+      if slice1winner1_best_cost_0_is_less(5) then
+        slice1winner1_best_cost_0(5) <= slice1window_sum_0(11);
         slice1winner1_best_index_0_5 <= 11;
       else
-        slice1winner1_best_cost_0_5 <= slice1window_sum_0_10;
+        slice1winner1_best_cost_0(5) <= slice1window_sum_0(10);
         slice1winner1_best_index_0_5 <= 10;
       end if;
-      if slice1winner1_best_cost_0_6_is_less then
-        slice1winner1_best_cost_0_6 <= slice1window_sum_0_13;
+      if slice1winner1_best_cost_0_is_less(6) then
+        slice1winner1_best_cost_0(6) <= slice1window_sum_0(13);
         slice1winner1_best_index_0_6 <= 13;
       else
-        slice1winner1_best_cost_0_6 <= slice1window_sum_0_12;
+        slice1winner1_best_cost_0(6) <= slice1window_sum_0(12);
         slice1winner1_best_index_0_6 <= 12;
       end if;
-      if slice1winner1_best_cost_0_7_is_less then
-        slice1winner1_best_cost_0_7 <= slice1window_sum_0_15;
+      if slice1winner1_best_cost_0_is_less(7) then
+        slice1winner1_best_cost_0(7) <= slice1window_sum_0(15);
         slice1winner1_best_index_0_7 <= 15;
       else
-        slice1winner1_best_cost_0_7 <= slice1window_sum_0_14;
+        slice1winner1_best_cost_0(7) <= slice1window_sum_0(14);
         slice1winner1_best_index_0_7 <= 14;
       end if;
-      if slice1winner1_best_cost_0_8_is_less then
-        slice1winner1_best_cost_0_8 <= slice1window_sum_0_17;
+      if slice1winner1_best_cost_0_is_less(8) then
+        slice1winner1_best_cost_0(8) <= slice1window_sum_0(17);
         slice1winner1_best_index_0_8 <= 17;
       else
-        slice1winner1_best_cost_0_8 <= slice1window_sum_0_16;
+        slice1winner1_best_cost_0(8) <= slice1window_sum_0(16);
         slice1winner1_best_index_0_8 <= 16;
       end if;
-      if slice1winner1_best_cost_0_9_is_less then
-        slice1winner1_best_cost_0_9 <= slice1window_sum_0_19;
+      if slice1winner1_best_cost_0_is_less(9) then
+        slice1winner1_best_cost_0(9) <= slice1window_sum_0(19);
         slice1winner1_best_index_0_9 <= 19;
       else
-        slice1winner1_best_cost_0_9 <= slice1window_sum_0_18;
+        slice1winner1_best_cost_0(9) <= slice1window_sum_0(18);
         slice1winner1_best_index_0_9 <= 18;
       end if;
-      if slice1winner1_best_cost_0_10_is_less then
-        slice1winner1_best_cost_0_10 <= slice1window_sum_0_21;
+      if slice1winner1_best_cost_0_is_less(10) then
+        slice1winner1_best_cost_0(10) <= slice1window_sum_0(21);
         slice1winner1_best_index_0_10 <= 21;
       else
-        slice1winner1_best_cost_0_10 <= slice1window_sum_0_20;
+        slice1winner1_best_cost_0(10) <= slice1window_sum_0(20);
         slice1winner1_best_index_0_10 <= 20;
       end if;
-      if slice1winner1_best_cost_0_11_is_less then
-        slice1winner1_best_cost_0_11 <= slice1window_sum_0_23;
+      if slice1winner1_best_cost_0_is_less(11) then
+        slice1winner1_best_cost_0(11) <= slice1window_sum_0(23);
         slice1winner1_best_index_0_11 <= 23;
       else
-        slice1winner1_best_cost_0_11 <= slice1window_sum_0_22;
+        slice1winner1_best_cost_0(11) <= slice1window_sum_0(22);
         slice1winner1_best_index_0_11 <= 22;
       end if;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
-      slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
-      slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
-      slice1winner2_best_cost_0_4_is_less := (slice1winner1_best_cost_0_9 - slice1winner1_best_cost_0_8) < 0;
-      slice1winner2_best_cost_0_5_is_less := (slice1winner1_best_cost_0_11 - slice1winner1_best_cost_0_10) < 0;
-      slice1winner2_best_cost_0_6 <= slice1winner1_best_cost_0_12;
-      if slice1winner2_best_cost_0_0_is_less then
-        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+      for i in 0 to 5 loop
+        slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      slice1winner2_best_cost_0(6) <= slice1winner1_best_cost_0(12);
+      if slice1winner2_best_cost_0_is_less(0) then
+        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(1);
         slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
       else
-        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(0);
         slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
       end if;
-      if slice1winner2_best_cost_0_1_is_less then
-        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
+      if slice1winner2_best_cost_0_is_less(1) then
+        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(3);
         slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
       else
-        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(2);
         slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
       end if;
-      if slice1winner2_best_cost_0_2_is_less then
-        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5;
+      if slice1winner2_best_cost_0_is_less(2) then
+        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(5);
         slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
       else
-        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_4;
+        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(4);
         slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
       end if;
-      if slice1winner2_best_cost_0_3_is_less then
-        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7;
+      if slice1winner2_best_cost_0_is_less(3) then
+        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(7);
         slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
       else
-        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_6;
+        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(6);
         slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
       end if;
-      if slice1winner2_best_cost_0_4_is_less then
-        slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9;
+      if slice1winner2_best_cost_0_is_less(4) then
+        slice1winner2_best_cost_0(4) <= slice1winner1_best_cost_0(9);
         slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9;
       else
-        slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_8;
+        slice1winner2_best_cost_0(4) <= slice1winner1_best_cost_0(8);
         slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_8;
       end if;
-      if slice1winner2_best_cost_0_5_is_less then
-        slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11;
+      if slice1winner2_best_cost_0_is_less(5) then
+        slice1winner2_best_cost_0(5) <= slice1winner1_best_cost_0(11);
         slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11;
       else
-        slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_10;
+        slice1winner2_best_cost_0(5) <= slice1winner1_best_cost_0(10);
         slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_10;
       end if;
       -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
-      slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
-      slice1winner3_best_cost_0_2_is_less := (slice1winner2_best_cost_0_5 - slice1winner2_best_cost_0_4) < 0;
-      slice1winner3_best_cost_0_3 <= slice1winner2_best_cost_0_6;
-      if slice1winner3_best_cost_0_0_is_less then
-        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+      for i in 0 to 2 loop
+        slice1winner3_best_cost_0_is_less(i) := (slice1winner2_best_cost_0(2 * i + 1) - slice1winner2_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      slice1winner3_best_cost_0(3) <= slice1winner2_best_cost_0(6);
+      if slice1winner3_best_cost_0_is_less(0) then
+        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(1);
         slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
       else
-        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(0);
         slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
       end if;
-      if slice1winner3_best_cost_0_1_is_less then
-        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3;
+      if slice1winner3_best_cost_0_is_less(1) then
+        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(3);
         slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
       else
-        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_2;
+        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(2);
         slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
       end if;
-      if slice1winner3_best_cost_0_2_is_less then
-        slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5;
+      if slice1winner3_best_cost_0_is_less(2) then
+        slice1winner3_best_cost_0(2) <= slice1winner2_best_cost_0(5);
         slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5;
       else
-        slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_4;
+        slice1winner3_best_cost_0(2) <= slice1winner2_best_cost_0(4);
         slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_4;
       end if;
       -- slice1winner4
-      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
-      slice1winner4_best_cost_0_1_is_less := (slice1winner3_best_cost_0_3 - slice1winner3_best_cost_0_2) < 0;
-      if slice1winner4_best_cost_0_0_is_less then
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1;
+      slice1winner4_best_cost_0_is_less(0) := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
+      slice1winner4_best_cost_0_is_less(1) := (slice1winner3_best_cost_0(3) - slice1winner3_best_cost_0(2)) < 0;
+      if slice1winner4_best_cost_0_is_less(0) then
+        slice1winner4_best_cost_0(0) <= slice1winner3_best_cost_0(1);
         slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
       else
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1winner4_best_cost_0(0) <= slice1winner3_best_cost_0(0);
         slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
       end if;
-      if slice1winner4_best_cost_0_1_is_less then
-        slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3;
+      if slice1winner4_best_cost_0_is_less(1) then
+        slice1winner4_best_cost_0(1) <= slice1winner3_best_cost_0(3);
         slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
       else
-        slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_2;
+        slice1winner4_best_cost_0(1) <= slice1winner3_best_cost_0(2);
         slice1winner4_best_index_0_1 <= slice1winner3_best_index_0_2;
       end if;
       -- slice1winner5
-      slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0_1 - slice1winner4_best_cost_0_0) < 0;
+      slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0(1) - slice1winner4_best_cost_0(0)) < 0;
       if slice1winner5_best_cost_0_0_is_less then
-        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1;
+        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0(1);
         slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1;
       else
-        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_0;
+        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0(0);
         slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_0;
       end if;
       -- slice1
@@ -4036,1216 +1495,340 @@ begin
       end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
-        slice2shift_search_0_0 <= slice2shift_search_0_1;
-        slice2shift_search_0_1 <= slice2shift_search_0_2;
-        slice2shift_search_0_2 <= slice2shift_search_0_3;
-        slice2shift_search_0_3 <= slice2shift_search_0_4;
-        slice2shift_search_0_4 <= slice2shift_search_0_5;
-        slice2shift_search_0_5 <= slice2shift_search_0_6;
-        slice2shift_search_0_6 <= slice2shift_search_0_7;
-        slice2shift_search_0_7 <= slice2shift_search_0_8;
-        slice2shift_search_0_8 <= slice2shift_search_0_9;
-        slice2shift_search_0_9 <= slice2shift_search_0_10;
-        slice2shift_search_0_10 <= slice2shift_search_0_11;
-        slice2shift_search_0_11 <= slice2shift_search_0_12;
-        slice2shift_search_0_12 <= slice2shift_search_0_13;
-        slice2shift_search_0_13 <= slice2shift_search_0_14;
-        slice2shift_search_0_14 <= slice2shift_search_0_15;
-        slice2shift_search_0_15 <= slice2shift_search_0_16;
-        slice2shift_search_0_16 <= slice2shift_search_0_17;
-        slice2shift_search_0_17 <= slice2shift_search_0_18;
-        slice2shift_search_0_18 <= slice2shift_search_0_19;
-        slice2shift_search_0_19 <= slice2shift_search_0_20;
-        slice2shift_search_0_20 <= slice2shift_search_0_21;
-        slice2shift_search_0_21 <= slice2shift_search_0_22;
-        slice2shift_search_0_22 <= slice2shift_search_0_23;
-        slice2shift_search_0_23 <= slice2shift_search_0_24;
-        slice2shift_search_0_24 <= slice1shift_search_out_0;
-        slice2shift_search_1_0 <= slice2shift_search_1_1;
-        slice2shift_search_1_1 <= slice2shift_search_1_2;
-        slice2shift_search_1_2 <= slice2shift_search_1_3;
-        slice2shift_search_1_3 <= slice2shift_search_1_4;
-        slice2shift_search_1_4 <= slice2shift_search_1_5;
-        slice2shift_search_1_5 <= slice2shift_search_1_6;
-        slice2shift_search_1_6 <= slice2shift_search_1_7;
-        slice2shift_search_1_7 <= slice2shift_search_1_8;
-        slice2shift_search_1_8 <= slice2shift_search_1_9;
-        slice2shift_search_1_9 <= slice2shift_search_1_10;
-        slice2shift_search_1_10 <= slice2shift_search_1_11;
-        slice2shift_search_1_11 <= slice2shift_search_1_12;
-        slice2shift_search_1_12 <= slice2shift_search_1_13;
-        slice2shift_search_1_13 <= slice2shift_search_1_14;
-        slice2shift_search_1_14 <= slice2shift_search_1_15;
-        slice2shift_search_1_15 <= slice2shift_search_1_16;
-        slice2shift_search_1_16 <= slice2shift_search_1_17;
-        slice2shift_search_1_17 <= slice2shift_search_1_18;
-        slice2shift_search_1_18 <= slice2shift_search_1_19;
-        slice2shift_search_1_19 <= slice2shift_search_1_20;
-        slice2shift_search_1_20 <= slice2shift_search_1_21;
-        slice2shift_search_1_21 <= slice2shift_search_1_22;
-        slice2shift_search_1_22 <= slice2shift_search_1_23;
-        slice2shift_search_1_23 <= slice2shift_search_1_24;
-        slice2shift_search_1_24 <= slice1shift_search_out_1;
-        slice2shift_search_2_0 <= slice2shift_search_2_1;
-        slice2shift_search_2_1 <= slice2shift_search_2_2;
-        slice2shift_search_2_2 <= slice2shift_search_2_3;
-        slice2shift_search_2_3 <= slice2shift_search_2_4;
-        slice2shift_search_2_4 <= slice2shift_search_2_5;
-        slice2shift_search_2_5 <= slice2shift_search_2_6;
-        slice2shift_search_2_6 <= slice2shift_search_2_7;
-        slice2shift_search_2_7 <= slice2shift_search_2_8;
-        slice2shift_search_2_8 <= slice2shift_search_2_9;
-        slice2shift_search_2_9 <= slice2shift_search_2_10;
-        slice2shift_search_2_10 <= slice2shift_search_2_11;
-        slice2shift_search_2_11 <= slice2shift_search_2_12;
-        slice2shift_search_2_12 <= slice2shift_search_2_13;
-        slice2shift_search_2_13 <= slice2shift_search_2_14;
-        slice2shift_search_2_14 <= slice2shift_search_2_15;
-        slice2shift_search_2_15 <= slice2shift_search_2_16;
-        slice2shift_search_2_16 <= slice2shift_search_2_17;
-        slice2shift_search_2_17 <= slice2shift_search_2_18;
-        slice2shift_search_2_18 <= slice2shift_search_2_19;
-        slice2shift_search_2_19 <= slice2shift_search_2_20;
-        slice2shift_search_2_20 <= slice2shift_search_2_21;
-        slice2shift_search_2_21 <= slice2shift_search_2_22;
-        slice2shift_search_2_22 <= slice2shift_search_2_23;
-        slice2shift_search_2_23 <= slice2shift_search_2_24;
-        slice2shift_search_2_24 <= slice1shift_search_out_2;
+        for i in 0 to 2 loop
+          for j in 0 to 23 loop
+            slice2shift_search(i, j) <= slice2shift_search(i, j + 1);
+          end loop;
+          slice2shift_search(i, 24) <= slice1shift_search_out(i);
+        end loop;
       end if;
-      slice2shift_reference_0 <= slice1shift_reference_0;
-      slice2shift_reference_1 <= slice1shift_reference_1;
-      slice2shift_reference_2 <= slice1shift_reference_2;
-      slice2shift_search_out_0 <= slice2shift_search_0_0;
-      slice2shift_search_out_1 <= slice2shift_search_1_0;
-      slice2shift_search_out_2 <= slice2shift_search_2_0;
+      slice2shift_reference(0) <= slice1shift_reference(0);
+      slice2shift_reference(1) <= slice1shift_reference(1);
+      slice2shift_reference(2) <= slice1shift_reference(2);
+      slice2shift_search_out(0) <= slice2shift_search(0, 0);
+      slice2shift_search_out(1) <= slice2shift_search(1, 0);
+      slice2shift_search_out(2) <= slice2shift_search(2, 0);
       -- slice2cost
       if slice0cost_pair_tag_valid then
         slice2cost_signs_difference_column <= slice1cost_signs_difference_column;
       end if;
-      if (slice2cost_signs_ready_words_0 mod 2) = 1 then
-        slice2cost_difference_0_0_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_0_choice := slice2shift_search_0_0;
-      end if;
-      if (slice2cost_signs_ready_words_0 mod 2) = 1 then
-        slice2cost_difference_0_0_choice_2 := slice2shift_search_0_0;
-      else
-        slice2cost_difference_0_0_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_1_value := ((slice2cost_signs_ready_words_0 / 2) mod 2) = 1;
-      if slice2cost_difference_0_1_value then
-        slice2cost_difference_0_1_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_1_choice := slice2shift_search_0_1;
-      end if;
-      if slice2cost_difference_0_1_value then
-        slice2cost_difference_0_1_choice_2 := slice2shift_search_0_1;
-      else
-        slice2cost_difference_0_1_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_2_value := ((slice2cost_signs_ready_words_0 / 4) mod 2) = 1;
-      if slice2cost_difference_0_2_value then
-        slice2cost_difference_0_2_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_2_choice := slice2shift_search_0_2;
-      end if;
-      if slice2cost_difference_0_2_value then
-        slice2cost_difference_0_2_choice_2 := slice2shift_search_0_2;
-      else
-        slice2cost_difference_0_2_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_3_value := ((slice2cost_signs_ready_words_0 / 8) mod 2) = 1;
-      if slice2cost_difference_0_3_value then
-        slice2cost_difference_0_3_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_3_choice := slice2shift_search_0_3;
-      end if;
-      if slice2cost_difference_0_3_value then
-        slice2cost_difference_0_3_choice_2 := slice2shift_search_0_3;
-      else
-        slice2cost_difference_0_3_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_4_value := ((slice2cost_signs_ready_words_0 / 16) mod 2) = 1;
-      if slice2cost_difference_0_4_value then
-        slice2cost_difference_0_4_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_4_choice := slice2shift_search_0_4;
-      end if;
-      if slice2cost_difference_0_4_value then
-        slice2cost_difference_0_4_choice_2 := slice2shift_search_0_4;
-      else
-        slice2cost_difference_0_4_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_5_value := ((slice2cost_signs_ready_words_0 / 32) mod 2) = 1;
-      if slice2cost_difference_0_5_value then
-        slice2cost_difference_0_5_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_5_choice := slice2shift_search_0_5;
-      end if;
-      if slice2cost_difference_0_5_value then
-        slice2cost_difference_0_5_choice_2 := slice2shift_search_0_5;
-      else
-        slice2cost_difference_0_5_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_6_value := ((slice2cost_signs_ready_words_0 / 64) mod 2) = 1;
-      if slice2cost_difference_0_6_value then
-        slice2cost_difference_0_6_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_6_choice := slice2shift_search_0_6;
-      end if;
-      if slice2cost_difference_0_6_value then
-        slice2cost_difference_0_6_choice_2 := slice2shift_search_0_6;
-      else
-        slice2cost_difference_0_6_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_7_value := ((slice2cost_signs_ready_words_0 / 128) mod 2) = 1;
-      if slice2cost_difference_0_7_value then
-        slice2cost_difference_0_7_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_7_choice := slice2shift_search_0_7;
-      end if;
-      if slice2cost_difference_0_7_value then
-        slice2cost_difference_0_7_choice_2 := slice2shift_search_0_7;
-      else
-        slice2cost_difference_0_7_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_8_value := ((slice2cost_signs_ready_words_0 / 256) mod 2) = 1;
-      if slice2cost_difference_0_8_value then
-        slice2cost_difference_0_8_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_8_choice := slice2shift_search_0_8;
-      end if;
-      if slice2cost_difference_0_8_value then
-        slice2cost_difference_0_8_choice_2 := slice2shift_search_0_8;
-      else
-        slice2cost_difference_0_8_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_9_value := ((slice2cost_signs_ready_words_0 / 512) mod 2) = 1;
-      if slice2cost_difference_0_9_value then
-        slice2cost_difference_0_9_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_9_choice := slice2shift_search_0_9;
-      end if;
-      if slice2cost_difference_0_9_value then
-        slice2cost_difference_0_9_choice_2 := slice2shift_search_0_9;
-      else
-        slice2cost_difference_0_9_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_10_value := ((slice2cost_signs_ready_words_0 / 1024) mod 2) = 1;
-      if slice2cost_difference_0_10_value then
-        slice2cost_difference_0_10_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_10_choice := slice2shift_search_0_10;
-      end if;
-      if slice2cost_difference_0_10_value then
-        slice2cost_difference_0_10_choice_2 := slice2shift_search_0_10;
-      else
-        slice2cost_difference_0_10_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_11_value := ((slice2cost_signs_ready_words_0 / 2048) mod 2) = 1;
-      if slice2cost_difference_0_11_value then
-        slice2cost_difference_0_11_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_11_choice := slice2shift_search_0_11;
-      end if;
-      if slice2cost_difference_0_11_value then
-        slice2cost_difference_0_11_choice_2 := slice2shift_search_0_11;
-      else
-        slice2cost_difference_0_11_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_12_value := ((slice2cost_signs_ready_words_0 / 4096) mod 2) = 1;
-      if slice2cost_difference_0_12_value then
-        slice2cost_difference_0_12_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_12_choice := slice2shift_search_0_12;
-      end if;
-      if slice2cost_difference_0_12_value then
-        slice2cost_difference_0_12_choice_2 := slice2shift_search_0_12;
-      else
-        slice2cost_difference_0_12_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_13_value := ((slice2cost_signs_ready_words_0 / 8192) mod 2) = 1;
-      if slice2cost_difference_0_13_value then
-        slice2cost_difference_0_13_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_13_choice := slice2shift_search_0_13;
-      end if;
-      if slice2cost_difference_0_13_value then
-        slice2cost_difference_0_13_choice_2 := slice2shift_search_0_13;
-      else
-        slice2cost_difference_0_13_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_14_value := ((slice2cost_signs_ready_words_0 / 16384) mod 2) = 1;
-      if slice2cost_difference_0_14_value then
-        slice2cost_difference_0_14_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_14_choice := slice2shift_search_0_14;
-      end if;
-      if slice2cost_difference_0_14_value then
-        slice2cost_difference_0_14_choice_2 := slice2shift_search_0_14;
-      else
-        slice2cost_difference_0_14_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_15_value := ((slice2cost_signs_ready_words_0 / 32768) mod 2) = 1;
-      if slice2cost_difference_0_15_value then
-        slice2cost_difference_0_15_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_15_choice := slice2shift_search_0_15;
-      end if;
-      if slice2cost_difference_0_15_value then
-        slice2cost_difference_0_15_choice_2 := slice2shift_search_0_15;
-      else
-        slice2cost_difference_0_15_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_16_value := ((slice2cost_signs_ready_words_0 / 65536) mod 2) = 1;
-      if slice2cost_difference_0_16_value then
-        slice2cost_difference_0_16_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_16_choice := slice2shift_search_0_16;
-      end if;
-      if slice2cost_difference_0_16_value then
-        slice2cost_difference_0_16_choice_2 := slice2shift_search_0_16;
-      else
-        slice2cost_difference_0_16_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_17_value := ((slice2cost_signs_ready_words_0 / 131072) mod 2) = 1;
-      if slice2cost_difference_0_17_value then
-        slice2cost_difference_0_17_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_17_choice := slice2shift_search_0_17;
-      end if;
-      if slice2cost_difference_0_17_value then
-        slice2cost_difference_0_17_choice_2 := slice2shift_search_0_17;
-      else
-        slice2cost_difference_0_17_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_18_value := ((slice2cost_signs_ready_words_0 / 262144) mod 2) = 1;
-      if slice2cost_difference_0_18_value then
-        slice2cost_difference_0_18_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_18_choice := slice2shift_search_0_18;
-      end if;
-      if slice2cost_difference_0_18_value then
-        slice2cost_difference_0_18_choice_2 := slice2shift_search_0_18;
-      else
-        slice2cost_difference_0_18_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_19_value := ((slice2cost_signs_ready_words_0 / 524288) mod 2) = 1;
-      if slice2cost_difference_0_19_value then
-        slice2cost_difference_0_19_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_19_choice := slice2shift_search_0_19;
-      end if;
-      if slice2cost_difference_0_19_value then
-        slice2cost_difference_0_19_choice_2 := slice2shift_search_0_19;
-      else
-        slice2cost_difference_0_19_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_20_value := ((slice2cost_signs_ready_words_0 / 1048576) mod 2) = 1;
-      if slice2cost_difference_0_20_value then
-        slice2cost_difference_0_20_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_20_choice := slice2shift_search_0_20;
-      end if;
-      if slice2cost_difference_0_20_value then
-        slice2cost_difference_0_20_choice_2 := slice2shift_search_0_20;
-      else
-        slice2cost_difference_0_20_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_21_value := ((slice2cost_signs_ready_words_0 / 2097152) mod 2) = 1;
-      if slice2cost_difference_0_21_value then
-        slice2cost_difference_0_21_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_21_choice := slice2shift_search_0_21;
-      end if;
-      if slice2cost_difference_0_21_value then
-        slice2cost_difference_0_21_choice_2 := slice2shift_search_0_21;
-      else
-        slice2cost_difference_0_21_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_22_value := ((slice2cost_signs_ready_words_0 / 4194304) mod 2) = 1;
-      if slice2cost_difference_0_22_value then
-        slice2cost_difference_0_22_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_22_choice := slice2shift_search_0_22;
-      end if;
-      if slice2cost_difference_0_22_value then
-        slice2cost_difference_0_22_choice_2 := slice2shift_search_0_22;
-      else
-        slice2cost_difference_0_22_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_23_value := ((slice2cost_signs_ready_words_0 / 8388608) mod 2) = 1;
-      if slice2cost_difference_0_23_value then
-        slice2cost_difference_0_23_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_23_choice := slice2shift_search_0_23;
-      end if;
-      if slice2cost_difference_0_23_value then
-        slice2cost_difference_0_23_choice_2 := slice2shift_search_0_23;
-      else
-        slice2cost_difference_0_23_choice_2 := slice2shift_reference_0;
-      end if;
-      if (slice2cost_signs_ready_words_0 / 16777216) = 1 then
-        slice2cost_difference_0_24_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_24_choice := slice2shift_search_0_24;
-      end if;
-      if (slice2cost_signs_ready_words_0 / 16777216) = 1 then
-        slice2cost_difference_0_24_choice_2 := slice2shift_search_0_24;
-      else
-        slice2cost_difference_0_24_choice_2 := slice2shift_reference_0;
-      end if;
-      if (slice2cost_signs_ready_words_1 mod 2) = 1 then
-        slice2cost_difference_1_0_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_0_choice := slice2shift_search_1_0;
-      end if;
-      if (slice2cost_signs_ready_words_1 mod 2) = 1 then
-        slice2cost_difference_1_0_choice_2 := slice2shift_search_1_0;
-      else
-        slice2cost_difference_1_0_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_1_value := ((slice2cost_signs_ready_words_1 / 2) mod 2) = 1;
-      if slice2cost_difference_1_1_value then
-        slice2cost_difference_1_1_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_1_choice := slice2shift_search_1_1;
-      end if;
-      if slice2cost_difference_1_1_value then
-        slice2cost_difference_1_1_choice_2 := slice2shift_search_1_1;
-      else
-        slice2cost_difference_1_1_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_2_value := ((slice2cost_signs_ready_words_1 / 4) mod 2) = 1;
-      if slice2cost_difference_1_2_value then
-        slice2cost_difference_1_2_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_2_choice := slice2shift_search_1_2;
-      end if;
-      if slice2cost_difference_1_2_value then
-        slice2cost_difference_1_2_choice_2 := slice2shift_search_1_2;
-      else
-        slice2cost_difference_1_2_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_3_value := ((slice2cost_signs_ready_words_1 / 8) mod 2) = 1;
-      if slice2cost_difference_1_3_value then
-        slice2cost_difference_1_3_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_3_choice := slice2shift_search_1_3;
-      end if;
-      if slice2cost_difference_1_3_value then
-        slice2cost_difference_1_3_choice_2 := slice2shift_search_1_3;
-      else
-        slice2cost_difference_1_3_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_4_value := ((slice2cost_signs_ready_words_1 / 16) mod 2) = 1;
-      if slice2cost_difference_1_4_value then
-        slice2cost_difference_1_4_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_4_choice := slice2shift_search_1_4;
-      end if;
-      if slice2cost_difference_1_4_value then
-        slice2cost_difference_1_4_choice_2 := slice2shift_search_1_4;
-      else
-        slice2cost_difference_1_4_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_5_value := ((slice2cost_signs_ready_words_1 / 32) mod 2) = 1;
-      if slice2cost_difference_1_5_value then
-        slice2cost_difference_1_5_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_5_choice := slice2shift_search_1_5;
-      end if;
-      if slice2cost_difference_1_5_value then
-        slice2cost_difference_1_5_choice_2 := slice2shift_search_1_5;
-      else
-        slice2cost_difference_1_5_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_6_value := ((slice2cost_signs_ready_words_1 / 64) mod 2) = 1;
-      if slice2cost_difference_1_6_value then
-        slice2cost_difference_1_6_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_6_choice := slice2shift_search_1_6;
-      end if;
-      if slice2cost_difference_1_6_value then
-        slice2cost_difference_1_6_choice_2 := slice2shift_search_1_6;
-      else
-        slice2cost_difference_1_6_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_7_value := ((slice2cost_signs_ready_words_1 / 128) mod 2) = 1;
-      if slice2cost_difference_1_7_value then
-        slice2cost_difference_1_7_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_7_choice := slice2shift_search_1_7;
-      end if;
-      if slice2cost_difference_1_7_value then
-        slice2cost_difference_1_7_choice_2 := slice2shift_search_1_7;
-      else
-        slice2cost_difference_1_7_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_8_value := ((slice2cost_signs_ready_words_1 / 256) mod 2) = 1;
-      if slice2cost_difference_1_8_value then
-        slice2cost_difference_1_8_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_8_choice := slice2shift_search_1_8;
-      end if;
-      if slice2cost_difference_1_8_value then
-        slice2cost_difference_1_8_choice_2 := slice2shift_search_1_8;
-      else
-        slice2cost_difference_1_8_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_9_value := ((slice2cost_signs_ready_words_1 / 512) mod 2) = 1;
-      if slice2cost_difference_1_9_value then
-        slice2cost_difference_1_9_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_9_choice := slice2shift_search_1_9;
-      end if;
-      if slice2cost_difference_1_9_value then
-        slice2cost_difference_1_9_choice_2 := slice2shift_search_1_9;
-      else
-        slice2cost_difference_1_9_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_10_value := ((slice2cost_signs_ready_words_1 / 1024) mod 2) = 1;
-      if slice2cost_difference_1_10_value then
-        slice2cost_difference_1_10_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_10_choice := slice2shift_search_1_10;
-      end if;
-      if slice2cost_difference_1_10_value then
-        slice2cost_difference_1_10_choice_2 := slice2shift_search_1_10;
-      else
-        slice2cost_difference_1_10_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_11_value := ((slice2cost_signs_ready_words_1 / 2048) mod 2) = 1;
-      if slice2cost_difference_1_11_value then
-        slice2cost_difference_1_11_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_11_choice := slice2shift_search_1_11;
-      end if;
-      if slice2cost_difference_1_11_value then
-        slice2cost_difference_1_11_choice_2 := slice2shift_search_1_11;
-      else
-        slice2cost_difference_1_11_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_12_value := ((slice2cost_signs_ready_words_1 / 4096) mod 2) = 1;
-      if slice2cost_difference_1_12_value then
-        slice2cost_difference_1_12_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_12_choice := slice2shift_search_1_12;
-      end if;
-      if slice2cost_difference_1_12_value then
-        slice2cost_difference_1_12_choice_2 := slice2shift_search_1_12;
-      else
-        slice2cost_difference_1_12_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_13_value := ((slice2cost_signs_ready_words_1 / 8192) mod 2) = 1;
-      if slice2cost_difference_1_13_value then
-        slice2cost_difference_1_13_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_13_choice := slice2shift_search_1_13;
-      end if;
-      if slice2cost_difference_1_13_value then
-        slice2cost_difference_1_13_choice_2 := slice2shift_search_1_13;
-      else
-        slice2cost_difference_1_13_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_14_value := ((slice2cost_signs_ready_words_1 / 16384) mod 2) = 1;
-      if slice2cost_difference_1_14_value then
-        slice2cost_difference_1_14_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_14_choice := slice2shift_search_1_14;
-      end if;
-      if slice2cost_difference_1_14_value then
-        slice2cost_difference_1_14_choice_2 := slice2shift_search_1_14;
-      else
-        slice2cost_difference_1_14_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_15_value := ((slice2cost_signs_ready_words_1 / 32768) mod 2) = 1;
-      if slice2cost_difference_1_15_value then
-        slice2cost_difference_1_15_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_15_choice := slice2shift_search_1_15;
-      end if;
-      if slice2cost_difference_1_15_value then
-        slice2cost_difference_1_15_choice_2 := slice2shift_search_1_15;
-      else
-        slice2cost_difference_1_15_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_16_value := ((slice2cost_signs_ready_words_1 / 65536) mod 2) = 1;
-      if slice2cost_difference_1_16_value then
-        slice2cost_difference_1_16_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_16_choice := slice2shift_search_1_16;
-      end if;
-      if slice2cost_difference_1_16_value then
-        slice2cost_difference_1_16_choice_2 := slice2shift_search_1_16;
-      else
-        slice2cost_difference_1_16_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_17_value := ((slice2cost_signs_ready_words_1 / 131072) mod 2) = 1;
-      if slice2cost_difference_1_17_value then
-        slice2cost_difference_1_17_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_17_choice := slice2shift_search_1_17;
-      end if;
-      if slice2cost_difference_1_17_value then
-        slice2cost_difference_1_17_choice_2 := slice2shift_search_1_17;
-      else
-        slice2cost_difference_1_17_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_18_value := ((slice2cost_signs_ready_words_1 / 262144) mod 2) = 1;
-      if slice2cost_difference_1_18_value then
-        slice2cost_difference_1_18_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_18_choice := slice2shift_search_1_18;
-      end if;
-      if slice2cost_difference_1_18_value then
-        slice2cost_difference_1_18_choice_2 := slice2shift_search_1_18;
-      else
-        slice2cost_difference_1_18_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_19_value := ((slice2cost_signs_ready_words_1 / 524288) mod 2) = 1;
-      if slice2cost_difference_1_19_value then
-        slice2cost_difference_1_19_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_19_choice := slice2shift_search_1_19;
-      end if;
-      if slice2cost_difference_1_19_value then
-        slice2cost_difference_1_19_choice_2 := slice2shift_search_1_19;
-      else
-        slice2cost_difference_1_19_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_20_value := ((slice2cost_signs_ready_words_1 / 1048576) mod 2) = 1;
-      if slice2cost_difference_1_20_value then
-        slice2cost_difference_1_20_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_20_choice := slice2shift_search_1_20;
-      end if;
-      if slice2cost_difference_1_20_value then
-        slice2cost_difference_1_20_choice_2 := slice2shift_search_1_20;
-      else
-        slice2cost_difference_1_20_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_21_value := ((slice2cost_signs_ready_words_1 / 2097152) mod 2) = 1;
-      if slice2cost_difference_1_21_value then
-        slice2cost_difference_1_21_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_21_choice := slice2shift_search_1_21;
-      end if;
-      if slice2cost_difference_1_21_value then
-        slice2cost_difference_1_21_choice_2 := slice2shift_search_1_21;
-      else
-        slice2cost_difference_1_21_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_22_value := ((slice2cost_signs_ready_words_1 / 4194304) mod 2) = 1;
-      if slice2cost_difference_1_22_value then
-        slice2cost_difference_1_22_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_22_choice := slice2shift_search_1_22;
-      end if;
-      if slice2cost_difference_1_22_value then
-        slice2cost_difference_1_22_choice_2 := slice2shift_search_1_22;
-      else
-        slice2cost_difference_1_22_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_23_value := ((slice2cost_signs_ready_words_1 / 8388608) mod 2) = 1;
-      if slice2cost_difference_1_23_value then
-        slice2cost_difference_1_23_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_23_choice := slice2shift_search_1_23;
-      end if;
-      if slice2cost_difference_1_23_value then
-        slice2cost_difference_1_23_choice_2 := slice2shift_search_1_23;
-      else
-        slice2cost_difference_1_23_choice_2 := slice2shift_reference_1;
-      end if;
-      if (slice2cost_signs_ready_words_1 / 16777216) = 1 then
-        slice2cost_difference_1_24_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_24_choice := slice2shift_search_1_24;
-      end if;
-      if (slice2cost_signs_ready_words_1 / 16777216) = 1 then
-        slice2cost_difference_1_24_choice_2 := slice2shift_search_1_24;
-      else
-        slice2cost_difference_1_24_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_2_0_difference := slice2shift_search_2_0 - slice2shift_reference_2;
-      slice2cost_difference_2_1_difference := slice2shift_search_2_1 - slice2shift_reference_2;
-      slice2cost_difference_2_2_difference := slice2shift_search_2_2 - slice2shift_reference_2;
-      slice2cost_difference_2_3_difference := slice2shift_search_2_3 - slice2shift_reference_2;
-      slice2cost_difference_2_4_difference := slice2shift_search_2_4 - slice2shift_reference_2;
-      slice2cost_difference_2_5_difference := slice2shift_search_2_5 - slice2shift_reference_2;
-      slice2cost_difference_2_6_difference := slice2shift_search_2_6 - slice2shift_reference_2;
-      slice2cost_difference_2_7_difference := slice2shift_search_2_7 - slice2shift_reference_2;
-      slice2cost_difference_2_8_difference := slice2shift_search_2_8 - slice2shift_reference_2;
-      slice2cost_difference_2_9_difference := slice2shift_search_2_9 - slice2shift_reference_2;
-      slice2cost_difference_2_10_difference := slice2shift_search_2_10 - slice2shift_reference_2;
-      slice2cost_difference_2_11_difference := slice2shift_search_2_11 - slice2shift_reference_2;
-      slice2cost_difference_2_12_difference := slice2shift_search_2_12 - slice2shift_reference_2;
-      slice2cost_difference_2_13_difference := slice2shift_search_2_13 - slice2shift_reference_2;
-      slice2cost_difference_2_14_difference := slice2shift_search_2_14 - slice2shift_reference_2;
-      slice2cost_difference_2_15_difference := slice2shift_search_2_15 - slice2shift_reference_2;
-      slice2cost_difference_2_16_difference := slice2shift_search_2_16 - slice2shift_reference_2;
-      slice2cost_difference_2_17_difference := slice2shift_search_2_17 - slice2shift_reference_2;
-      slice2cost_difference_2_18_difference := slice2shift_search_2_18 - slice2shift_reference_2;
-      slice2cost_difference_2_19_difference := slice2shift_search_2_19 - slice2shift_reference_2;
-      slice2cost_difference_2_20_difference := slice2shift_search_2_20 - slice2shift_reference_2;
-      slice2cost_difference_2_21_difference := slice2shift_search_2_21 - slice2shift_reference_2;
-      slice2cost_difference_2_22_difference := slice2shift_search_2_22 - slice2shift_reference_2;
-      slice2cost_difference_2_23_difference := slice2shift_search_2_23 - slice2shift_reference_2;
-      slice2cost_difference_2_24_difference := slice2shift_search_2_24 - slice2shift_reference_2;
-      slice2cost_signs_ready_words_0 <= to_integer(slice2cost_signs_read_words_0);
-      slice2cost_signs_ready_words_1 <= to_integer(slice2cost_signs_read_words_1);
-      slice2cost_signs_known_words_1 <= slice2cost_signs_ready_words_1;
+      if is_set(slice2cost_signs_ready_words(0), 0) then
+        slice2cost_difference_choice(0, 0) := slice2shift_reference(0);
+      else
+        slice2cost_difference_choice(0, 0) := slice2shift_search(0, 0);
+      end if;
+      if is_set(slice2cost_signs_ready_words(0), 0) then
+        slice2cost_difference_choice_2(0, 0) := slice2shift_search(0, 0);
+      else
+        slice2cost_difference_choice_2(0, 0) := slice2shift_reference(0);
+      end if;
+      for i in 1 to 23 loop
+        slice2cost_difference_value(0, i) := is_set(slice2cost_signs_ready_words(0), i);
+        if slice2cost_difference_value(0, i) then
+          slice2cost_difference_choice(0, i) := slice2shift_reference(0);
+        else
+          slice2cost_difference_choice(0, i) := slice2shift_search(0, i);
+        end if;
+        if slice2cost_difference_value(0, i) then
+          slice2cost_difference_choice_2(0, i) := slice2shift_search(0, i);
+        else
+          slice2cost_difference_choice_2(0, i) := slice2shift_reference(0);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if is_set(slice2cost_signs_ready_words(i), 24 - 24 * i) then
+          slice2cost_difference_choice(i, 24 - 24 * i) := slice2shift_reference(i);
+        else
+          slice2cost_difference_choice(i, 24 - 24 * i) := slice2shift_search(i, 24 - 24 * i);
+        end if;
+        if is_set(slice2cost_signs_ready_words(i), 24 - 24 * i) then
+          slice2cost_difference_choice_2(i, 24 - 24 * i) := slice2shift_search(i, 24 - 24 * i);
+        else
+          slice2cost_difference_choice_2(i, 24 - 24 * i) := slice2shift_reference(i);
+        end if;
+      end loop;
+      for i in 1 to 23 loop
+        slice2cost_difference_value(1, i) := is_set(slice2cost_signs_ready_words(1), i);
+        if slice2cost_difference_value(1, i) then
+          slice2cost_difference_choice(1, i) := slice2shift_reference(1);
+        else
+          slice2cost_difference_choice(1, i) := slice2shift_search(1, i);
+        end if;
+        if slice2cost_difference_value(1, i) then
+          slice2cost_difference_choice_2(1, i) := slice2shift_search(1, i);
+        else
+          slice2cost_difference_choice_2(1, i) := slice2shift_reference(1);
+        end if;
+      end loop;
+      if is_set(slice2cost_signs_ready_words(1), 24) then
+        slice2cost_difference_choice(1, 24) := slice2shift_reference(1);
+      else
+        slice2cost_difference_choice(1, 24) := slice2shift_search(1, 24);
+      end if;
+      if is_set(slice2cost_signs_ready_words(1), 24) then
+        slice2cost_difference_choice_2(1, 24) := slice2shift_search(1, 24);
+      else
+        slice2cost_difference_choice_2(1, 24) := slice2shift_reference(1);
+      end if;
+      for i in 0 to 24 loop
+        slice2cost_difference_2_difference(i) := slice2shift_search(2, i) - slice2shift_reference(2);
+      end loop;
+      slice2cost_signs_ready_words(0) <= to_integer(slice2cost_signs_read_words(0));
+      slice2cost_signs_ready_words(1) <= to_integer(slice2cost_signs_read_words(1));
+      slice2cost_signs_known_words_1 <= slice2cost_signs_ready_words(1);
       slice2cost_signs_write_column <= slice1cost_signs_write_column;
-      slice2cost_difference_0_0 <= (slice2cost_difference_0_0_choice - slice2cost_difference_0_0_choice_2) mod 256;
-      slice2cost_difference_0_1 <= (slice2cost_difference_0_1_choice - slice2cost_difference_0_1_choice_2) mod 256;
-      slice2cost_difference_0_2 <= (slice2cost_difference_0_2_choice - slice2cost_difference_0_2_choice_2) mod 256;
-      slice2cost_difference_0_3 <= (slice2cost_difference_0_3_choice - slice2cost_difference_0_3_choice_2) mod 256;
-      slice2cost_difference_0_4 <= (slice2cost_difference_0_4_choice - slice2cost_difference_0_4_choice_2) mod 256;
-      slice2cost_difference_0_5 <= (slice2cost_difference_0_5_choice - slice2cost_difference_0_5_choice_2) mod 256;
-      slice2cost_difference_0_6 <= (slice2cost_difference_0_6_choice - slice2cost_difference_0_6_choice_2) mod 256;
-      slice2cost_difference_0_7 <= (slice2cost_difference_0_7_choice - slice2cost_difference_0_7_choice_2) mod 256;
-      slice2cost_difference_0_8 <= (slice2cost_difference_0_8_choice - slice2cost_difference_0_8_choice_2) mod 256;
-      slice2cost_difference_0_9 <= (slice2cost_difference_0_9_choice - slice2cost_difference_0_9_choice_2) mod 256;
-      slice2cost_difference_0_10 <= (slice2cost_difference_0_10_choice - slice2cost_difference_0_10_choice_2) mod 256;
-      slice2cost_difference_0_11 <= (slice2cost_difference_0_11_choice - slice2cost_difference_0_11_choice_2) mod 256;
-      slice2cost_difference_0_12 <= (slice2cost_difference_0_12_choice - slice2cost_difference_0_12_choice_2) mod 256;
-      slice2cost_difference_0_13 <= (slice2cost_difference_0_13_choice - slice2cost_difference_0_13_choice_2) mod 256;
-      slice2cost_difference_0_14 <= (slice2cost_difference_0_14_choice - slice2cost_difference_0_14_choice_2) mod 256;
-      slice2cost_difference_0_15 <= (slice2cost_difference_0_15_choice - slice2cost_difference_0_15_choice_2) mod 256;
-      slice2cost_difference_0_16 <= (slice2cost_difference_0_16_choice - slice2cost_difference_0_16_choice_2) mod 256;
-      slice2cost_difference_0_17 <= (slice2cost_difference_0_17_choice - slice2cost_difference_0_17_choice_2) mod 256;
-      slice2cost_difference_0_18 <= (slice2cost_difference_0_18_choice - slice2cost_difference_0_18_choice_2) mod 256;
-      slice2cost_difference_0_19 <= (slice2cost_difference_0_19_choice - slice2cost_difference_0_19_choice_2) mod 256;
-      slice2cost_difference_0_20 <= (slice2cost_difference_0_20_choice - slice2cost_difference_0_20_choice_2) mod 256;
-      slice2cost_difference_0_21 <= (slice2cost_difference_0_21_choice - slice2cost_difference_0_21_choice_2) mod 256;
-      slice2cost_difference_0_22 <= (slice2cost_difference_0_22_choice - slice2cost_difference_0_22_choice_2) mod 256;
-      slice2cost_difference_0_23 <= (slice2cost_difference_0_23_choice - slice2cost_difference_0_23_choice_2) mod 256;
-      slice2cost_difference_0_24 <= (slice2cost_difference_0_24_choice - slice2cost_difference_0_24_choice_2) mod 256;
-      slice2cost_difference_1_0 <= (slice2cost_difference_1_0_choice - slice2cost_difference_1_0_choice_2) mod 256;
-      slice2cost_difference_1_1 <= (slice2cost_difference_1_1_choice - slice2cost_difference_1_1_choice_2) mod 256;
-      slice2cost_difference_1_2 <= (slice2cost_difference_1_2_choice - slice2cost_difference_1_2_choice_2) mod 256;
-      slice2cost_difference_1_3 <= (slice2cost_difference_1_3_choice - slice2cost_difference_1_3_choice_2) mod 256;
-      slice2cost_difference_1_4 <= (slice2cost_difference_1_4_choice - slice2cost_difference_1_4_choice_2) mod 256;
-      slice2cost_difference_1_5 <= (slice2cost_difference_1_5_choice - slice2cost_difference_1_5_choice_2) mod 256;
-      slice2cost_difference_1_6 <= (slice2cost_difference_1_6_choice - slice2cost_difference_1_6_choice_2) mod 256;
-      slice2cost_difference_1_7 <= (slice2cost_difference_1_7_choice - slice2cost_difference_1_7_choice_2) mod 256;
-      slice2cost_difference_1_8 <= (slice2cost_difference_1_8_choice - slice2cost_difference_1_8_choice_2) mod 256;
-      slice2cost_difference_1_9 <= (slice2cost_difference_1_9_choice - slice2cost_difference_1_9_choice_2) mod 256;
-      slice2cost_difference_1_10 <= (slice2cost_difference_1_10_choice - slice2cost_difference_1_10_choice_2) mod 256;
-      slice2cost_difference_1_11 <= (slice2cost_difference_1_11_choice - slice2cost_difference_1_11_choice_2) mod 256;
-      slice2cost_difference_1_12 <= (slice2cost_difference_1_12_choice - slice2cost_difference_1_12_choice_2) mod 256;
-      slice2cost_difference_1_13 <= (slice2cost_difference_1_13_choice - slice2cost_difference_1_13_choice_2) mod 256;
-      slice2cost_difference_1_14 <= (slice2cost_difference_1_14_choice - slice2cost_difference_1_14_choice_2) mod 256;
-      slice2cost_difference_1_15 <= (slice2cost_difference_1_15_choice - slice2cost_difference_1_15_choice_2) mod 256;
-      slice2cost_difference_1_16 <= (slice2cost_difference_1_16_choice - slice2cost_difference_1_16_choice_2) mod 256;
-      slice2cost_difference_1_17 <= (slice2cost_difference_1_17_choice - slice2cost_difference_1_17_choice_2) mod 256;
-      slice2cost_difference_1_18 <= (slice2cost_difference_1_18_choice - slice2cost_difference_1_18_choice_2) mod 256;
-      slice2cost_difference_1_19 <= (slice2cost_difference_1_19_choice - slice2cost_difference_1_19_choice_2) mod 256;
-      slice2cost_difference_1_20 <= (slice2cost_difference_1_20_choice - slice2cost_difference_1_20_choice_2) mod 256;
-      slice2cost_difference_1_21 <= (slice2cost_difference_1_21_choice - slice2cost_difference_1_21_choice_2) mod 256;
-      slice2cost_difference_1_22 <= (slice2cost_difference_1_22_choice - slice2cost_difference_1_22_choice_2) mod 256;
-      slice2cost_difference_1_23 <= (slice2cost_difference_1_23_choice - slice2cost_difference_1_23_choice_2) mod 256;
-      slice2cost_difference_1_24 <= (slice2cost_difference_1_24_choice - slice2cost_difference_1_24_choice_2) mod 256;
-      slice2cost_newest_negative_0_0 <= slice2cost_difference_2_0_difference < 0;
-      slice2cost_newest_negative_0_1 <= slice2cost_difference_2_1_difference < 0;
-      slice2cost_newest_negative_0_2 <= slice2cost_difference_2_2_difference < 0;
-      slice2cost_newest_negative_0_3 <= slice2cost_difference_2_3_difference < 0;
-      slice2cost_newest_negative_0_4 <= slice2cost_difference_2_4_difference < 0;
-      slice2cost_newest_negative_0_5 <= slice2cost_difference_2_5_difference < 0;
-      slice2cost_newest_negative_0_6 <= slice2cost_difference_2_6_difference < 0;
-      slice2cost_newest_negative_0_7 <= slice2cost_difference_2_7_difference < 0;
-      slice2cost_newest_negative_0_8 <= slice2cost_difference_2_8_difference < 0;
-      slice2cost_newest_negative_0_9 <= slice2cost_difference_2_9_difference < 0;
-      slice2cost_newest_negative_0_10 <= slice2cost_difference_2_10_difference < 0;
-      slice2cost_newest_negative_0_11 <= slice2cost_difference_2_11_difference < 0;
-      slice2cost_newest_negative_0_12 <= slice2cost_difference_2_12_difference < 0;
-      slice2cost_newest_negative_0_13 <= slice2cost_difference_2_13_difference < 0;
-      slice2cost_newest_negative_0_14 <= slice2cost_difference_2_14_difference < 0;
-      slice2cost_newest_negative_0_15 <= slice2cost_difference_2_15_difference < 0;
-      slice2cost_newest_negative_0_16 <= slice2cost_difference_2_16_difference < 0;
-      slice2cost_newest_negative_0_17 <= slice2cost_difference_2_17_difference < 0;
-      slice2cost_newest_negative_0_18 <= slice2cost_difference_2_18_difference < 0;
-      slice2cost_newest_negative_0_19 <= slice2cost_difference_2_19_difference < 0;
-      slice2cost_newest_negative_0_20 <= slice2cost_difference_2_20_difference < 0;
-      slice2cost_newest_negative_0_21 <= slice2cost_difference_2_21_difference < 0;
-      slice2cost_newest_negative_0_22 <= slice2cost_difference_2_22_difference < 0;
-      slice2cost_newest_negative_0_23 <= slice2cost_difference_2_23_difference < 0;
-      slice2cost_newest_negative_0_24 <= slice2cost_difference_2_24_difference < 0;
-      slice2cost_pair_0_0 <= as_number((slice2cost_difference_2_0 < 0)) + slice2cost_difference_1_0 +
-        folded(slice2cost_difference_2_0);
-      slice2cost_pair_0_1 <= as_number((slice2cost_difference_2_1 < 0)) + slice2cost_difference_1_1 +
-        folded(slice2cost_difference_2_1);
-      slice2cost_pair_0_2 <= as_number((slice2cost_difference_2_2 < 0)) + slice2cost_difference_1_2 +
-        folded(slice2cost_difference_2_2);
-      slice2cost_pair_0_3 <= as_number((slice2cost_difference_2_3 < 0)) + slice2cost_difference_1_3 +
-        folded(slice2cost_difference_2_3);
-      slice2cost_pair_0_4 <= as_number((slice2cost_difference_2_4 < 0)) + slice2cost_difference_1_4 +
-        folded(slice2cost_difference_2_4);
-      slice2cost_pair_0_5 <= as_number((slice2cost_difference_2_5 < 0)) + slice2cost_difference_1_5 +
-        folded(slice2cost_difference_2_5);
-      slice2cost_pair_0_6 <= as_number((slice2cost_difference_2_6 < 0)) + slice2cost_difference_1_6 +
-        folded(slice2cost_difference_2_6);
-      slice2cost_pair_0_7 <= as_number((slice2cost_difference_2_7 < 0)) + slice2cost_difference_1_7 +
-        folded(slice2cost_difference_2_7);
-      slice2cost_pair_0_8 <= as_number((slice2cost_difference_2_8 < 0)) + slice2cost_difference_1_8 +
-        folded(slice2cost_difference_2_8);
-      slice2cost_pair_0_9 <= as_number((slice2cost_difference_2_9 < 0)) + slice2cost_difference_1_9 +
-        folded(slice2cost_difference_2_9);
-      slice2cost_pair_0_10 <= as_number((slice2cost_difference_2_10 < 0)) + slice2cost_difference_1_10 +
-        folded(slice2cost_difference_2_10);
-      slice2cost_pair_0_11 <= as_number((slice2cost_difference_2_11 < 0)) + slice2cost_difference_1_11 +
-        folded(slice2cost_difference_2_11);
-      slice2cost_pair_0_12 <= as_number((slice2cost_difference_2_12 < 0)) + slice2cost_difference_1_12 +
-        folded(slice2cost_difference_2_12);
-      slice2cost_pair_0_13 <= as_number((slice2cost_difference_2_13 < 0)) + slice2cost_difference_1_13 +
-        folded(slice2cost_difference_2_13);
-      slice2cost_pair_0_14 <= as_number((slice2cost_difference_2_14 < 0)) + slice2cost_difference_1_14 +
-        folded(slice2cost_difference_2_14);
-      slice2cost_pair_0_15 <= as_number((slice2cost_difference_2_15 < 0)) + slice2cost_difference_1_15 +
-        folded(slice2cost_difference_2_15);
-      slice2cost_pair_0_16 <= as_number((slice2cost_difference_2_16 < 0)) + slice2cost_difference_1_16 +
-        folded(slice2cost_difference_2_16);
-      slice2cost_pair_0_17 <= as_number((slice2cost_difference_2_17 < 0)) + slice2cost_difference_1_17 +
-        folded(slice2cost_difference_2_17);
-      slice2cost_pair_0_18 <= as_number((slice2cost_difference_2_18 < 0)) + slice2cost_difference_1_18 +
-        folded(slice2cost_difference_2_18);
-      slice2cost_pair_0_19 <= as_number((slice2cost_difference_2_19 < 0)) + slice2cost_difference_1_19 +
-        folded(slice2cost_difference_2_19);
-      slice2cost_pair_0_20 <= as_number((slice2cost_difference_2_20 < 0)) + slice2cost_difference_1_20 +
-        folded(slice2cost_difference_2_20);
-      slice2cost_pair_0_21 <= as_number((slice2cost_difference_2_21 < 0)) + slice2cost_difference_1_21 +
-        folded(slice2cost_difference_2_21);
-      slice2cost_pair_0_22 <= as_number((slice2cost_difference_2_22 < 0)) + slice2cost_difference_1_22 +
-        folded(slice2cost_difference_2_22);
-      slice2cost_pair_0_23 <= as_number((slice2cost_difference_2_23 < 0)) + slice2cost_difference_1_23 +
-        folded(slice2cost_difference_2_23);
-      slice2cost_pair_0_24 <= as_number((slice2cost_difference_2_24 < 0)) + slice2cost_difference_1_24 +
-        folded(slice2cost_difference_2_24);
-      slice2cost_single_0_0 <= slice2cost_difference_0_0;
-      slice2cost_single_0_1 <= slice2cost_difference_0_1;
-      slice2cost_single_0_2 <= slice2cost_difference_0_2;
-      slice2cost_single_0_3 <= slice2cost_difference_0_3;
-      slice2cost_single_0_4 <= slice2cost_difference_0_4;
-      slice2cost_single_0_5 <= slice2cost_difference_0_5;
-      slice2cost_single_0_6 <= slice2cost_difference_0_6;
-      slice2cost_single_0_7 <= slice2cost_difference_0_7;
-      slice2cost_single_0_8 <= slice2cost_difference_0_8;
-      slice2cost_single_0_9 <= slice2cost_difference_0_9;
-      slice2cost_single_0_10 <= slice2cost_difference_0_10;
-      slice2cost_single_0_11 <= slice2cost_difference_0_11;
-      slice2cost_single_0_12 <= slice2cost_difference_0_12;
-      slice2cost_single_0_13 <= slice2cost_difference_0_13;
-      slice2cost_single_0_14 <= slice2cost_difference_0_14;
-      slice2cost_single_0_15 <= slice2cost_difference_0_15;
-      slice2cost_single_0_16 <= slice2cost_difference_0_16;
-      slice2cost_single_0_17 <= slice2cost_difference_0_17;
-      slice2cost_single_0_18 <= slice2cost_difference_0_18;
-      slice2cost_single_0_19 <= slice2cost_difference_0_19;
-      slice2cost_single_0_20 <= slice2cost_difference_0_20;
-      slice2cost_single_0_21 <= slice2cost_difference_0_21;
-      slice2cost_single_0_22 <= slice2cost_difference_0_22;
-      slice2cost_single_0_23 <= slice2cost_difference_0_23;
-      slice2cost_single_0_24 <= slice2cost_difference_0_24;
+      for i in 0 to 1 loop
+        for j in 0 to 24 loop
+          slice2cost_difference(i, j) <= (slice2cost_difference_choice(i, j) - slice2cost_difference_choice_2(i, j))
+            mod 256;
+        end loop;
+      end loop;
+      for i in 0 to 24 loop
+        slice2cost_newest_negative_0(i) <= slice2cost_difference_2_difference(i) < 0;
+      end loop;
+      for i in 0 to 24 loop
+        slice2cost_pair_0(i) <= as_number((slice2cost_difference_2(i) < 0)) + slice2cost_difference(1, i) +
+          folded(slice2cost_difference_2(i));
+      end loop;
+      for i in 0 to 24 loop
+        slice2cost_single_0(i) <= slice2cost_difference(0, i);
+      end loop;
       slice2cost_tag_border_column <= slice1cost_tag_border_column;
       if slice0cost_pair_tag_newest_inside then
-        slice2cost_difference_2_0 <= slice2cost_difference_2_0_difference;
-        slice2cost_difference_2_1 <= slice2cost_difference_2_1_difference;
-        slice2cost_difference_2_2 <= slice2cost_difference_2_2_difference;
-        slice2cost_difference_2_3 <= slice2cost_difference_2_3_difference;
-        slice2cost_difference_2_4 <= slice2cost_difference_2_4_difference;
-        slice2cost_difference_2_5 <= slice2cost_difference_2_5_difference;
-        slice2cost_difference_2_6 <= slice2cost_difference_2_6_difference;
-        slice2cost_difference_2_7 <= slice2cost_difference_2_7_difference;
-        slice2cost_difference_2_8 <= slice2cost_difference_2_8_difference;
-        slice2cost_difference_2_9 <= slice2cost_difference_2_9_difference;
-        slice2cost_difference_2_10 <= slice2cost_difference_2_10_difference;
-        slice2cost_difference_2_11 <= slice2cost_difference_2_11_difference;
-        slice2cost_difference_2_12 <= slice2cost_difference_2_12_difference;
-        slice2cost_difference_2_13 <= slice2cost_difference_2_13_difference;
-        slice2cost_difference_2_14 <= slice2cost_difference_2_14_difference;
-        slice2cost_difference_2_15 <= slice2cost_difference_2_15_difference;
-        slice2cost_difference_2_16 <= slice2cost_difference_2_16_difference;
-        slice2cost_difference_2_17 <= slice2cost_difference_2_17_difference;
-        slice2cost_difference_2_18 <= slice2cost_difference_2_18_difference;
-        slice2cost_difference_2_19 <= slice2cost_difference_2_19_difference;
-        slice2cost_difference_2_20 <= slice2cost_difference_2_20_difference;
-        slice2cost_difference_2_21 <= slice2cost_difference_2_21_difference;
-        slice2cost_difference_2_22 <= slice2cost_difference_2_22_difference;
-        slice2cost_difference_2_23 <= slice2cost_difference_2_23_difference;
-        slice2cost_difference_2_24 <= slice2cost_difference_2_24_difference;
+        for i in 0 to 24 loop
+          slice2cost_difference_2(i) <= slice2cost_difference_2_difference(i);
+        end loop;
       else
-        slice2cost_difference_2_0 <= 0;
-        slice2cost_difference_2_1 <= 0;
-        slice2cost_difference_2_2 <= 0;
-        slice2cost_difference_2_3 <= 0;
-        slice2cost_difference_2_4 <= 0;
-        slice2cost_difference_2_5 <= 0;
-        slice2cost_difference_2_6 <= 0;
-        slice2cost_difference_2_7 <= 0;
-        slice2cost_difference_2_8 <= 0;
-        slice2cost_difference_2_9 <= 0;
-        slice2cost_difference_2_10 <= 0;
-        slice2cost_difference_2_11 <= 0;
-        slice2cost_difference_2_12 <= 0;
-        slice2cost_difference_2_13 <= 0;
-        slice2cost_difference_2_14 <= 0;
-        slice2cost_difference_2_15 <= 0;
-        slice2cost_difference_2_16 <= 0;
-        slice2cost_difference_2_17 <= 0;
-        slice2cost_difference_2_18 <= 0;
-        slice2cost_difference_2_19 <= 0;
-        slice2cost_difference_2_20 <= 0;
-        slice2cost_difference_2_21 <= 0;
-        slice2cost_difference_2_22 <= 0;
-        slice2cost_difference_2_23 <= 0;
-        slice2cost_difference_2_24 <= 0;
+        for i in 0 to 24 loop
+          slice2cost_difference_2(i) <= 0;
+        end loop;
       end if;
       if slice1cost_tag_border_column then
-        slice2cost_column_0_0 <= 0;
-        slice2cost_column_0_1 <= 0;
-        slice2cost_column_0_2 <= 0;
-        slice2cost_column_0_3 <= 0;
-        slice2cost_column_0_4 <= 0;
-        slice2cost_column_0_5 <= 0;
-        slice2cost_column_0_6 <= 0;
-        slice2cost_column_0_7 <= 0;
-        slice2cost_column_0_8 <= 0;
-        slice2cost_column_0_9 <= 0;
-        slice2cost_column_0_10 <= 0;
-        slice2cost_column_0_11 <= 0;
-        slice2cost_column_0_12 <= 0;
-        slice2cost_column_0_13 <= 0;
-        slice2cost_column_0_14 <= 0;
-        slice2cost_column_0_15 <= 0;
-        slice2cost_column_0_16 <= 0;
-        slice2cost_column_0_17 <= 0;
-        slice2cost_column_0_18 <= 0;
-        slice2cost_column_0_19 <= 0;
-        slice2cost_column_0_20 <= 0;
-        slice2cost_column_0_21 <= 0;
-        slice2cost_column_0_22 <= 0;
-        slice2cost_column_0_23 <= 0;
-        slice2cost_column_0_24 <= 0;
+        for i in 0 to 24 loop
+          slice2cost_column_0(i) <= 0;
+        end loop;
       else
-        slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
-        slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
-        slice2cost_column_0_2 <= slice2cost_pair_0_2 + slice2cost_single_0_2;
-        slice2cost_column_0_3 <= slice2cost_pair_0_3 + slice2cost_single_0_3;
-        slice2cost_column_0_4 <= slice2cost_pair_0_4 + slice2cost_single_0_4;
-        slice2cost_column_0_5 <= slice2cost_pair_0_5 + slice2cost_single_0_5;
-        slice2cost_column_0_6 <= slice2cost_pair_0_6 + slice2cost_single_0_6;
-        slice2cost_column_0_7 <= slice2cost_pair_0_7 + slice2cost_single_0_7;
-        slice2cost_column_0_8 <= slice2cost_pair_0_8 + slice2cost_single_0_8;
-        slice2cost_column_0_9 <= slice2cost_pair_0_9 + slice2cost_single_0_9;
-        slice2cost_column_0_10 <= slice2cost_pair_0_10 + slice2cost_single_0_10;
-        slice2cost_column_0_11 <= slice2cost_pair_0_11 + slice2cost_single_0_11;
-        slice2cost_column_0_12 <= slice2cost_pair_0_12 + slice2cost_single_0_12;
-        slice2cost_column_0_13 <= slice2cost_pair_0_13 + slice2cost_single_0_13;
-        slice2cost_column_0_14 <= slice2cost_pair_0_14 + slice2cost_single_0_14;
-        slice2cost_column_0_15 <= slice2cost_pair_0_15 + slice2cost_single_0_15;
-        slice2cost_column_0_16 <= slice2cost_pair_0_16 + slice2cost_single_0_16;
-        slice2cost_column_0_17 <= slice2cost_pair_0_17 + slice2cost_single_0_17;
-        slice2cost_column_0_18 <= slice2cost_pair_0_18 + slice2cost_single_0_18;
-        slice2cost_column_0_19 <= slice2cost_pair_0_19 + slice2cost_single_0_19;
-        slice2cost_column_0_20 <= slice2cost_pair_0_20 + slice2cost_single_0_20;
-        slice2cost_column_0_21 <= slice2cost_pair_0_21 + slice2cost_single_0_21;
-        slice2cost_column_0_22 <= slice2cost_pair_0_22 + slice2cost_single_0_22;
-        slice2cost_column_0_23 <= slice2cost_pair_0_23 + slice2cost_single_0_23;
-        slice2cost_column_0_24 <= slice2cost_pair_0_24 + slice2cost_single_0_24;
+        for i in 0 to 24 loop
+          slice2cost_column_0(i) <= slice2cost_pair_0(i) + slice2cost_single_0(i);
+        end loop;
       end if;
       if slice0cost_tag_valid then
-        slice2cost_signs_write_words_0 <= slice2cost_signs_known_words_1;
-        slice2cost_signs_write_words_1 <= (as_number(slice2cost_newest_negative_0_23) * 8388608) +
-          (as_number(slice2cost_newest_negative_0_24) * 16777216) + (as_number(slice2cost_newest_negative_0_22) *
-          4194304) + (as_number(slice2cost_newest_negative_0_21) * 2097152) +
-          (as_number(slice2cost_newest_negative_0_20) * 1048576) + (as_number(slice2cost_newest_negative_0_19) *
-          524288) + (as_number(slice2cost_newest_negative_0_18) * 262144) + (as_number(slice2cost_newest_negative_0_17)
-          * 131072) + (as_number(slice2cost_newest_negative_0_16) * 65536) +
-          (as_number(slice2cost_newest_negative_0_15) * 32768) + (as_number(slice2cost_newest_negative_0_14) * 16384) +
-          (as_number(slice2cost_newest_negative_0_13) * 8192) + (as_number(slice2cost_newest_negative_0_12) * 4096) +
-          (as_number(slice2cost_newest_negative_0_11) * 2048) + (as_number(slice2cost_newest_negative_0_10) * 1024) +
-          (as_number(slice2cost_newest_negative_0_9) * 512) + (as_number(slice2cost_newest_negative_0_8) * 256) +
-          (as_number(slice2cost_newest_negative_0_6) * 64) + (as_number(slice2cost_newest_negative_0_7) * 128) +
-          (as_number(slice2cost_newest_negative_0_5) * 32) + (as_number(slice2cost_newest_negative_0_4) * 16) +
-          (as_number(slice2cost_newest_negative_0_3) * 8) + (as_number(slice2cost_newest_negative_0_2) * 4) +
-          as_number(slice2cost_newest_negative_0_0) + (as_number(slice2cost_newest_negative_0_1) * 2);
+        slice2cost_signs_write_words(0) <= slice2cost_signs_known_words_1;
+        slice2cost_signs_write_words(1) <= (as_number(slice2cost_newest_negative_0(23)) * 8388608) +
+          (as_number(slice2cost_newest_negative_0(24)) * 16777216) + (as_number(slice2cost_newest_negative_0(22)) *
+          4194304) + (as_number(slice2cost_newest_negative_0(21)) * 2097152) +
+          (as_number(slice2cost_newest_negative_0(20)) * 1048576) + (as_number(slice2cost_newest_negative_0(19)) *
+          524288) + (as_number(slice2cost_newest_negative_0(18)) * 262144) +
+          (as_number(slice2cost_newest_negative_0(17)) * 131072) + (as_number(slice2cost_newest_negative_0(16)) *
+          65536) + (as_number(slice2cost_newest_negative_0(15)) * 32768) + (as_number(slice2cost_newest_negative_0(14))
+          * 16384) + (as_number(slice2cost_newest_negative_0(13)) * 8192) +
+          (as_number(slice2cost_newest_negative_0(12)) * 4096) + (as_number(slice2cost_newest_negative_0(11)) * 2048) +
+          (as_number(slice2cost_newest_negative_0(10)) * 1024) + (as_number(slice2cost_newest_negative_0(9)) * 512) +
+          (as_number(slice2cost_newest_negative_0(8)) * 256) + (as_number(slice2cost_newest_negative_0(6)) * 64) +
+          (as_number(slice2cost_newest_negative_0(7)) * 128) + (as_number(slice2cost_newest_negative_0(5)) * 32) +
+          (as_number(slice2cost_newest_negative_0(4)) * 16) + (as_number(slice2cost_newest_negative_0(3)) * 8) +
+          (as_number(slice2cost_newest_negative_0(2)) * 4) + as_number(slice2cost_newest_negative_0(0)) +
+          (as_number(slice2cost_newest_negative_0(1)) * 2);
       end if;
       -- slice2window
       if slice0winner1_tag_valid then
-        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
-        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
-        slice2window_partial_0_0_2 <= slice2cost_column_0_2;
-        slice2window_partial_0_0_3 <= slice2cost_column_0_3;
-        slice2window_partial_0_0_4 <= slice2cost_column_0_4;
-        slice2window_partial_0_0_5 <= slice2cost_column_0_5;
-        slice2window_partial_0_0_6 <= slice2cost_column_0_6;
-        slice2window_partial_0_0_7 <= slice2cost_column_0_7;
-        slice2window_partial_0_0_8 <= slice2cost_column_0_8;
-        slice2window_partial_0_0_9 <= slice2cost_column_0_9;
-        slice2window_partial_0_0_10 <= slice2cost_column_0_10;
-        slice2window_partial_0_0_11 <= slice2cost_column_0_11;
-        slice2window_partial_0_0_12 <= slice2cost_column_0_12;
-        slice2window_partial_0_0_13 <= slice2cost_column_0_13;
-        slice2window_partial_0_0_14 <= slice2cost_column_0_14;
-        slice2window_partial_0_0_15 <= slice2cost_column_0_15;
-        slice2window_partial_0_0_16 <= slice2cost_column_0_16;
-        slice2window_partial_0_0_17 <= slice2cost_column_0_17;
-        slice2window_partial_0_0_18 <= slice2cost_column_0_18;
-        slice2window_partial_0_0_19 <= slice2cost_column_0_19;
-        slice2window_partial_0_0_20 <= slice2cost_column_0_20;
-        slice2window_partial_0_0_21 <= slice2cost_column_0_21;
-        slice2window_partial_0_0_22 <= slice2cost_column_0_22;
-        slice2window_partial_0_0_23 <= slice2cost_column_0_23;
-        slice2window_partial_0_0_24 <= slice2cost_column_0_24;
-        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
-        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
-        slice2window_partial_0_1_2 <= slice2cost_column_0_2 + slice2window_partial_0_0_2;
-        slice2window_partial_0_1_3 <= slice2cost_column_0_3 + slice2window_partial_0_0_3;
-        slice2window_partial_0_1_4 <= slice2cost_column_0_4 + slice2window_partial_0_0_4;
-        slice2window_partial_0_1_5 <= slice2cost_column_0_5 + slice2window_partial_0_0_5;
-        slice2window_partial_0_1_6 <= slice2cost_column_0_6 + slice2window_partial_0_0_6;
-        slice2window_partial_0_1_7 <= slice2cost_column_0_7 + slice2window_partial_0_0_7;
-        slice2window_partial_0_1_8 <= slice2cost_column_0_8 + slice2window_partial_0_0_8;
-        slice2window_partial_0_1_9 <= slice2cost_column_0_9 + slice2window_partial_0_0_9;
-        slice2window_partial_0_1_10 <= slice2cost_column_0_10 + slice2window_partial_0_0_10;
-        slice2window_partial_0_1_11 <= slice2cost_column_0_11 + slice2window_partial_0_0_11;
-        slice2window_partial_0_1_12 <= slice2cost_column_0_12 + slice2window_partial_0_0_12;
-        slice2window_partial_0_1_13 <= slice2cost_column_0_13 + slice2window_partial_0_0_13;
-        slice2window_partial_0_1_14 <= slice2cost_column_0_14 + slice2window_partial_0_0_14;
-        slice2window_partial_0_1_15 <= slice2cost_column_0_15 + slice2window_partial_0_0_15;
-        slice2window_partial_0_1_16 <= slice2cost_column_0_16 + slice2window_partial_0_0_16;
-        slice2window_partial_0_1_17 <= slice2cost_column_0_17 + slice2window_partial_0_0_17;
-        slice2window_partial_0_1_18 <= slice2cost_column_0_18 + slice2window_partial_0_0_18;
-        slice2window_partial_0_1_19 <= slice2cost_column_0_19 + slice2window_partial_0_0_19;
-        slice2window_partial_0_1_20 <= slice2cost_column_0_20 + slice2window_partial_0_0_20;
-        slice2window_partial_0_1_21 <= slice2cost_column_0_21 + slice2window_partial_0_0_21;
-        slice2window_partial_0_1_22 <= slice2cost_column_0_22 + slice2window_partial_0_0_22;
-        slice2window_partial_0_1_23 <= slice2cost_column_0_23 + slice2window_partial_0_0_23;
-        slice2window_partial_0_1_24 <= slice2cost_column_0_24 + slice2window_partial_0_0_24;
+        for i in 0 to 24 loop
+          slice2window_partial_0_0(i) <= slice2cost_column_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice2window_partial_0_1(i) <= slice2cost_column_0(i) + slice2window_partial_0_0(i);
+        end loop;
       end if;
-      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
-      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
-      slice2window_sum_0_2 <= slice2cost_column_0_2 + slice2window_partial_0_1_2;
-      slice2window_sum_0_3 <= slice2cost_column_0_3 + slice2window_partial_0_1_3;
-      slice2window_sum_0_4 <= slice2cost_column_0_4 + slice2window_partial_0_1_4;
-      slice2window_sum_0_5 <= slice2cost_column_0_5 + slice2window_partial_0_1_5;
-      slice2window_sum_0_6 <= slice2cost_column_0_6 + slice2window_partial_0_1_6;
-      slice2window_sum_0_7 <= slice2cost_column_0_7 + slice2window_partial_0_1_7;
-      slice2window_sum_0_8 <= slice2cost_column_0_8 + slice2window_partial_0_1_8;
-      slice2window_sum_0_9 <= slice2cost_column_0_9 + slice2window_partial_0_1_9;
-      slice2window_sum_0_10 <= slice2cost_column_0_10 + slice2window_partial_0_1_10;
-      slice2window_sum_0_11 <= slice2cost_column_0_11 + slice2window_partial_0_1_11;
-      slice2window_sum_0_12 <= slice2cost_column_0_12 + slice2window_partial_0_1_12;
-      slice2window_sum_0_13 <= slice2cost_column_0_13 + slice2window_partial_0_1_13;
-      slice2window_sum_0_14 <= slice2cost_column_0_14 + slice2window_partial_0_1_14;
-      slice2window_sum_0_15 <= slice2cost_column_0_15 + slice2window_partial_0_1_15;
-      slice2window_sum_0_16 <= slice2cost_column_0_16 + slice2window_partial_0_1_16;
-      slice2window_sum_0_17 <= slice2cost_column_0_17 + slice2window_partial_0_1_17;
-      slice2window_sum_0_18 <= slice2cost_column_0_18 + slice2window_partial_0_1_18;
-      slice2window_sum_0_19 <= slice2cost_column_0_19 + slice2window_partial_0_1_19;
-      slice2window_sum_0_20 <= slice2cost_column_0_20 + slice2window_partial_0_1_20;
-      slice2window_sum_0_21 <= slice2cost_column_0_21 + slice2window_partial_0_1_21;
-      slice2window_sum_0_22 <= slice2cost_column_0_22 + slice2window_partial_0_1_22;
-      slice2window_sum_0_23 <= slice2cost_column_0_23 + slice2window_partial_0_1_23;
-      slice2window_sum_0_24 <= slice2cost_column_0_24 + slice2window_partial_0_1_24;
+      for i in 0 to 24 loop
+        slice2window_sum_0(i) <= slice2cost_column_0(i) + slice2window_partial_0_1(i);
+      end loop;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_best_cost_0_1_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
-      slice2winner1_best_cost_0_2_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
-      slice2winner1_best_cost_0_3_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
-      slice2winner1_best_cost_0_4_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
-      slice2winner1_best_cost_0_5_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
-      slice2winner1_best_cost_0_6_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
-      slice2winner1_best_cost_0_7_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
-      slice2winner1_best_cost_0_8_is_less := (slice2window_sum_0_17 - slice2window_sum_0_16) < 0;
-      slice2winner1_best_cost_0_9_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
-      slice2winner1_best_cost_0_10_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
-      slice2winner1_best_cost_0_11_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
-      slice2winner1_best_cost_0_12 <= slice2window_sum_0_24;
-      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      if slice2winner1_best_cost_0_0_is_less then
-        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      for i in 0 to 11 loop
+        slice2winner1_best_cost_0_is_less(i) := (slice2window_sum_0(2 * i + 1) - slice2window_sum_0(2 * i)) < 0;
+      end loop;
+      slice2winner1_best_cost_0(12) <= slice2window_sum_0(24);
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_is_less(0);
+      if slice2winner1_best_cost_0_is_less(0) then
+        slice2winner1_best_cost_0(0) <= slice2window_sum_0(1);
       else
-        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_cost_0(0) <= slice2window_sum_0(0);
       end if;
-      if slice2winner1_best_cost_0_1_is_less then
-        slice2winner1_best_cost_0_1 <= slice2window_sum_0_3;
+      if slice2winner1_best_cost_0_is_less(1) then
+        slice2winner1_best_cost_0(1) <= slice2window_sum_0(3);
         slice2winner1_best_index_0_1 <= 3;
       else
-        slice2winner1_best_cost_0_1 <= slice2window_sum_0_2;
+        slice2winner1_best_cost_0(1) <= slice2window_sum_0(2);
         slice2winner1_best_index_0_1 <= 2;
       end if;
-      if slice2winner1_best_cost_0_2_is_less then
-        slice2winner1_best_cost_0_2 <= slice2window_sum_0_5;
+      if slice2winner1_best_cost_0_is_less(2) then
+        slice2winner1_best_cost_0(2) <= slice2window_sum_0(5);
         slice2winner1_best_index_0_2 <= 5;
       else
-        slice2winner1_best_cost_0_2 <= slice2window_sum_0_4;
+        slice2winner1_best_cost_0(2) <= slice2window_sum_0(4);
         slice2winner1_best_index_0_2 <= 4;
       end if;
-      if slice2winner1_best_cost_0_3_is_less then
-        slice2winner1_best_cost_0_3 <= slice2window_sum_0_7;
+      if slice2winner1_best_cost_0_is_less(3) then
+        slice2winner1_best_cost_0(3) <= slice2window_sum_0(7);
         slice2winner1_best_index_0_3 <= 7;
       else
-        slice2winner1_best_cost_0_3 <= slice2window_sum_0_6;
+        slice2winner1_best_cost_0(3) <= slice2window_sum_0(6);
         slice2winner1_best_index_0_3 <= 6;
       end if;
-      if slice2winner1_best_cost_0_4_is_less then
-        slice2winner1_best_cost_0_4 <= slice2window_sum_0_9;
+      if slice2winner1_best_cost_0_is_less(4) then
+        slice2winner1_best_cost_0(4) <= slice2window_sum_0(9);
         slice2winner1_best_index_0_4 <= 9;
       else
-        slice2winner1_best_cost_0_4 <= slice2window_sum_0_8;
+        slice2winner1_best_cost_0(4) <= slice2window_sum_0(8);
         slice2winner1_best_index_0_4 <= 8;
       end if;
-      if slice2winner1_best_cost_0_5_is_less then
-        slice2winner1_best_cost_0_5 <= slice2window_sum_0_11;
+      if slice2winner1_best_cost_0_is_less(5) then
+        slice2winner1_best_cost_0(5) <= slice2window_sum_0(11);
         slice2winner1_best_index_0_5 <= 11;
       else
-        slice2winner1_best_cost_0_5 <= slice2window_sum_0_10;
+        slice2winner1_best_cost_0(5) <= slice2window_sum_0(10);
         slice2winner1_best_index_0_5 <= 10;
       end if;
-      if slice2winner1_best_cost_0_6_is_less then
-        slice2winner1_best_cost_0_6 <= slice2window_sum_0_13;
+      if slice2winner1_best_cost_0_is_less(6) then
+        slice2winner1_best_cost_0(6) <= slice2window_sum_0(13);
         slice2winner1_best_index_0_6 <= 13;
       else
-        slice2winner1_best_cost_0_6 <= slice2window_sum_0_12;
+        slice2winner1_best_cost_0(6) <= slice2window_sum_0(12);
         slice2winner1_best_index_0_6 <= 12;
       end if;
-      if slice2winner1_best_cost_0_7_is_less then
-        slice2winner1_best_cost_0_7 <= slice2window_sum_0_15;
+      if slice2winner1_best_cost_0_is_less(7) then
+        slice2winner1_best_cost_0(7) <= slice2window_sum_0(15);
         slice2winner1_best_index_0_7 <= 15;
       else
-        slice2winner1_best_cost_0_7 <= slice2window_sum_0_14;
+        slice2winner1_best_cost_0(7) <= slice2window_sum_0(14);
         slice2winner1_best_index_0_7 <= 14;
       end if;
-      if slice2winner1_best_cost_0_8_is_less then
-        slice2winner1_best_cost_0_8 <= slice2window_sum_0_17;
+      if slice2winner1_best_cost_0_is_less(8) then
+        slice2winner1_best_cost_0(8) <= slice2window_sum_0(17);
         slice2winner1_best_index_0_8 <= 17;
       else
-        slice2winner1_best_cost_0_8 <= slice2window_sum_0_16;
+        slice2winner1_best_cost_0(8) <= slice2window_sum_0(16);
         slice2winner1_best_index_0_8 <= 16;
       end if;
-      if slice2winner1_best_cost_0_9_is_less then
-        slice2winner1_best_cost_0_9 <= slice2window_sum_0_19;
+      if slice2winner1_best_cost_0_is_less(9) then
+        slice2winner1_best_cost_0(9) <= slice2window_sum_0(19);
         slice2winner1_best_index_0_9 <= 19;
       else
-        slice2winner1_best_cost_0_9 <= slice2window_sum_0_18;
+        slice2winner1_best_cost_0(9) <= slice2window_sum_0(18);
         slice2winner1_best_index_0_9 <= 18;
       end if;
-      if slice2winner1_best_cost_0_10_is_less then
-        slice2winner1_best_cost_0_10 <= slice2window_sum_0_21;
+      if slice2winner1_best_cost_0_is_less(10) then
+        slice2winner1_best_cost_0(10) <= slice2window_sum_0(21);
         slice2winner1_best_index_0_10 <= 21;
       else
-        slice2winner1_best_cost_0_10 <= slice2window_sum_0_20;
+        slice2winner1_best_cost_0(10) <= slice2window_sum_0(20);
         slice2winner1_best_index_0_10 <= 20;
       end if;
-      if slice2winner1_best_cost_0_11_is_less then
-        slice2winner1_best_cost_0_11 <= slice2window_sum_0_23;
+      if slice2winner1_best_cost_0_is_less(11) then
+        slice2winner1_best_cost_0(11) <= slice2window_sum_0(23);
         slice2winner1_best_index_0_11 <= 23;
       else
-        slice2winner1_best_cost_0_11 <= slice2window_sum_0_22;
+        slice2winner1_best_cost_0(11) <= slice2window_sum_0(22);
         slice2winner1_best_index_0_11 <= 22;
       end if;
       -- slice2winner2
-      slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
-      slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
-      slice2winner2_best_cost_0_2_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
-      slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
-      slice2winner2_best_cost_0_4_is_less := (slice2winner1_best_cost_0_9 - slice2winner1_best_cost_0_8) < 0;
-      slice2winner2_best_cost_0_5_is_less := (slice2winner1_best_cost_0_11 - slice2winner1_best_cost_0_10) < 0;
-      slice2winner2_best_cost_0_6 <= slice2winner1_best_cost_0_12;
-      if slice2winner2_best_cost_0_0_is_less then
-        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1;
+      for i in 0 to 5 loop
+        slice2winner2_best_cost_0_is_less(i) := (slice2winner1_best_cost_0(2 * i + 1) - slice2winner1_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      slice2winner2_best_cost_0(6) <= slice2winner1_best_cost_0(12);
+      if slice2winner2_best_cost_0_is_less(0) then
+        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(1);
         slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
       else
-        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(0);
         slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
       end if;
-      if slice2winner2_best_cost_0_1_is_less then
-        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3;
+      if slice2winner2_best_cost_0_is_less(1) then
+        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(3);
         slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
       else
-        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_2;
+        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(2);
         slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
       end if;
-      if slice2winner2_best_cost_0_2_is_less then
-        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5;
+      if slice2winner2_best_cost_0_is_less(2) then
+        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(5);
         slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
       else
-        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_4;
+        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(4);
         slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
       end if;
-      if slice2winner2_best_cost_0_3_is_less then
-        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7;
+      if slice2winner2_best_cost_0_is_less(3) then
+        slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(7);
         slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
       else
-        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_6;
+        slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(6);
         slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
       end if;
-      if slice2winner2_best_cost_0_4_is_less then
-        slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9;
+      if slice2winner2_best_cost_0_is_less(4) then
+        slice2winner2_best_cost_0(4) <= slice2winner1_best_cost_0(9);
         slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9;
       else
-        slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_8;
+        slice2winner2_best_cost_0(4) <= slice2winner1_best_cost_0(8);
         slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_8;
       end if;
-      if slice2winner2_best_cost_0_5_is_less then
-        slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11;
+      if slice2winner2_best_cost_0_is_less(5) then
+        slice2winner2_best_cost_0(5) <= slice2winner1_best_cost_0(11);
         slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11;
       else
-        slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_10;
+        slice2winner2_best_cost_0(5) <= slice2winner1_best_cost_0(10);
         slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_10;
       end if;
       -- slice2winner3
-      slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
-      slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
-      slice2winner3_best_cost_0_2_is_less := (slice2winner2_best_cost_0_5 - slice2winner2_best_cost_0_4) < 0;
-      slice2winner3_best_cost_0_3 <= slice2winner2_best_cost_0_6;
-      if slice2winner3_best_cost_0_0_is_less then
-        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1;
+      for i in 0 to 2 loop
+        slice2winner3_best_cost_0_is_less(i) := (slice2winner2_best_cost_0(2 * i + 1) - slice2winner2_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      slice2winner3_best_cost_0(3) <= slice2winner2_best_cost_0(6);
+      if slice2winner3_best_cost_0_is_less(0) then
+        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(1);
         slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
       else
-        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(0);
         slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       end if;
-      if slice2winner3_best_cost_0_1_is_less then
-        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3;
+      if slice2winner3_best_cost_0_is_less(1) then
+        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(3);
         slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
       else
-        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_2;
+        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(2);
         slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
       end if;
-      if slice2winner3_best_cost_0_2_is_less then
-        slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5;
+      if slice2winner3_best_cost_0_is_less(2) then
+        slice2winner3_best_cost_0(2) <= slice2winner2_best_cost_0(5);
         slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5;
       else
-        slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_4;
+        slice2winner3_best_cost_0(2) <= slice2winner2_best_cost_0(4);
         slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_4;
       end if;
       -- slice2winner4
-      slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
-      slice2winner4_best_cost_0_1_is_less := (slice2winner3_best_cost_0_3 - slice2winner3_best_cost_0_2) < 0;
-      if slice2winner4_best_cost_0_0_is_less then
-        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1;
+      slice2winner4_best_cost_0_is_less(0) := (slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) < 0;
+      slice2winner4_best_cost_0_is_less(1) := (slice2winner3_best_cost_0(3) - slice2winner3_best_cost_0(2)) < 0;
+      if slice2winner4_best_cost_0_is_less(0) then
+        slice2winner4_best_cost_0(0) <= slice2winner3_best_cost_0(1);
         slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
       else
-        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_0;
+        slice2winner4_best_cost_0(0) <= slice2winner3_best_cost_0(0);
         slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
       end if;
-      if slice2winner4_best_cost_0_1_is_less then
-        slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3;
+      if slice2winner4_best_cost_0_is_less(1) then
+        slice2winner4_best_cost_0(1) <= slice2winner3_best_cost_0(3);
         slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
       else
-        slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_2;
+        slice2winner4_best_cost_0(1) <= slice2winner3_best_cost_0(2);
         slice2winner4_best_index_0_1 <= slice2winner3_best_index_0_2;
       end if;
       -- slice2winner5
-      slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0_1 - slice2winner4_best_cost_0_0) < 0;
+      slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0(1) - slice2winner4_best_cost_0(0)) < 0;
       if slice2winner5_best_cost_0_0_is_less then
-        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1;
+        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0(1);
         slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1;
       else
-        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_0;
+        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0(0);
         slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_0;
       end if;
       -- slice2
@@ -5263,1212 +1846,336 @@ begin
       end if;
       -- slice3shift
       if slice0cost_pair_tag_valid then
-        slice3shift_search_0_0 <= slice3shift_search_0_1;
-        slice3shift_search_0_1 <= slice3shift_search_0_2;
-        slice3shift_search_0_2 <= slice3shift_search_0_3;
-        slice3shift_search_0_3 <= slice3shift_search_0_4;
-        slice3shift_search_0_4 <= slice3shift_search_0_5;
-        slice3shift_search_0_5 <= slice3shift_search_0_6;
-        slice3shift_search_0_6 <= slice3shift_search_0_7;
-        slice3shift_search_0_7 <= slice3shift_search_0_8;
-        slice3shift_search_0_8 <= slice3shift_search_0_9;
-        slice3shift_search_0_9 <= slice3shift_search_0_10;
-        slice3shift_search_0_10 <= slice3shift_search_0_11;
-        slice3shift_search_0_11 <= slice3shift_search_0_12;
-        slice3shift_search_0_12 <= slice3shift_search_0_13;
-        slice3shift_search_0_13 <= slice3shift_search_0_14;
-        slice3shift_search_0_14 <= slice3shift_search_0_15;
-        slice3shift_search_0_15 <= slice3shift_search_0_16;
-        slice3shift_search_0_16 <= slice3shift_search_0_17;
-        slice3shift_search_0_17 <= slice3shift_search_0_18;
-        slice3shift_search_0_18 <= slice3shift_search_0_19;
-        slice3shift_search_0_19 <= slice3shift_search_0_20;
-        slice3shift_search_0_20 <= slice3shift_search_0_21;
-        slice3shift_search_0_21 <= slice3shift_search_0_22;
-        slice3shift_search_0_22 <= slice3shift_search_0_23;
-        slice3shift_search_0_23 <= slice3shift_search_0_24;
-        slice3shift_search_0_24 <= slice2shift_search_out_0;
-        slice3shift_search_1_0 <= slice3shift_search_1_1;
-        slice3shift_search_1_1 <= slice3shift_search_1_2;
-        slice3shift_search_1_2 <= slice3shift_search_1_3;
-        slice3shift_search_1_3 <= slice3shift_search_1_4;
-        slice3shift_search_1_4 <= slice3shift_search_1_5;
-        slice3shift_search_1_5 <= slice3shift_search_1_6;
-        slice3shift_search_1_6 <= slice3shift_search_1_7;
-        slice3shift_search_1_7 <= slice3shift_search_1_8;
-        slice3shift_search_1_8 <= slice3shift_search_1_9;
-        slice3shift_search_1_9 <= slice3shift_search_1_10;
-        slice3shift_search_1_10 <= slice3shift_search_1_11;
-        slice3shift_search_1_11 <= slice3shift_search_1_12;
-        slice3shift_search_1_12 <= slice3shift_search_1_13;
-        slice3shift_search_1_13 <= slice3shift_search_1_14;
-        slice3shift_search_1_14 <= slice3shift_search_1_15;
-        slice3shift_search_1_15 <= slice3shift_search_1_16;
-        slice3shift_search_1_16 <= slice3shift_search_1_17;
-        slice3shift_search_1_17 <= slice3shift_search_1_18;
-        slice3shift_search_1_18 <= slice3shift_search_1_19;
-        slice3shift_search_1_19 <= slice3shift_search_1_20;
-        slice3shift_search_1_20 <= slice3shift_search_1_21;
-        slice3shift_search_1_21 <= slice3shift_search_1_22;
-        slice3shift_search_1_22 <= slice3shift_search_1_23;
-        slice3shift_search_1_23 <= slice3shift_search_1_24;
-        slice3shift_search_1_24 <= slice2shift_search_out_1;
-        slice3shift_search_2_0 <= slice3shift_search_2_1;
-        slice3shift_search_2_1 <= slice3shift_search_2_2;
-        slice3shift_search_2_2 <= slice3shift_search_2_3;
-        slice3shift_search_2_3 <= slice3shift_search_2_4;
-        slice3shift_search_2_4 <= slice3shift_search_2_5;
-        slice3shift_search_2_5 <= slice3shift_search_2_6;
-        slice3shift_search_2_6 <= slice3shift_search_2_7;
-        slice3shift_search_2_7 <= slice3shift_search_2_8;
-        slice3shift_search_2_8 <= slice3shift_search_2_9;
-        slice3shift_search_2_9 <= slice3shift_search_2_10;
-        slice3shift_search_2_10 <= slice3shift_search_2_11;
-        slice3shift_search_2_11 <= slice3shift_search_2_12;
-        slice3shift_search_2_12 <= slice3shift_search_2_13;
-        slice3shift_search_2_13 <= slice3shift_search_2_14;
-        slice3shift_search_2_14 <= slice3shift_search_2_15;
-        slice3shift_search_2_15 <= slice3shift_search_2_16;
-        slice3shift_search_2_16 <= slice3shift_search_2_17;
-        slice3shift_search_2_17 <= slice3shift_search_2_18;
-        slice3shift_search_2_18 <= slice3shift_search_2_19;
-        slice3shift_search_2_19 <= slice3shift_search_2_20;
-        slice3shift_search_2_20 <= slice3shift_search_2_21;
-        slice3shift_search_2_21 <= slice3shift_search_2_22;
-        slice3shift_search_2_22 <= slice3shift_search_2_23;
-        slice3shift_search_2_23 <= slice3shift_search_2_24;
-        slice3shift_search_2_24 <= slice2shift_search_out_2;
+        for i in 0 to 2 loop
+          for j in 0 to 23 loop
+            slice3shift_search(i, j) <= slice3shift_search(i, j + 1);
+          end loop;
+          slice3shift_search(i, 24) <= slice2shift_search_out(i);
+        end loop;
       end if;
-      slice3shift_reference_0 <= slice2shift_reference_0;
-      slice3shift_reference_1 <= slice2shift_reference_1;
-      slice3shift_reference_2 <= slice2shift_reference_2;
+      slice3shift_reference(0) <= slice2shift_reference(0);
+      slice3shift_reference(1) <= slice2shift_reference(1);
+      slice3shift_reference(2) <= slice2shift_reference(2);
       -- slice3cost
       if slice0cost_tag_valid then
         slice3cost_signs_difference_column <= slice1cost_signs_write_column;
       end if;
-      if (slice3cost_signs_ready_words_0 mod 2) = 1 then
-        slice3cost_difference_0_0_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_0_choice := slice3shift_search_0_0;
-      end if;
-      if (slice3cost_signs_ready_words_0 mod 2) = 1 then
-        slice3cost_difference_0_0_choice_2 := slice3shift_search_0_0;
-      else
-        slice3cost_difference_0_0_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_1_value := ((slice3cost_signs_ready_words_0 / 2) mod 2) = 1;
-      if slice3cost_difference_0_1_value then
-        slice3cost_difference_0_1_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_1_choice := slice3shift_search_0_1;
-      end if;
-      if slice3cost_difference_0_1_value then
-        slice3cost_difference_0_1_choice_2 := slice3shift_search_0_1;
-      else
-        slice3cost_difference_0_1_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_2_value := ((slice3cost_signs_ready_words_0 / 4) mod 2) = 1;
-      if slice3cost_difference_0_2_value then
-        slice3cost_difference_0_2_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_2_choice := slice3shift_search_0_2;
-      end if;
-      if slice3cost_difference_0_2_value then
-        slice3cost_difference_0_2_choice_2 := slice3shift_search_0_2;
-      else
-        slice3cost_difference_0_2_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_3_value := ((slice3cost_signs_ready_words_0 / 8) mod 2) = 1;
-      if slice3cost_difference_0_3_value then
-        slice3cost_difference_0_3_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_3_choice := slice3shift_search_0_3;
-      end if;
-      if slice3cost_difference_0_3_value then
-        slice3cost_difference_0_3_choice_2 := slice3shift_search_0_3;
-      else
-        slice3cost_difference_0_3_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_4_value := ((slice3cost_signs_ready_words_0 / 16) mod 2) = 1;
-      if slice3cost_difference_0_4_value then
-        slice3cost_difference_0_4_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_4_choice := slice3shift_search_0_4;
-      end if;
-      if slice3cost_difference_0_4_value then
-        slice3cost_difference_0_4_choice_2 := slice3shift_search_0_4;
-      else
-        slice3cost_difference_0_4_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_5_value := ((slice3cost_signs_ready_words_0 / 32) mod 2) = 1;
-      if slice3cost_difference_0_5_value then
-        slice3cost_difference_0_5_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_5_choice := slice3shift_search_0_5;
-      end if;
-      if slice3cost_difference_0_5_value then
-        slice3cost_difference_0_5_choice_2 := slice3shift_search_0_5;
-      else
-        slice3cost_difference_0_5_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_6_value := ((slice3cost_signs_ready_words_0 / 64) mod 2) = 1;
-      if slice3cost_difference_0_6_value then
-        slice3cost_difference_0_6_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_6_choice := slice3shift_search_0_6;
-      end if;
-      if slice3cost_difference_0_6_value then
-        slice3cost_difference_0_6_choice_2 := slice3shift_search_0_6;
-      else
-        slice3cost_difference_0_6_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_7_value := ((slice3cost_signs_ready_words_0 / 128) mod 2) = 1;
-      if slice3cost_difference_0_7_value then
-        slice3cost_difference_0_7_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_7_choice := slice3shift_search_0_7;
-      end if;
-      if slice3cost_difference_0_7_value then
-        slice3cost_difference_0_7_choice_2 := slice3shift_search_0_7;
-      else
-        slice3cost_difference_0_7_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_8_value := ((slice3cost_signs_ready_words_0 / 256) mod 2) = 1;
-      if slice3cost_difference_0_8_value then
-        slice3cost_difference_0_8_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_8_choice := slice3shift_search_0_8;
-      end if;
-      if slice3cost_difference_0_8_value then
-        slice3cost_difference_0_8_choice_2 := slice3shift_search_0_8;
-      else
-        slice3cost_difference_0_8_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_9_value := ((slice3cost_signs_ready_words_0 / 512) mod 2) = 1;
-      if slice3cost_difference_0_9_value then
-        slice3cost_difference_0_9_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_9_choice := slice3shift_search_0_9;
-      end if;
-      if slice3cost_difference_0_9_value then
-        slice3cost_difference_0_9_choice_2 := slice3shift_search_0_9;
-      else
-        slice3cost_difference_0_9_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_10_value := ((slice3cost_signs_ready_words_0 / 1024) mod 2) = 1;
-      if slice3cost_difference_0_10_value then
-        slice3cost_difference_0_10_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_10_choice := slice3shift_search_0_10;
-      end if;
-      if slice3cost_difference_0_10_value then
-        slice3cost_difference_0_10_choice_2 := slice3shift_search_0_10;
-      else
-        slice3cost_difference_0_10_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_11_value := ((slice3cost_signs_ready_words_0 / 2048) mod 2) = 1;
-      if slice3cost_difference_0_11_value then
-        slice3cost_difference_0_11_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_11_choice := slice3shift_search_0_11;
-      end if;
-      if slice3cost_difference_0_11_value then
-        slice3cost_difference_0_11_choice_2 := slice3shift_search_0_11;
-      else
-        slice3cost_difference_0_11_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_12_value := ((slice3cost_signs_ready_words_0 / 4096) mod 2) = 1;
-      if slice3cost_difference_0_12_value then
-        slice3cost_difference_0_12_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_12_choice := slice3shift_search_0_12;
-      end if;
-      if slice3cost_difference_0_12_value then
-        slice3cost_difference_0_12_choice_2 := slice3shift_search_0_12;
-      else
-        slice3cost_difference_0_12_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_13_value := ((slice3cost_signs_ready_words_0 / 8192) mod 2) = 1;
-      if slice3cost_difference_0_13_value then
-        slice3cost_difference_0_13_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_13_choice := slice3shift_search_0_13;
-      end if;
-      if slice3cost_difference_0_13_value then
-        slice3cost_difference_0_13_choice_2 := slice3shift_search_0_13;
-      else
-        slice3cost_difference_0_13_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_14_value := ((slice3cost_signs_ready_words_0 / 16384) mod 2) = 1;
-      if slice3cost_difference_0_14_value then
-        slice3cost_difference_0_14_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_14_choice := slice3shift_search_0_14;
-      end if;
-      if slice3cost_difference_0_14_value then
-        slice3cost_difference_0_14_choice_2 := slice3shift_search_0_14;
-      else
-        slice3cost_difference_0_14_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_15_value := ((slice3cost_signs_ready_words_0 / 32768) mod 2) = 1;
-      if slice3cost_difference_0_15_value then
-        slice3cost_difference_0_15_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_15_choice := slice3shift_search_0_15;
-      end if;
-      if slice3cost_difference_0_15_value then
-        slice3cost_difference_0_15_choice_2 := slice3shift_search_0_15;
-      else
-        slice3cost_difference_0_15_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_16_value := ((slice3cost_signs_ready_words_0 / 65536) mod 2) = 1;
-      if slice3cost_difference_0_16_value then
-        slice3cost_difference_0_16_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_16_choice := slice3shift_search_0_16;
-      end if;
-      if slice3cost_difference_0_16_value then
-        slice3cost_difference_0_16_choice_2 := slice3shift_search_0_16;
-      else
-        slice3cost_difference_0_16_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_17_value := ((slice3cost_signs_ready_words_0 / 131072) mod 2) = 1;
-      if slice3cost_difference_0_17_value then
-        slice3cost_difference_0_17_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_17_choice := slice3shift_search_0_17;
-      end if;
-      if slice3cost_difference_0_17_value then
-        slice3cost_difference_0_17_choice_2 := slice3shift_search_0_17;
-      else
-        slice3cost_difference_0_17_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_18_value := ((slice3cost_signs_ready_words_0 / 262144) mod 2) = 1;
-      if slice3cost_difference_0_18_value then
-        slice3cost_difference_0_18_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_18_choice := slice3shift_search_0_18;
-      end if;
-      if slice3cost_difference_0_18_value then
-        slice3cost_difference_0_18_choice_2 := slice3shift_search_0_18;
-      else
-        slice3cost_difference_0_18_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_19_value := ((slice3cost_signs_ready_words_0 / 524288) mod 2) = 1;
-      if slice3cost_difference_0_19_value then
-        slice3cost_difference_0_19_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_19_choice := slice3shift_search_0_19;
-      end if;
-      if slice3cost_difference_0_19_value then
-        slice3cost_difference_0_19_choice_2 := slice3shift_search_0_19;
-      else
-        slice3cost_difference_0_19_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_20_value := ((slice3cost_signs_ready_words_0 / 1048576) mod 2) = 1;
-      if slice3cost_difference_0_20_value then
-        slice3cost_difference_0_20_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_20_choice := slice3shift_search_0_20;
-      end if;
-      if slice3cost_difference_0_20_value then
-        slice3cost_difference_0_20_choice_2 := slice3shift_search_0_20;
-      else
-        slice3cost_difference_0_20_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_21_value := ((slice3cost_signs_ready_words_0 / 2097152) mod 2) = 1;
-      if slice3cost_difference_0_21_value then
-        slice3cost_difference_0_21_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_21_choice := slice3shift_search_0_21;
-      end if;
-      if slice3cost_difference_0_21_value then
-        slice3cost_difference_0_21_choice_2 := slice3shift_search_0_21;
-      else
-        slice3cost_difference_0_21_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_22_value := ((slice3cost_signs_ready_words_0 / 4194304) mod 2) = 1;
-      if slice3cost_difference_0_22_value then
-        slice3cost_difference_0_22_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_22_choice := slice3shift_search_0_22;
-      end if;
-      if slice3cost_difference_0_22_value then
-        slice3cost_difference_0_22_choice_2 := slice3shift_search_0_22;
-      else
-        slice3cost_difference_0_22_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_23_value := ((slice3cost_signs_ready_words_0 / 8388608) mod 2) = 1;
-      if slice3cost_difference_0_23_value then
-        slice3cost_difference_0_23_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_23_choice := slice3shift_search_0_23;
-      end if;
-      if slice3cost_difference_0_23_value then
-        slice3cost_difference_0_23_choice_2 := slice3shift_search_0_23;
-      else
-        slice3cost_difference_0_23_choice_2 := slice3shift_reference_0;
-      end if;
-      if (slice3cost_signs_ready_words_0 / 16777216) = 1 then
-        slice3cost_difference_0_24_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_24_choice := slice3shift_search_0_24;
-      end if;
-      if (slice3cost_signs_ready_words_0 / 16777216) = 1 then
-        slice3cost_difference_0_24_choice_2 := slice3shift_search_0_24;
-      else
-        slice3cost_difference_0_24_choice_2 := slice3shift_reference_0;
-      end if;
-      if (slice3cost_signs_ready_words_1 mod 2) = 1 then
-        slice3cost_difference_1_0_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_0_choice := slice3shift_search_1_0;
-      end if;
-      if (slice3cost_signs_ready_words_1 mod 2) = 1 then
-        slice3cost_difference_1_0_choice_2 := slice3shift_search_1_0;
-      else
-        slice3cost_difference_1_0_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_1_value := ((slice3cost_signs_ready_words_1 / 2) mod 2) = 1;
-      if slice3cost_difference_1_1_value then
-        slice3cost_difference_1_1_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_1_choice := slice3shift_search_1_1;
-      end if;
-      if slice3cost_difference_1_1_value then
-        slice3cost_difference_1_1_choice_2 := slice3shift_search_1_1;
-      else
-        slice3cost_difference_1_1_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_2_value := ((slice3cost_signs_ready_words_1 / 4) mod 2) = 1;
-      if slice3cost_difference_1_2_value then
-        slice3cost_difference_1_2_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_2_choice := slice3shift_search_1_2;
-      end if;
-      if slice3cost_difference_1_2_value then
-        slice3cost_difference_1_2_choice_2 := slice3shift_search_1_2;
-      else
-        slice3cost_difference_1_2_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_3_value := ((slice3cost_signs_ready_words_1 / 8) mod 2) = 1;
-      if slice3cost_difference_1_3_value then
-        slice3cost_difference_1_3_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_3_choice := slice3shift_search_1_3;
-      end if;
-      if slice3cost_difference_1_3_value then
-        slice3cost_difference_1_3_choice_2 := slice3shift_search_1_3;
-      else
-        slice3cost_difference_1_3_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_4_value := ((slice3cost_signs_ready_words_1 / 16) mod 2) = 1;
-      if slice3cost_difference_1_4_value then
-        slice3cost_difference_1_4_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_4_choice := slice3shift_search_1_4;
-      end if;
-      if slice3cost_difference_1_4_value then
-        slice3cost_difference_1_4_choice_2 := slice3shift_search_1_4;
-      else
-        slice3cost_difference_1_4_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_5_value := ((slice3cost_signs_ready_words_1 / 32) mod 2) = 1;
-      if slice3cost_difference_1_5_value then
-        slice3cost_difference_1_5_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_5_choice := slice3shift_search_1_5;
-      end if;
-      if slice3cost_difference_1_5_value then
-        slice3cost_difference_1_5_choice_2 := slice3shift_search_1_5;
-      else
-        slice3cost_difference_1_5_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_6_value := ((slice3cost_signs_ready_words_1 / 64) mod 2) = 1;
-      if slice3cost_difference_1_6_value then
-        slice3cost_difference_1_6_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_6_choice := slice3shift_search_1_6;
-      end if;
-      if slice3cost_difference_1_6_value then
-        slice3cost_difference_1_6_choice_2 := slice3shift_search_1_6;
-      else
-        slice3cost_difference_1_6_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_7_value := ((slice3cost_signs_ready_words_1 / 128) mod 2) = 1;
-      if slice3cost_difference_1_7_value then
-        slice3cost_difference_1_7_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_7_choice := slice3shift_search_1_7;
-      end if;
-      if slice3cost_difference_1_7_value then
-        slice3cost_difference_1_7_choice_2 := slice3shift_search_1_7;
-      else
-        slice3cost_difference_1_7_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_8_value := ((slice3cost_signs_ready_words_1 / 256) mod 2) = 1;
-      if slice3cost_difference_1_8_value then
-        slice3cost_difference_1_8_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_8_choice := slice3shift_search_1_8;
-      end if;
-      if slice3cost_difference_1_8_value then
-        slice3cost_difference_1_8_choice_2 := slice3shift_search_1_8;
-      else
-        slice3cost_difference_1_8_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_9_value := ((slice3cost_signs_ready_words_1 / 512) mod 2) = 1;
-      if slice3cost_difference_1_9_value then
-        slice3cost_difference_1_9_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_9_choice := slice3shift_search_1_9;
-      end if;
-      if slice3cost_difference_1_9_value then
-        slice3cost_difference_1_9_choice_2 := slice3shift_search_1_9;
-      else
-        slice3cost_difference_1_9_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_10_value := ((slice3cost_signs_ready_words_1 / 1024) mod 2) = 1;
-      if slice3cost_difference_1_10_value then
-        slice3cost_difference_1_10_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_10_choice := slice3shift_search_1_10;
-      end if;
-      if slice3cost_difference_1_10_value then
-        slice3cost_difference_1_10_choice_2 := slice3shift_search_1_10;
-      else
-        slice3cost_difference_1_10_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_11_value := ((slice3cost_signs_ready_words_1 / 2048) mod 2) = 1;
-      if slice3cost_difference_1_11_value then
-        slice3cost_difference_1_11_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_11_choice := slice3shift_search_1_11;
-      end if;
-      if slice3cost_difference_1_11_value then
-        slice3cost_difference_1_11_choice_2 := slice3shift_search_1_11;
-      else
-        slice3cost_difference_1_11_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_12_value := ((slice3cost_signs_ready_words_1 / 4096) mod 2) = 1;
-      if slice3cost_difference_1_12_value then
-        slice3cost_difference_1_12_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_12_choice := slice3shift_search_1_12;
-      end if;
-      if slice3cost_difference_1_12_value then
-        slice3cost_difference_1_12_choice_2 := slice3shift_search_1_12;
-      else
-        slice3cost_difference_1_12_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_13_value := ((slice3cost_signs_ready_words_1 / 8192) mod 2) = 1;
-      if slice3cost_difference_1_13_value then
-        slice3cost_difference_1_13_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_13_choice := slice3shift_search_1_13;
-      end if;
-      if slice3cost_difference_1_13_value then
-        slice3cost_difference_1_13_choice_2 := slice3shift_search_1_13;
-      else
-        slice3cost_difference_1_13_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_14_value := ((slice3cost_signs_ready_words_1 / 16384) mod 2) = 1;
-      if slice3cost_difference_1_14_value then
-        slice3cost_difference_1_14_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_14_choice := slice3shift_search_1_14;
-      end if;
-      if slice3cost_difference_1_14_value then
-        slice3cost_difference_1_14_choice_2 := slice3shift_search_1_14;
-      else
-        slice3cost_difference_1_14_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_15_value := ((slice3cost_signs_ready_words_1 / 32768) mod 2) = 1;
-      if slice3cost_difference_1_15_value then
-        slice3cost_difference_1_15_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_15_choice := slice3shift_search_1_15;
-      end if;
-      if slice3cost_difference_1_15_value then
-        slice3cost_difference_1_15_choice_2 := slice3shift_search_1_15;
-      else
-        slice3cost_difference_1_15_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_16_value := ((slice3cost_signs_ready_words_1 / 65536) mod 2) = 1;
-      if slice3cost_difference_1_16_value then
-        slice3cost_difference_1_16_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_16_choice := slice3shift_search_1_16;
-      end if;
-      if slice3cost_difference_1_16_value then
-        slice3cost_difference_1_16_choice_2 := slice3shift_search_1_16;
-      else
-        slice3cost_difference_1_16_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_17_value := ((slice3cost_signs_ready_words_1 / 131072) mod 2) = 1;
-      if slice3cost_difference_1_17_value then
-        slice3cost_difference_1_17_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_17_choice := slice3shift_search_1_17;
-      end if;
-      if slice3cost_difference_1_17_value then
-        slice3cost_difference_1_17_choice_2 := slice3shift_search_1_17;
-      else
-        slice3cost_difference_1_17_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_18_value := ((slice3cost_signs_ready_words_1 / 262144) mod 2) = 1;
-      if slice3cost_difference_1_18_value then
-        slice3cost_difference_1_18_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_18_choice := slice3shift_search_1_18;
-      end if;
-      if slice3cost_difference_1_18_value then
-        slice3cost_difference_1_18_choice_2 := slice3shift_search_1_18;
-      else
-        slice3cost_difference_1_18_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_19_value := ((slice3cost_signs_ready_words_1 / 524288) mod 2) = 1;
-      if slice3cost_difference_1_19_value then
-        slice3cost_difference_1_19_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_19_choice := slice3shift_search_1_19;
-      end if;
-      if slice3cost_difference_1_19_value then
-        slice3cost_difference_1_19_choice_2 := slice3shift_search_1_19;
-      else
-        slice3cost_difference_1_19_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_20_value := ((slice3cost_signs_ready_words_1 / 1048576) mod 2) = 1;
-      if slice3cost_difference_1_20_value then
-        slice3cost_difference_1_20_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_20_choice := slice3shift_search_1_20;
-      end if;
-      if slice3cost_difference_1_20_value then
-        slice3cost_difference_1_20_choice_2 := slice3shift_search_1_20;
-      else
-        slice3cost_difference_1_20_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_21_value := ((slice3cost_signs_ready_words_1 / 2097152) mod 2) = 1;
-      if slice3cost_difference_1_21_value then
-        slice3cost_difference_1_21_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_21_choice := slice3shift_search_1_21;
-      end if;
-      if slice3cost_difference_1_21_value then
-        slice3cost_difference_1_21_choice_2 := slice3shift_search_1_21;
-      else
-        slice3cost_difference_1_21_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_22_value := ((slice3cost_signs_ready_words_1 / 4194304) mod 2) = 1;
-      if slice3cost_difference_1_22_value then
-        slice3cost_difference_1_22_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_22_choice := slice3shift_search_1_22;
-      end if;
-      if slice3cost_difference_1_22_value then
-        slice3cost_difference_1_22_choice_2 := slice3shift_search_1_22;
-      else
-        slice3cost_difference_1_22_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_23_value := ((slice3cost_signs_ready_words_1 / 8388608) mod 2) = 1;
-      if slice3cost_difference_1_23_value then
-        slice3cost_difference_1_23_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_23_choice := slice3shift_search_1_23;
-      end if;
-      if slice3cost_difference_1_23_value then
-        slice3cost_difference_1_23_choice_2 := slice3shift_search_1_23;
-      else
-        slice3cost_difference_1_23_choice_2 := slice3shift_reference_1;
-      end if;
-      if (slice3cost_signs_ready_words_1 / 16777216) = 1 then
-        slice3cost_difference_1_24_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_24_choice := slice3shift_search_1_24;
-      end if;
-      if (slice3cost_signs_ready_words_1 / 16777216) = 1 then
-        slice3cost_difference_1_24_choice_2 := slice3shift_search_1_24;
-      else
-        slice3cost_difference_1_24_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_2_0_difference := slice3shift_search_2_0 - slice3shift_reference_2;
-      slice3cost_difference_2_1_difference := slice3shift_search_2_1 - slice3shift_reference_2;
-      slice3cost_difference_2_2_difference := slice3shift_search_2_2 - slice3shift_reference_2;
-      slice3cost_difference_2_3_difference := slice3shift_search_2_3 - slice3shift_reference_2;
-      slice3cost_difference_2_4_difference := slice3shift_search_2_4 - slice3shift_reference_2;
-      slice3cost_difference_2_5_difference := slice3shift_search_2_5 - slice3shift_reference_2;
-      slice3cost_difference_2_6_difference := slice3shift_search_2_6 - slice3shift_reference_2;
-      slice3cost_difference_2_7_difference := slice3shift_search_2_7 - slice3shift_reference_2;
-      slice3cost_difference_2_8_difference := slice3shift_search_2_8 - slice3shift_reference_2;
-      slice3cost_difference_2_9_difference := slice3shift_search_2_9 - slice3shift_reference_2;
-      slice3cost_difference_2_10_difference := slice3shift_search_2_10 - slice3shift_reference_2;
-      slice3cost_difference_2_11_difference := slice3shift_search_2_11 - slice3shift_reference_2;
-      slice3cost_difference_2_12_difference := slice3shift_search_2_12 - slice3shift_reference_2;
-      slice3cost_difference_2_13_difference := slice3shift_search_2_13 - slice3shift_reference_2;
-      slice3cost_difference_2_14_difference := slice3shift_search_2_14 - slice3shift_reference_2;
-      slice3cost_difference_2_15_difference := slice3shift_search_2_15 - slice3shift_reference_2;
-      slice3cost_difference_2_16_difference := slice3shift_search_2_16 - slice3shift_reference_2;
-      slice3cost_difference_2_17_difference := slice3shift_search_2_17 - slice3shift_reference_2;
-      slice3cost_difference_2_18_difference := slice3shift_search_2_18 - slice3shift_reference_2;
-      slice3cost_difference_2_19_difference := slice3shift_search_2_19 - slice3shift_reference_2;
-      slice3cost_difference_2_20_difference := slice3shift_search_2_20 - slice3shift_reference_2;
-      slice3cost_difference_2_21_difference := slice3shift_search_2_21 - slice3shift_reference_2;
-      slice3cost_difference_2_22_difference := slice3shift_search_2_22 - slice3shift_reference_2;
-      slice3cost_difference_2_23_difference := slice3shift_search_2_23 - slice3shift_reference_2;
-      slice3cost_difference_2_24_difference := slice3shift_search_2_24 - slice3shift_reference_2;
-      slice3cost_signs_ready_words_0 <= to_integer(slice3cost_signs_read_words_0);
-      slice3cost_signs_ready_words_1 <= to_integer(slice3cost_signs_read_words_1);
-      slice3cost_signs_known_words_1 <= slice3cost_signs_ready_words_1;
-      slice3cost_difference_0_0 <= (slice3cost_difference_0_0_choice - slice3cost_difference_0_0_choice_2) mod 256;
-      slice3cost_difference_0_1 <= (slice3cost_difference_0_1_choice - slice3cost_difference_0_1_choice_2) mod 256;
-      slice3cost_difference_0_2 <= (slice3cost_difference_0_2_choice - slice3cost_difference_0_2_choice_2) mod 256;
-      slice3cost_difference_0_3 <= (slice3cost_difference_0_3_choice - slice3cost_difference_0_3_choice_2) mod 256;
-      slice3cost_difference_0_4 <= (slice3cost_difference_0_4_choice - slice3cost_difference_0_4_choice_2) mod 256;
-      slice3cost_difference_0_5 <= (slice3cost_difference_0_5_choice - slice3cost_difference_0_5_choice_2) mod 256;
-      slice3cost_difference_0_6 <= (slice3cost_difference_0_6_choice - slice3cost_difference_0_6_choice_2) mod 256;
-      slice3cost_difference_0_7 <= (slice3cost_difference_0_7_choice - slice3cost_difference_0_7_choice_2) mod 256;
-      slice3cost_difference_0_8 <= (slice3cost_difference_0_8_choice - slice3cost_difference_0_8_choice_2) mod 256;
-      slice3cost_difference_0_9 <= (slice3cost_difference_0_9_choice - slice3cost_difference_0_9_choice_2) mod 256;
-      slice3cost_difference_0_10 <= (slice3cost_difference_0_10_choice - slice3cost_difference_0_10_choice_2) mod 256;
-      slice3cost_difference_0_11 <= (slice3cost_difference_0_11_choice - slice3cost_difference_0_11_choice_2) mod 256;
-      slice3cost_difference_0_12 <= (slice3cost_difference_0_12_choice - slice3cost_difference_0_12_choice_2) mod 256;
-      slice3cost_difference_0_13 <= (slice3cost_difference_0_13_choice - slice3cost_difference_0_13_choice_2) mod 256;
-      slice3cost_difference_0_14 <= (slice3cost_difference_0_14_choice - slice3cost_difference_0_14_choice_2) mod 256;
-      slice3cost_difference_0_15 <= (slice3cost_difference_0_15_choice - slice3cost_difference_0_15_choice_2) mod 256;
-      slice3cost_difference_0_16 <= (slice3cost_difference_0_16_choice - slice3cost_difference_0_16_choice_2) mod 256;
-      slice3cost_difference_0_17 <= (slice3cost_difference_0_17_choice - slice3cost_difference_0_17_choice_2) mod 256;
-      slice3cost_difference_0_18 <= (slice3cost_difference_0_18_choice - slice3cost_difference_0_18_choice_2) mod 256;
-      slice3cost_difference_0_19 <= (slice3cost_difference_0_19_choice - slice3cost_difference_0_19_choice_2) mod 256;
-      slice3cost_difference_0_20 <= (slice3cost_difference_0_20_choice - slice3cost_difference_0_20_choice_2) mod 256;
-      slice3cost_difference_0_21 <= (slice3cost_difference_0_21_choice - slice3cost_difference_0_21_choice_2) mod 256;
-      slice3cost_difference_0_22 <= (slice3cost_difference_0_22_choice - slice3cost_difference_0_22_choice_2) mod 256;
-      slice3cost_difference_0_23 <= (slice3cost_difference_0_23_choice - slice3cost_difference_0_23_choice_2) mod 256;
-      slice3cost_difference_0_24 <= (slice3cost_difference_0_24_choice - slice3cost_difference_0_24_choice_2) mod 256;
-      slice3cost_difference_1_0 <= (slice3cost_difference_1_0_choice - slice3cost_difference_1_0_choice_2) mod 256;
-      slice3cost_difference_1_1 <= (slice3cost_difference_1_1_choice - slice3cost_difference_1_1_choice_2) mod 256;
-      slice3cost_difference_1_2 <= (slice3cost_difference_1_2_choice - slice3cost_difference_1_2_choice_2) mod 256;
-      slice3cost_difference_1_3 <= (slice3cost_difference_1_3_choice - slice3cost_difference_1_3_choice_2) mod 256;
-      slice3cost_difference_1_4 <= (slice3cost_difference_1_4_choice - slice3cost_difference_1_4_choice_2) mod 256;
-      slice3cost_difference_1_5 <= (slice3cost_difference_1_5_choice - slice3cost_difference_1_5_choice_2) mod 256;
-      slice3cost_difference_1_6 <= (slice3cost_difference_1_6_choice - slice3cost_difference_1_6_choice_2) mod 256;
-      slice3cost_difference_1_7 <= (slice3cost_difference_1_7_choice - slice3cost_difference_1_7_choice_2) mod 256;
-      slice3cost_difference_1_8 <= (slice3cost_difference_1_8_choice - slice3cost_difference_1_8_choice_2) mod 256;
-      slice3cost_difference_1_9 <= (slice3cost_difference_1_9_choice - slice3cost_difference_1_9_choice_2) mod 256;
-      slice3cost_difference_1_10 <= (slice3cost_difference_1_10_choice - slice3cost_difference_1_10_choice_2) mod 256;
-      slice3cost_difference_1_11 <= (slice3cost_difference_1_11_choice - slice3cost_difference_1_11_choice_2) mod 256;
-      slice3cost_difference_1_12 <= (slice3cost_difference_1_12_choice - slice3cost_difference_1_12_choice_2) mod 256;
-      slice3cost_difference_1_13 <= (slice3cost_difference_1_13_choice - slice3cost_difference_1_13_choice_2) mod 256;
-      slice3cost_difference_1_14 <= (slice3cost_difference_1_14_choice - slice3cost_difference_1_14_choice_2) mod 256;
-      slice3cost_difference_1_15 <= (slice3cost_difference_1_15_choice - slice3cost_difference_1_15_choice_2) mod 256;
-      slice3cost_difference_1_16 <= (slice3cost_difference_1_16_choice - slice3cost_difference_1_16_choice_2) mod 256;
-      slice3cost_difference_1_17 <= (slice3cost_difference_1_17_choice - slice3cost_difference_1_17_choice_2) mod 256;
-      slice3cost_difference_1_18 <= (slice3cost_difference_1_18_choice - slice3cost_difference_1_18_choice_2) mod 256;
-      slice3cost_difference_1_19 <= (slice3cost_difference_1_19_choice - slice3cost_difference_1_19_choice_2) mod 256;
-      slice3cost_difference_1_20 <= (slice3cost_difference_1_20_choice - slice3cost_difference_1_20_choice_2) mod 256;
-      slice3cost_difference_1_21 <= (slice3cost_difference_1_21_choice - slice3cost_difference_1_21_choice_2) mod 256;
-      slice3cost_difference_1_22 <= (slice3cost_difference_1_22_choice - slice3cost_difference_1_22_choice_2) mod 256;
-      slice3cost_difference_1_23 <= (slice3cost_difference_1_23_choice - slice3cost_difference_1_23_choice_2) mod 256;
-      slice3cost_difference_1_24 <= (slice3cost_difference_1_24_choice - slice3cost_difference_1_24_choice_2) mod 256;
-      slice3cost_newest_negative_0_0 <= slice3cost_difference_2_0_difference < 0;
-      slice3cost_newest_negative_0_1 <= slice3cost_difference_2_1_difference < 0;
-      slice3cost_newest_negative_0_2 <= slice3cost_difference_2_2_difference < 0;
-      slice3cost_newest_negative_0_3 <= slice3cost_difference_2_3_difference < 0;
-      slice3cost_newest_negative_0_4 <= slice3cost_difference_2_4_difference < 0;
-      slice3cost_newest_negative_0_5 <= slice3cost_difference_2_5_difference < 0;
-      slice3cost_newest_negative_0_6 <= slice3cost_difference_2_6_difference < 0;
-      slice3cost_newest_negative_0_7 <= slice3cost_difference_2_7_difference < 0;
-      slice3cost_newest_negative_0_8 <= slice3cost_difference_2_8_difference < 0;
-      slice3cost_newest_negative_0_9 <= slice3cost_difference_2_9_difference < 0;
-      slice3cost_newest_negative_0_10 <= slice3cost_difference_2_10_difference < 0;
-      slice3cost_newest_negative_0_11 <= slice3cost_difference_2_11_difference < 0;
-      slice3cost_newest_negative_0_12 <= slice3cost_difference_2_12_difference < 0;
-      slice3cost_newest_negative_0_13 <= slice3cost_difference_2_13_difference < 0;
-      slice3cost_newest_negative_0_14 <= slice3cost_difference_2_14_difference < 0;
-      slice3cost_newest_negative_0_15 <= slice3cost_difference_2_15_difference < 0;
-      slice3cost_newest_negative_0_16 <= slice3cost_difference_2_16_difference < 0;
-      slice3cost_newest_negative_0_17 <= slice3cost_difference_2_17_difference < 0;
-      slice3cost_newest_negative_0_18 <= slice3cost_difference_2_18_difference < 0;
-      slice3cost_newest_negative_0_19 <= slice3cost_difference_2_19_difference < 0;
-      slice3cost_newest_negative_0_20 <= slice3cost_difference_2_20_difference < 0;
-      slice3cost_newest_negative_0_21 <= slice3cost_difference_2_21_difference < 0;
-      slice3cost_newest_negative_0_22 <= slice3cost_difference_2_22_difference < 0;
-      slice3cost_newest_negative_0_23 <= slice3cost_difference_2_23_difference < 0;
-      slice3cost_newest_negative_0_24 <= slice3cost_difference_2_24_difference < 0;
-      slice3cost_pair_0_0 <= as_number((slice3cost_difference_2_0 < 0)) + slice3cost_difference_1_0 +
-        folded(slice3cost_difference_2_0);
-      slice3cost_pair_0_1 <= as_number((slice3cost_difference_2_1 < 0)) + slice3cost_difference_1_1 +
-        folded(slice3cost_difference_2_1);
-      slice3cost_pair_0_2 <= as_number((slice3cost_difference_2_2 < 0)) + slice3cost_difference_1_2 +
-        folded(slice3cost_difference_2_2);
-      slice3cost_pair_0_3 <= as_number((slice3cost_difference_2_3 < 0)) + slice3cost_difference_1_3 +
-        folded(slice3cost_difference_2_3);
-      slice3cost_pair_0_4 <= as_number((slice3cost_difference_2_4 < 0)) + slice3cost_difference_1_4 +
-        folded(slice3cost_difference_2_4);
-      slice3cost_pair_0_5 <= as_number((slice3cost_difference_2_5 < 0)) + slice3cost_difference_1_5 +
-        folded(slice3cost_difference_2_5);
-      slice3cost_pair_0_6 <= as_number((slice3cost_difference_2_6 < 0)) + slice3cost_difference_1_6 +
-        folded(slice3cost_difference_2_6);
-      slice3cost_pair_0_7 <= as_number((slice3cost_difference_2_7 < 0)) + slice3cost_difference_1_7 +
-        folded(slice3cost_difference_2_7);
-      slice3cost_pair_0_8 <= as_number((slice3cost_difference_2_8 < 0)) + slice3cost_difference_1_8 +
-        folded(slice3cost_difference_2_8);
-      slice3cost_pair_0_9 <= as_number((slice3cost_difference_2_9 < 0)) + slice3cost_difference_1_9 +
-        folded(slice3cost_difference_2_9);
-      slice3cost_pair_0_10 <= as_number((slice3cost_difference_2_10 < 0)) + slice3cost_difference_1_10 +
-        folded(slice3cost_difference_2_10);
-      slice3cost_pair_0_11 <= as_number((slice3cost_difference_2_11 < 0)) + slice3cost_difference_1_11 +
-        folded(slice3cost_difference_2_11);
-      slice3cost_pair_0_12 <= as_number((slice3cost_difference_2_12 < 0)) + slice3cost_difference_1_12 +
-        folded(slice3cost_difference_2_12);
-      slice3cost_pair_0_13 <= as_number((slice3cost_difference_2_13 < 0)) + slice3cost_difference_1_13 +
-        folded(slice3cost_difference_2_13);
-      slice3cost_pair_0_14 <= as_number((slice3cost_difference_2_14 < 0)) + slice3cost_difference_1_14 +
-        folded(slice3cost_difference_2_14);
-      slice3cost_pair_0_15 <= as_number((slice3cost_difference_2_15 < 0)) + slice3cost_difference_1_15 +
-        folded(slice3cost_difference_2_15);
-      slice3cost_pair_0_16 <= as_number((slice3cost_difference_2_16 < 0)) + slice3cost_difference_1_16 +
-        folded(slice3cost_difference_2_16);
-      slice3cost_pair_0_17 <= as_number((slice3cost_difference_2_17 < 0)) + slice3cost_difference_1_17 +
-        folded(slice3cost_difference_2_17);
-      slice3cost_pair_0_18 <= as_number((slice3cost_difference_2_18 < 0)) + slice3cost_difference_1_18 +
-        folded(slice3cost_difference_2_18);
-      slice3cost_pair_0_19 <= as_number((slice3cost_difference_2_19 < 0)) + slice3cost_difference_1_19 +
-        folded(slice3cost_difference_2_19);
-      slice3cost_pair_0_20 <= as_number((slice3cost_difference_2_20 < 0)) + slice3cost_difference_1_20 +
-        folded(slice3cost_difference_2_20);
-      slice3cost_pair_0_21 <= as_number((slice3cost_difference_2_21 < 0)) + slice3cost_difference_1_21 +
-        folded(slice3cost_difference_2_21);
-      slice3cost_pair_0_22 <= as_number((slice3cost_difference_2_22 < 0)) + slice3cost_difference_1_22 +
-        folded(slice3cost_difference_2_22);
-      slice3cost_pair_0_23 <= as_number((slice3cost_difference_2_23 < 0)) + slice3cost_difference_1_23 +
-        folded(slice3cost_difference_2_23);
-      slice3cost_pair_0_24 <= as_number((slice3cost_difference_2_24 < 0)) + slice3cost_difference_1_24 +
-        folded(slice3cost_difference_2_24);
-      slice3cost_single_0_0 <= slice3cost_difference_0_0;
-      slice3cost_single_0_1 <= slice3cost_difference_0_1;
-      slice3cost_single_0_2 <= slice3cost_difference_0_2;
-      slice3cost_single_0_3 <= slice3cost_difference_0_3;
-      slice3cost_single_0_4 <= slice3cost_difference_0_4;
-      slice3cost_single_0_5 <= slice3cost_difference_0_5;
-      slice3cost_single_0_6 <= slice3cost_difference_0_6;
-      slice3cost_single_0_7 <= slice3cost_difference_0_7;
-      slice3cost_single_0_8 <= slice3cost_difference_0_8;
-      slice3cost_single_0_9 <= slice3cost_difference_0_9;
-      slice3cost_single_0_10 <= slice3cost_difference_0_10;
-      slice3cost_single_0_11 <= slice3cost_difference_0_11;
-      slice3cost_single_0_12 <= slice3cost_difference_0_12;
-      slice3cost_single_0_13 <= slice3cost_difference_0_13;
-      slice3cost_single_0_14 <= slice3cost_difference_0_14;
-      slice3cost_single_0_15 <= slice3cost_difference_0_15;
-      slice3cost_single_0_16 <= slice3cost_difference_0_16;
-      slice3cost_single_0_17 <= slice3cost_difference_0_17;
-      slice3cost_single_0_18 <= slice3cost_difference_0_18;
-      slice3cost_single_0_19 <= slice3cost_difference_0_19;
-      slice3cost_single_0_20 <= slice3cost_difference_0_20;
-      slice3cost_single_0_21 <= slice3cost_difference_0_21;
-      slice3cost_single_0_22 <= slice3cost_difference_0_22;
-      slice3cost_single_0_23 <= slice3cost_difference_0_23;
-      slice3cost_single_0_24 <= slice3cost_difference_0_24;
+      if is_set(slice3cost_signs_ready_words(0), 0) then
+        slice3cost_difference_choice(0, 0) := slice3shift_reference(0);
+      else
+        slice3cost_difference_choice(0, 0) := slice3shift_search(0, 0);
+      end if;
+      if is_set(slice3cost_signs_ready_words(0), 0) then
+        slice3cost_difference_choice_2(0, 0) := slice3shift_search(0, 0);
+      else
+        slice3cost_difference_choice_2(0, 0) := slice3shift_reference(0);
+      end if;
+      for i in 1 to 23 loop
+        slice3cost_difference_value(0, i) := is_set(slice3cost_signs_ready_words(0), i);
+        if slice3cost_difference_value(0, i) then
+          slice3cost_difference_choice(0, i) := slice3shift_reference(0);
+        else
+          slice3cost_difference_choice(0, i) := slice3shift_search(0, i);
+        end if;
+        if slice3cost_difference_value(0, i) then
+          slice3cost_difference_choice_2(0, i) := slice3shift_search(0, i);
+        else
+          slice3cost_difference_choice_2(0, i) := slice3shift_reference(0);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if is_set(slice3cost_signs_ready_words(i), 24 - 24 * i) then
+          slice3cost_difference_choice(i, 24 - 24 * i) := slice3shift_reference(i);
+        else
+          slice3cost_difference_choice(i, 24 - 24 * i) := slice3shift_search(i, 24 - 24 * i);
+        end if;
+        if is_set(slice3cost_signs_ready_words(i), 24 - 24 * i) then
+          slice3cost_difference_choice_2(i, 24 - 24 * i) := slice3shift_search(i, 24 - 24 * i);
+        else
+          slice3cost_difference_choice_2(i, 24 - 24 * i) := slice3shift_reference(i);
+        end if;
+      end loop;
+      for i in 1 to 23 loop
+        slice3cost_difference_value(1, i) := is_set(slice3cost_signs_ready_words(1), i);
+        if slice3cost_difference_value(1, i) then
+          slice3cost_difference_choice(1, i) := slice3shift_reference(1);
+        else
+          slice3cost_difference_choice(1, i) := slice3shift_search(1, i);
+        end if;
+        if slice3cost_difference_value(1, i) then
+          slice3cost_difference_choice_2(1, i) := slice3shift_search(1, i);
+        else
+          slice3cost_difference_choice_2(1, i) := slice3shift_reference(1);
+        end if;
+      end loop;
+      if is_set(slice3cost_signs_ready_words(1), 24) then
+        slice3cost_difference_choice(1, 24) := slice3shift_reference(1);
+      else
+        slice3cost_difference_choice(1, 24) := slice3shift_search(1, 24);
+      end if;
+      if is_set(slice3cost_signs_ready_words(1), 24) then
+        slice3cost_difference_choice_2(1, 24) := slice3shift_search(1, 24);
+      else
+        slice3cost_difference_choice_2(1, 24) := slice3shift_reference(1);
+      end if;
+      for i in 0 to 24 loop
+        slice3cost_difference_2_difference(i) := slice3shift_search(2, i) - slice3shift_reference(2);
+      end loop;
+      slice3cost_signs_ready_words(0) <= to_integer(slice3cost_signs_read_words(0));
+      slice3cost_signs_ready_words(1) <= to_integer(slice3cost_signs_read_words(1));
+      slice3cost_signs_known_words_1 <= slice3cost_signs_ready_words(1);
+      for i in 0 to 1 loop
+        for j in 0 to 24 loop
+          slice3cost_difference(i, j) <= (slice3cost_difference_choice(i, j) - slice3cost_difference_choice_2(i, j))
+            mod 256;
+        end loop;
+      end loop;
+      for i in 0 to 24 loop
+        slice3cost_newest_negative_0(i) <= slice3cost_difference_2_difference(i) < 0;
+      end loop;
+      for i in 0 to 24 loop
+        slice3cost_pair_0(i) <= as_number((slice3cost_difference_2(i) < 0)) + slice3cost_difference(1, i) +
+          folded(slice3cost_difference_2(i));
+      end loop;
+      for i in 0 to 24 loop
+        slice3cost_single_0(i) <= slice3cost_difference(0, i);
+      end loop;
       if slice0cost_tag_newest_inside then
-        slice3cost_difference_2_0 <= slice3cost_difference_2_0_difference;
-        slice3cost_difference_2_1 <= slice3cost_difference_2_1_difference;
-        slice3cost_difference_2_2 <= slice3cost_difference_2_2_difference;
-        slice3cost_difference_2_3 <= slice3cost_difference_2_3_difference;
-        slice3cost_difference_2_4 <= slice3cost_difference_2_4_difference;
-        slice3cost_difference_2_5 <= slice3cost_difference_2_5_difference;
-        slice3cost_difference_2_6 <= slice3cost_difference_2_6_difference;
-        slice3cost_difference_2_7 <= slice3cost_difference_2_7_difference;
-        slice3cost_difference_2_8 <= slice3cost_difference_2_8_difference;
-        slice3cost_difference_2_9 <= slice3cost_difference_2_9_difference;
-        slice3cost_difference_2_10 <= slice3cost_difference_2_10_difference;
-        slice3cost_difference_2_11 <= slice3cost_difference_2_11_difference;
-        slice3cost_difference_2_12 <= slice3cost_difference_2_12_difference;
-        slice3cost_difference_2_13 <= slice3cost_difference_2_13_difference;
-        slice3cost_difference_2_14 <= slice3cost_difference_2_14_difference;
-        slice3cost_difference_2_15 <= slice3cost_difference_2_15_difference;
-        slice3cost_difference_2_16 <= slice3cost_difference_2_16_difference;
-        slice3cost_difference_2_17 <= slice3cost_difference_2_17_difference;
-        slice3cost_difference_2_18 <= slice3cost_difference_2_18_difference;
-        slice3cost_difference_2_19 <= slice3cost_difference_2_19_difference;
-        slice3cost_difference_2_20 <= slice3cost_difference_2_20_difference;
-        slice3cost_difference_2_21 <= slice3cost_difference_2_21_difference;
-        slice3cost_difference_2_22 <= slice3cost_difference_2_22_difference;
-        slice3cost_difference_2_23 <= slice3cost_difference_2_23_difference;
-        slice3cost_difference_2_24 <= slice3cost_difference_2_24_difference;
+        for i in 0 to 24 loop
+          slice3cost_difference_2(i) <= slice3cost_difference_2_difference(i);
+        end loop;
       else
-        slice3cost_difference_2_0 <= 0;
-        slice3cost_difference_2_1 <= 0;
-        slice3cost_difference_2_2 <= 0;
-        slice3cost_difference_2_3 <= 0;
-        slice3cost_difference_2_4 <= 0;
-        slice3cost_difference_2_5 <= 0;
-        slice3cost_difference_2_6 <= 0;
-        slice3cost_difference_2_7 <= 0;
-        slice3cost_difference_2_8 <= 0;
-        slice3cost_difference_2_9 <= 0;
-        slice3cost_difference_2_10 <= 0;
-        slice3cost_difference_2_11 <= 0;
-        slice3cost_difference_2_12 <= 0;
-        slice3cost_difference_2_13 <= 0;
-        slice3cost_difference_2_14 <= 0;
-        slice3cost_difference_2_15 <= 0;
-        slice3cost_difference_2_16 <= 0;
-        slice3cost_difference_2_17 <= 0;
-        slice3cost_difference_2_18 <= 0;
-        slice3cost_difference_2_19 <= 0;
-        slice3cost_difference_2_20 <= 0;
-        slice3cost_difference_2_21 <= 0;
-        slice3cost_difference_2_22 <= 0;
-        slice3cost_difference_2_23 <= 0;
-        slice3cost_difference_2_24 <= 0;
+        for i in 0 to 24 loop
+          slice3cost_difference_2(i) <= 0;
+        end loop;
       end if;
       if slice2cost_tag_border_column then
-        slice3cost_column_0_0 <= 0;
-        slice3cost_column_0_1 <= 0;
-        slice3cost_column_0_2 <= 0;
-        slice3cost_column_0_3 <= 0;
-        slice3cost_column_0_4 <= 0;
-        slice3cost_column_0_5 <= 0;
-        slice3cost_column_0_6 <= 0;
-        slice3cost_column_0_7 <= 0;
-        slice3cost_column_0_8 <= 0;
-        slice3cost_column_0_9 <= 0;
-        slice3cost_column_0_10 <= 0;
-        slice3cost_column_0_11 <= 0;
-        slice3cost_column_0_12 <= 0;
-        slice3cost_column_0_13 <= 0;
-        slice3cost_column_0_14 <= 0;
-        slice3cost_column_0_15 <= 0;
-        slice3cost_column_0_16 <= 0;
-        slice3cost_column_0_17 <= 0;
-        slice3cost_column_0_18 <= 0;
-        slice3cost_column_0_19 <= 0;
-        slice3cost_column_0_20 <= 0;
-        slice3cost_column_0_21 <= 0;
-        slice3cost_column_0_22 <= 0;
-        slice3cost_column_0_23 <= 0;
-        slice3cost_column_0_24 <= 0;
+        for i in 0 to 24 loop
+          slice3cost_column_0(i) <= 0;
+        end loop;
       else
-        slice3cost_column_0_0 <= slice3cost_pair_0_0 + slice3cost_single_0_0;
-        slice3cost_column_0_1 <= slice3cost_pair_0_1 + slice3cost_single_0_1;
-        slice3cost_column_0_2 <= slice3cost_pair_0_2 + slice3cost_single_0_2;
-        slice3cost_column_0_3 <= slice3cost_pair_0_3 + slice3cost_single_0_3;
-        slice3cost_column_0_4 <= slice3cost_pair_0_4 + slice3cost_single_0_4;
-        slice3cost_column_0_5 <= slice3cost_pair_0_5 + slice3cost_single_0_5;
-        slice3cost_column_0_6 <= slice3cost_pair_0_6 + slice3cost_single_0_6;
-        slice3cost_column_0_7 <= slice3cost_pair_0_7 + slice3cost_single_0_7;
-        slice3cost_column_0_8 <= slice3cost_pair_0_8 + slice3cost_single_0_8;
-        slice3cost_column_0_9 <= slice3cost_pair_0_9 + slice3cost_single_0_9;
-        slice3cost_column_0_10 <= slice3cost_pair_0_10 + slice3cost_single_0_10;
-        slice3cost_column_0_11 <= slice3cost_pair_0_11 + slice3cost_single_0_11;
-        slice3cost_column_0_12 <= slice3cost_pair_0_12 + slice3cost_single_0_12;
-        slice3cost_column_0_13 <= slice3cost_pair_0_13 + slice3cost_single_0_13;
-        slice3cost_column_0_14 <= slice3cost_pair_0_14 + slice3cost_single_0_14;
-        slice3cost_column_0_15 <= slice3cost_pair_0_15 + slice3cost_single_0_15;
-        slice3cost_column_0_16 <= slice3cost_pair_0_16 + slice3cost_single_0_16;
-        slice3cost_column_0_17 <= slice3cost_pair_0_17 + slice3cost_single_0_17;
-        slice3cost_column_0_18 <= slice3cost_pair_0_18 + slice3cost_single_0_18;
-        slice3cost_column_0_19 <= slice3cost_pair_0_19 + slice3cost_single_0_19;
-        slice3cost_column_0_20 <= slice3cost_pair_0_20 + slice3cost_single_0_20;
-        slice3cost_column_0_21 <= slice3cost_pair_0_21 + slice3cost_single_0_21;
-        slice3cost_column_0_22 <= slice3cost_pair_0_22 + slice3cost_single_0_22;
-        slice3cost_column_0_23 <= slice3cost_pair_0_23 + slice3cost_single_0_23;
-        slice3cost_column_0_24 <= slice3cost_pair_0_24 + slice3cost_single_0_24;
+        for i in 0 to 24 loop
+          slice3cost_column_0(i) <= slice3cost_pair_0(i) + slice3cost_single_0(i);
+        end loop;
       end if;
       if slice0window_tag_valid then
         slice3cost_signs_write_column <= slice2cost_signs_write_column;
-        slice3cost_signs_write_words_0 <= slice3cost_signs_known_words_1;
-        slice3cost_signs_write_words_1 <= (as_number(slice3cost_newest_negative_0_23) * 8388608) +
-          (as_number(slice3cost_newest_negative_0_24) * 16777216) + (as_number(slice3cost_newest_negative_0_22) *
-          4194304) + (as_number(slice3cost_newest_negative_0_21) * 2097152) +
-          (as_number(slice3cost_newest_negative_0_20) * 1048576) + (as_number(slice3cost_newest_negative_0_19) *
-          524288) + (as_number(slice3cost_newest_negative_0_18) * 262144) + (as_number(slice3cost_newest_negative_0_17)
-          * 131072) + (as_number(slice3cost_newest_negative_0_16) * 65536) +
-          (as_number(slice3cost_newest_negative_0_15) * 32768) + (as_number(slice3cost_newest_negative_0_14) * 16384) +
-          (as_number(slice3cost_newest_negative_0_13) * 8192) + (as_number(slice3cost_newest_negative_0_12) * 4096) +
-          (as_number(slice3cost_newest_negative_0_11) * 2048) + (as_number(slice3cost_newest_negative_0_10) * 1024) +
-          (as_number(slice3cost_newest_negative_0_9) * 512) + (as_number(slice3cost_newest_negative_0_8) * 256) +
-          (as_number(slice3cost_newest_negative_0_6) * 64) + (as_number(slice3cost_newest_negative_0_7) * 128) +
-          (as_number(slice3cost_newest_negative_0_5) * 32) + (as_number(slice3cost_newest_negative_0_4) * 16) +
-          (as_number(slice3cost_newest_negative_0_3) * 8) + (as_number(slice3cost_newest_negative_0_2) * 4) +
-          as_number(slice3cost_newest_negative_0_0) + (as_number(slice3cost_newest_negative_0_1) * 2);
+        slice3cost_signs_write_words(0) <= slice3cost_signs_known_words_1;
+        slice3cost_signs_write_words(1) <= (as_number(slice3cost_newest_negative_0(23)) * 8388608) +
+          (as_number(slice3cost_newest_negative_0(24)) * 16777216) + (as_number(slice3cost_newest_negative_0(22)) *
+          4194304) + (as_number(slice3cost_newest_negative_0(21)) * 2097152) +
+          (as_number(slice3cost_newest_negative_0(20)) * 1048576) + (as_number(slice3cost_newest_negative_0(19)) *
+          524288) + (as_number(slice3cost_newest_negative_0(18)) * 262144) +
+          (as_number(slice3cost_newest_negative_0(17)) * 131072) + (as_number(slice3cost_newest_negative_0(16)) *
+          65536) + (as_number(slice3cost_newest_negative_0(15)) * 32768) + (as_number(slice3cost_newest_negative_0(14))
+          * 16384) + (as_number(slice3cost_newest_negative_0(13)) * 8192) +
+          (as_number(slice3cost_newest_negative_0(12)) * 4096) + (as_number(slice3cost_newest_negative_0(11)) * 2048) +
+          (as_number(slice3cost_newest_negative_0(10)) * 1024) + (as_number(slice3cost_newest_negative_0(9)) * 512) +
+          (as_number(slice3cost_newest_negative_0(8)) * 256) + (as_number(slice3cost_newest_negative_0(6)) * 64) +
+          (as_number(slice3cost_newest_negative_0(7)) * 128) + (as_number(slice3cost_newest_negative_0(5)) * 32) +
+          (as_number(slice3cost_newest_negative_0(4)) * 16) + (as_number(slice3cost_newest_negative_0(3)) * 8) +
+          (as_number(slice3cost_newest_negative_0(2)) * 4) + as_number(slice3cost_newest_negative_0(0)) +
+          (as_number(slice3cost_newest_negative_0(1)) * 2);
       end if;
       -- slice3window
       if slice0winner2_tag_valid then
-        slice3window_partial_0_0_0 <= slice3cost_column_0_0;
-        slice3window_partial_0_0_1 <= slice3cost_column_0_1;
-        slice3window_partial_0_0_2 <= slice3cost_column_0_2;
-        slice3window_partial_0_0_3 <= slice3cost_column_0_3;
-        slice3window_partial_0_0_4 <= slice3cost_column_0_4;
-        slice3window_partial_0_0_5 <= slice3cost_column_0_5;
-        slice3window_partial_0_0_6 <= slice3cost_column_0_6;
-        slice3window_partial_0_0_7 <= slice3cost_column_0_7;
-        slice3window_partial_0_0_8 <= slice3cost_column_0_8;
-        slice3window_partial_0_0_9 <= slice3cost_column_0_9;
-        slice3window_partial_0_0_10 <= slice3cost_column_0_10;
-        slice3window_partial_0_0_11 <= slice3cost_column_0_11;
-        slice3window_partial_0_0_12 <= slice3cost_column_0_12;
-        slice3window_partial_0_0_13 <= slice3cost_column_0_13;
-        slice3window_partial_0_0_14 <= slice3cost_column_0_14;
-        slice3window_partial_0_0_15 <= slice3cost_column_0_15;
-        slice3window_partial_0_0_16 <= slice3cost_column_0_16;
-        slice3window_partial_0_0_17 <= slice3cost_column_0_17;
-        slice3window_partial_0_0_18 <= slice3cost_column_0_18;
-        slice3window_partial_0_0_19 <= slice3cost_column_0_19;
-        slice3window_partial_0_0_20 <= slice3cost_column_0_20;
-        slice3window_partial_0_0_21 <= slice3cost_column_0_21;
-        slice3window_partial_0_0_22 <= slice3cost_column_0_22;
-        slice3window_partial_0_0_23 <= slice3cost_column_0_23;
-        slice3window_partial_0_0_24 <= slice3cost_column_0_24;
-        slice3window_partial_0_1_0 <= slice3cost_column_0_0 + slice3window_partial_0_0_0;
-        slice3window_partial_0_1_1 <= slice3cost_column_0_1 + slice3window_partial_0_0_1;
-        slice3window_partial_0_1_2 <= slice3cost_column_0_2 + slice3window_partial_0_0_2;
-        slice3window_partial_0_1_3 <= slice3cost_column_0_3 + slice3window_partial_0_0_3;
-        slice3window_partial_0_1_4 <= slice3cost_column_0_4 + slice3window_partial_0_0_4;
-        slice3window_partial_0_1_5 <= slice3cost_column_0_5 + slice3window_partial_0_0_5;
-        slice3window_partial_0_1_6 <= slice3cost_column_0_6 + slice3window_partial_0_0_6;
-        slice3window_partial_0_1_7 <= slice3cost_column_0_7 + slice3window_partial_0_0_7;
-        slice3window_partial_0_1_8 <= slice3cost_column_0_8 + slice3window_partial_0_0_8;
-        slice3window_partial_0_1_9 <= slice3cost_column_0_9 + slice3window_partial_0_0_9;
-        slice3window_partial_0_1_10 <= slice3cost_column_0_10 + slice3window_partial_0_0_10;
-        slice3window_partial_0_1_11 <= slice3cost_column_0_11 + slice3window_partial_0_0_11;
-        slice3window_partial_0_1_12 <= slice3cost_column_0_12 + slice3window_partial_0_0_12;
-        slice3window_partial_0_1_13 <= slice3cost_column_0_13 + slice3window_partial_0_0_13;
-        slice3window_partial_0_1_14 <= slice3cost_column_0_14 + slice3window_partial_0_0_14;
-        slice3window_partial_0_1_15 <= slice3cost_column_0_15 + slice3window_partial_0_0_15;
-        slice3window_partial_0_1_16 <= slice3cost_column_0_16 + slice3window_partial_0_0_16;
-        slice3window_partial_0_1_17 <= slice3cost_column_0_17 + slice3window_partial_0_0_17;
-        slice3window_partial_0_1_18 <= slice3cost_column_0_18 + slice3window_partial_0_0_18;
-        slice3window_partial_0_1_19 <= slice3cost_column_0_19 + slice3window_partial_0_0_19;
-        slice3window_partial_0_1_20 <= slice3cost_column_0_20 + slice3window_partial_0_0_20;
-        slice3window_partial_0_1_21 <= slice3cost_column_0_21 + slice3window_partial_0_0_21;
-        slice3window_partial_0_1_22 <= slice3cost_column_0_22 + slice3window_partial_0_0_22;
-        slice3window_partial_0_1_23 <= slice3cost_column_0_23 + slice3window_partial_0_0_23;
-        slice3window_partial_0_1_24 <= slice3cost_column_0_24 + slice3window_partial_0_0_24;
+        for i in 0 to 24 loop
+          slice3window_partial_0_0(i) <= slice3cost_column_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice3window_partial_0_1(i) <= slice3cost_column_0(i) + slice3window_partial_0_0(i);
+        end loop;
       end if;
-      slice3window_sum_0_0 <= slice3cost_column_0_0 + slice3window_partial_0_1_0;
-      slice3window_sum_0_1 <= slice3cost_column_0_1 + slice3window_partial_0_1_1;
-      slice3window_sum_0_2 <= slice3cost_column_0_2 + slice3window_partial_0_1_2;
-      slice3window_sum_0_3 <= slice3cost_column_0_3 + slice3window_partial_0_1_3;
-      slice3window_sum_0_4 <= slice3cost_column_0_4 + slice3window_partial_0_1_4;
-      slice3window_sum_0_5 <= slice3cost_column_0_5 + slice3window_partial_0_1_5;
-      slice3window_sum_0_6 <= slice3cost_column_0_6 + slice3window_partial_0_1_6;
-      slice3window_sum_0_7 <= slice3cost_column_0_7 + slice3window_partial_0_1_7;
-      slice3window_sum_0_8 <= slice3cost_column_0_8 + slice3window_partial_0_1_8;
-      slice3window_sum_0_9 <= slice3cost_column_0_9 + slice3window_partial_0_1_9;
-      slice3window_sum_0_10 <= slice3cost_column_0_10 + slice3window_partial_0_1_10;
-      slice3window_sum_0_11 <= slice3cost_column_0_11 + slice3window_partial_0_1_11;
-      slice3window_sum_0_12 <= slice3cost_column_0_12 + slice3window_partial_0_1_12;
-      slice3window_sum_0_13 <= slice3cost_column_0_13 + slice3window_partial_0_1_13;
-      slice3window_sum_0_14 <= slice3cost_column_0_14 + slice3window_partial_0_1_14;
-      slice3window_sum_0_15 <= slice3cost_column_0_15 + slice3window_partial_0_1_15;
-      slice3window_sum_0_16 <= slice3cost_column_0_16 + slice3window_partial_0_1_16;
-      slice3window_sum_0_17 <= slice3cost_column_0_17 + slice3window_partial_0_1_17;
-      slice3window_sum_0_18 <= slice3cost_column_0_18 + slice3window_partial_0_1_18;
-      slice3window_sum_0_19 <= slice3cost_column_0_19 + slice3window_partial_0_1_19;
-      slice3window_sum_0_20 <= slice3cost_column_0_20 + slice3window_partial_0_1_20;
-      slice3window_sum_0_21 <= slice3cost_column_0_21 + slice3window_partial_0_1_21;
-      slice3window_sum_0_22 <= slice3cost_column_0_22 + slice3window_partial_0_1_22;
-      slice3window_sum_0_23 <= slice3cost_column_0_23 + slice3window_partial_0_1_23;
-      slice3window_sum_0_24 <= slice3cost_column_0_24 + slice3window_partial_0_1_24;
+      for i in 0 to 24 loop
+        slice3window_sum_0(i) <= slice3cost_column_0(i) + slice3window_partial_0_1(i);
+      end loop;
       -- slice3winner1
-      slice3winner1_best_cost_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
-      slice3winner1_best_cost_0_1_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
-      slice3winner1_best_cost_0_2_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
-      slice3winner1_best_cost_0_3_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
-      slice3winner1_best_cost_0_4_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
-      slice3winner1_best_cost_0_5_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
-      slice3winner1_best_cost_0_6_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
-      slice3winner1_best_cost_0_7_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
-      slice3winner1_best_cost_0_8_is_less := (slice3window_sum_0_17 - slice3window_sum_0_16) < 0;
-      slice3winner1_best_cost_0_9_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
-      slice3winner1_best_cost_0_10_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
-      slice3winner1_best_cost_0_11_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
-      slice3winner1_best_cost_0_12 <= slice3window_sum_0_24;
-      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
-      if slice3winner1_best_cost_0_0_is_less then
-        slice3winner1_best_cost_0_0 <= slice3window_sum_0_1;
+      for i in 0 to 11 loop
+        slice3winner1_best_cost_0_is_less(i) := (slice3window_sum_0(2 * i + 1) - slice3window_sum_0(2 * i)) < 0;
+      end loop;
+      slice3winner1_best_cost_0(12) <= slice3window_sum_0(24);
+      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_is_less(0);
+      if slice3winner1_best_cost_0_is_less(0) then
+        slice3winner1_best_cost_0(0) <= slice3window_sum_0(1);
       else
-        slice3winner1_best_cost_0_0 <= slice3window_sum_0_0;
+        slice3winner1_best_cost_0(0) <= slice3window_sum_0(0);
       end if;
-      if slice3winner1_best_cost_0_1_is_less then
-        slice3winner1_best_cost_0_1 <= slice3window_sum_0_3;
+      if slice3winner1_best_cost_0_is_less(1) then
+        slice3winner1_best_cost_0(1) <= slice3window_sum_0(3);
         slice3winner1_best_index_0_1 <= 3;
       else
-        slice3winner1_best_cost_0_1 <= slice3window_sum_0_2;
+        slice3winner1_best_cost_0(1) <= slice3window_sum_0(2);
         slice3winner1_best_index_0_1 <= 2;
       end if;
-      if slice3winner1_best_cost_0_2_is_less then
-        slice3winner1_best_cost_0_2 <= slice3window_sum_0_5;
+      if slice3winner1_best_cost_0_is_less(2) then
+        slice3winner1_best_cost_0(2) <= slice3window_sum_0(5);
         slice3winner1_best_index_0_2 <= 5;
       else
-        slice3winner1_best_cost_0_2 <= slice3window_sum_0_4;
+        slice3winner1_best_cost_0(2) <= slice3window_sum_0(4);
         slice3winner1_best_index_0_2 <= 4;
       end if;
-      if slice3winner1_best_cost_0_3_is_less then
-        slice3winner1_best_cost_0_3 <= slice3window_sum_0_7;
+      if slice3winner1_best_cost_0_is_less(3) then
+        slice3winner1_best_cost_0(3) <= slice3window_sum_0(7);
         slice3winner1_best_index_0_3 <= 7;
       else
-        slice3winner1_best_cost_0_3 <= slice3window_sum_0_6;
+        slice3winner1_best_cost_0(3) <= slice3window_sum_0(6);
         slice3winner1_best_index_0_3 <= 6;
       end if;
-      if slice3winner1_best_cost_0_4_is_less then
-        slice3winner1_best_cost_0_4 <= slice3window_sum_0_9;
+      if slice3winner1_best_cost_0_is_less(4) then
+        slice3winner1_best_cost_0(4) <= slice3window_sum_0(9);
         slice3winner1_best_index_0_4 <= 9;
       else
-        slice3winner1_best_cost_0_4 <= slice3window_sum_0_8;
+        slice3winner1_best_cost_0(4) <= slice3window_sum_0(8);
         slice3winner1_best_index_0_4 <= 8;
       end if;
-      if slice3winner1_best_cost_0_5_is_less then
-        slice3winner1_best_cost_0_5 <= slice3window_sum_0_11;
+      if slice3winner1_best_cost_0_is_less(5) then
+        slice3winner1_best_cost_0(5) <= slice3window_sum_0(11);
         slice3winner1_best_index_0_5 <= 11;
       else
-        slice3winner1_best_cost_0_5 <= slice3window_sum_0_10;
+        slice3winner1_best_cost_0(5) <= slice3window_sum_0(10);
         slice3winner1_best_index_0_5 <= 10;
       end if;
-      if slice3winner1_best_cost_0_6_is_less then
-        slice3winner1_best_cost_0_6 <= slice3window_sum_0_13;
+      if slice3winner1_best_cost_0_is_less(6) then
+        slice3winner1_best_cost_0(6) <= slice3window_sum_0(13);
         slice3winner1_best_index_0_6 <= 13;
       else
-        slice3winner1_best_cost_0_6 <= slice3window_sum_0_12;
+        slice3winner1_best_cost_0(6) <= slice3window_sum_0(12);
         slice3winner1_best_index_0_6 <= 12;
       end if;
-      if slice3winner1_best_cost_0_7_is_less then
-        slice3winner1_best_cost_0_7 <= slice3window_sum_0_15;
+      if slice3winner1_best_cost_0_is_less(7) then
+        slice3winner1_best_cost_0(7) <= slice3window_sum_0(15);
         slice3winner1_best_index_0_7 <= 15;
       else
-        slice3winner1_best_cost_0_7 <= slice3window_sum_0_14;
+        slice3winner1_best_cost_0(7) <= slice3window_sum_0(14);
         slice3winner1_best_index_0_7 <= 14;
       end if;
-      if slice3winner1_best_cost_0_8_is_less then
-        slice3winner1_best_cost_0_8 <= slice3window_sum_0_17;
+      if slice3winner1_best_cost_0_is_less(8) then
+        slice3winner1_best_cost_0(8) <= slice3window_sum_0(17);
         slice3winner1_best_index_0_8 <= 17;
       else
-        slice3winner1_best_cost_0_8 <= slice3window_sum_0_16;
+        slice3winner1_best_cost_0(8) <= slice3window_sum_0(16);
         slice3winner1_best_index_0_8 <= 16;
       end if;
-      if slice3winner1_best_cost_0_9_is_less then
-        slice3winner1_best_cost_0_9 <= slice3window_sum_0_19;
+      if slice3winner1_best_cost_0_is_less(9) then
+        slice3winner1_best_cost_0(9) <= slice3window_sum_0(19);
         slice3winner1_best_index_0_9 <= 19;
       else
-        slice3winner1_best_cost_0_9 <= slice3window_sum_0_18;
+        slice3winner1_best_cost_0(9) <= slice3window_sum_0(18);
         slice3winner1_best_index_0_9 <= 18;
       end if;
-      if slice3winner1_best_cost_0_10_is_less then
-        slice3winner1_best_cost_0_10 <= slice3window_sum_0_21;
+      if slice3winner1_best_cost_0_is_less(10) then
+        slice3winner1_best_cost_0(10) <= slice3window_sum_0(21);
         slice3winner1_best_index_0_10 <= 21;
       else
-        slice3winner1_best_cost_0_10 <= slice3window_sum_0_20;
+        slice3winner1_best_cost_0(10) <= slice3window_sum_0(20);
         slice3winner1_best_index_0_10 <= 20;
       end if;
-      if slice3winner1_best_cost_0_11_is_less then
-        slice3winner1_best_cost_0_11 <= slice3window_sum_0_23;
+      if slice3winner1_best_cost_0_is_less(11) then
+        slice3winner1_best_cost_0(11) <= slice3window_sum_0(23);
         slice3winner1_best_index_0_11 <= 23;
       else
-        slice3winner1_best_cost_0_11 <= slice3window_sum_0_22;
+        slice3winner1_best_cost_0(11) <= slice3window_sum_0(22);
         slice3winner1_best_index_0_11 <= 22;
       end if;
       -- slice3winner2
-      slice3winner2_best_cost_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
-      slice3winner2_best_cost_0_1_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
-      slice3winner2_best_cost_0_2_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
-      slice3winner2_best_cost_0_3_is_less := (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0;
-      slice3winner2_best_cost_0_4_is_less := (slice3winner1_best_cost_0_9 - slice3winner1_best_cost_0_8) < 0;
-      slice3winner2_best_cost_0_5_is_less := (slice3winner1_best_cost_0_11 - slice3winner1_best_cost_0_10) < 0;
-      slice3winner2_best_cost_0_6 <= slice3winner1_best_cost_0_12;
-      if slice3winner2_best_cost_0_0_is_less then
-        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1;
+      for i in 0 to 5 loop
+        slice3winner2_best_cost_0_is_less(i) := (slice3winner1_best_cost_0(2 * i + 1) - slice3winner1_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      slice3winner2_best_cost_0(6) <= slice3winner1_best_cost_0(12);
+      if slice3winner2_best_cost_0_is_less(0) then
+        slice3winner2_best_cost_0(0) <= slice3winner1_best_cost_0(1);
         slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1;
       else
-        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_0;
+        slice3winner2_best_cost_0(0) <= slice3winner1_best_cost_0(0);
         slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0);
       end if;
-      if slice3winner2_best_cost_0_1_is_less then
-        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3;
+      if slice3winner2_best_cost_0_is_less(1) then
+        slice3winner2_best_cost_0(1) <= slice3winner1_best_cost_0(3);
         slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3;
       else
-        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_2;
+        slice3winner2_best_cost_0(1) <= slice3winner1_best_cost_0(2);
         slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2;
       end if;
-      if slice3winner2_best_cost_0_2_is_less then
-        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5;
+      if slice3winner2_best_cost_0_is_less(2) then
+        slice3winner2_best_cost_0(2) <= slice3winner1_best_cost_0(5);
         slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5;
       else
-        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_4;
+        slice3winner2_best_cost_0(2) <= slice3winner1_best_cost_0(4);
         slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4;
       end if;
-      if slice3winner2_best_cost_0_3_is_less then
-        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7;
+      if slice3winner2_best_cost_0_is_less(3) then
+        slice3winner2_best_cost_0(3) <= slice3winner1_best_cost_0(7);
         slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7;
       else
-        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_6;
+        slice3winner2_best_cost_0(3) <= slice3winner1_best_cost_0(6);
         slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_6;
       end if;
-      if slice3winner2_best_cost_0_4_is_less then
-        slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9;
+      if slice3winner2_best_cost_0_is_less(4) then
+        slice3winner2_best_cost_0(4) <= slice3winner1_best_cost_0(9);
         slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9;
       else
-        slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_8;
+        slice3winner2_best_cost_0(4) <= slice3winner1_best_cost_0(8);
         slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_8;
       end if;
-      if slice3winner2_best_cost_0_5_is_less then
-        slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11;
+      if slice3winner2_best_cost_0_is_less(5) then
+        slice3winner2_best_cost_0(5) <= slice3winner1_best_cost_0(11);
         slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11;
       else
-        slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_10;
+        slice3winner2_best_cost_0(5) <= slice3winner1_best_cost_0(10);
         slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_10;
       end if;
       -- slice3winner3
-      slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
-      slice3winner3_best_cost_0_1_is_less := (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0;
-      slice3winner3_best_cost_0_2_is_less := (slice3winner2_best_cost_0_5 - slice3winner2_best_cost_0_4) < 0;
-      slice3winner3_best_cost_0_3 <= slice3winner2_best_cost_0_6;
-      if slice3winner3_best_cost_0_0_is_less then
-        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1;
+      for i in 0 to 2 loop
+        slice3winner3_best_cost_0_is_less(i) := (slice3winner2_best_cost_0(2 * i + 1) - slice3winner2_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      slice3winner3_best_cost_0(3) <= slice3winner2_best_cost_0(6);
+      if slice3winner3_best_cost_0_is_less(0) then
+        slice3winner3_best_cost_0(0) <= slice3winner2_best_cost_0(1);
         slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1;
       else
-        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_0;
+        slice3winner3_best_cost_0(0) <= slice3winner2_best_cost_0(0);
         slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0;
       end if;
-      if slice3winner3_best_cost_0_1_is_less then
-        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3;
+      if slice3winner3_best_cost_0_is_less(1) then
+        slice3winner3_best_cost_0(1) <= slice3winner2_best_cost_0(3);
         slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3;
       else
-        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_2;
+        slice3winner3_best_cost_0(1) <= slice3winner2_best_cost_0(2);
         slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2;
       end if;
-      if slice3winner3_best_cost_0_2_is_less then
-        slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5;
+      if slice3winner3_best_cost_0_is_less(2) then
+        slice3winner3_best_cost_0(2) <= slice3winner2_best_cost_0(5);
         slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5;
       else
-        slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_4;
+        slice3winner3_best_cost_0(2) <= slice3winner2_best_cost_0(4);
         slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_4;
       end if;
       -- slice3winner4
-      slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0;
-      slice3winner4_best_cost_0_1_is_less := (slice3winner3_best_cost_0_3 - slice3winner3_best_cost_0_2) < 0;
-      if slice3winner4_best_cost_0_0_is_less then
-        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1;
+      slice3winner4_best_cost_0_is_less(0) := (slice3winner3_best_cost_0(1) - slice3winner3_best_cost_0(0)) < 0;
+      slice3winner4_best_cost_0_is_less(1) := (slice3winner3_best_cost_0(3) - slice3winner3_best_cost_0(2)) < 0;
+      if slice3winner4_best_cost_0_is_less(0) then
+        slice3winner4_best_cost_0(0) <= slice3winner3_best_cost_0(1);
         slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1;
       else
-        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_0;
+        slice3winner4_best_cost_0(0) <= slice3winner3_best_cost_0(0);
         slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0;
       end if;
-      if slice3winner4_best_cost_0_1_is_less then
-        slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3;
+      if slice3winner4_best_cost_0_is_less(1) then
+        slice3winner4_best_cost_0(1) <= slice3winner3_best_cost_0(3);
         slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
       else
-        slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_2;
+        slice3winner4_best_cost_0(1) <= slice3winner3_best_cost_0(2);
         slice3winner4_best_index_0_1 <= slice3winner3_best_index_0_2;
       end if;
       -- slice3winner5
-      slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0_1 - slice3winner4_best_cost_0_0) < 0;
+      slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0(1) - slice3winner4_best_cost_0(0)) < 0;
       if slice3winner5_best_cost_0_0_is_less then
-        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1;
+        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0(1);
         slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1;
       else
-        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_0;
+        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0(0);
         slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_0;
       end if;
       -- slice3

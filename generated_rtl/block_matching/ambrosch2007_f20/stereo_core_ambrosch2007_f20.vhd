@@ -4,6 +4,7 @@
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config ambrosch2007_f20
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+-- Where a comment behind a declaration has #, the C++ has the indices.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -86,10 +87,23 @@ architecture rtl of stereo_core_ambrosch2007_f20 is
     return '0';
   end function;
 
-  signal in_start_of_frame : boolean;
-  signal in_valid : boolean;
-  signal in_left_pixel : natural range 0 to 255;
-  signal in_right_pixel : natural range 0 to 255;
+  -- whether the bit of this place is 1
+  function is_set(value : natural; place : natural) return boolean is
+  begin
+    return (value / 2 ** place) mod 2 = 1;
+  end function;
+
+  type boolean_1d is array (natural range <>) of boolean;
+  type integer_minus_255_to_255_2d is array (natural range <>, natural range <>) of integer range -255 to 255;
+  type natural_1534_1d is array (natural range <>) of natural range 0 to 1534;
+  type natural_2301_1d is array (natural range <>) of natural range 0 to 2301;
+  type natural_255_1d is array (natural range <>) of natural range 0 to 255;
+  type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
+  type natural_511_1d is array (natural range <>) of natural range 0 to 511;
+  type natural_65535_1d is array (natural range <>) of natural range 0 to 65535;
+  type natural_767_1d is array (natural range <>) of natural range 0 to 767;
+  signal in_start_of_frame, in_valid : boolean;
+  signal in_left_pixel, in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0, raster_place_group : natural range 0 to 255;
   signal raster_features_valid, raster_place_next_frame : boolean;
@@ -97,8 +111,8 @@ architecture rtl of stereo_core_ambrosch2007_f20 is
   -- delay
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 255;
   signal delay_column : natural range 0 to 511;
-  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_row_start : boolean;
-  signal delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_row_inside : boolean_1d(0 to 2);
+  signal delay_tag_valid, delay_tag_row_start, delay_tag_output_column, delay_tag_start_of_frame : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(15 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
@@ -107,11 +121,13 @@ architecture rtl of stereo_core_ambrosch2007_f20 is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 65535;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 65535;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
-  signal rows_read_tag_row_start, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2, rows_ready_tag_valid : boolean;
-  signal rows_ready_tag_row_start, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
-  signal rows_tag_valid, rows_tag_row_start, rows_tag_output_column, rows_tag_start_of_frame : boolean;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_start_of_frame : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag_valid, rows_ready_tag_row_start, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_tag_valid, rows_tag_row_start, rows_tag_output_column : boolean;
+  signal rows_tag_start_of_frame : boolean;
   -- passes
   signal passes_row, passes_coming_output, passes_coming_starts, passes_row_ended, passes_ended_last : boolean;
   signal passes_arrived, passes_shows, passes_showing_output, passes_showing_starts, passes_inside_0 : boolean;
@@ -122,51 +138,37 @@ architecture rtl of stereo_core_ambrosch2007_f20 is
   signal passes_write_address, passes_search_address, passes_reference_address : natural range 0 to 1023;
   signal passes_write_search_0, passes_write_reference_0 : natural range 0 to 16777215;
   signal passes_pass : natural range 0 to 31;
-  signal passes_column, passes_search_0, passes_search_1, passes_search_2, passes_reference_0 : natural range 0 to 255;
-  signal passes_reference_1, passes_reference_2 : natural range 0 to 255;
+  signal passes_column : natural range 0 to 255;
+  signal passes_search : natural_255_1d(0 to 2);
+  signal passes_reference : natural_255_1d(0 to 2);
   signal passes_search_start : natural range 0 to 511;
   signal passes_read_search_0, passes_read_reference_0 : unsigned(23 downto 0);
   -- slice0shift
-  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
-  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_1_0 : natural range 0 to 255;
-  signal slice0shift_search_1_1, slice0shift_search_1_2, slice0shift_search_1_3 : natural range 0 to 255;
-  signal slice0shift_search_1_4, slice0shift_search_2_0, slice0shift_search_2_1 : natural range 0 to 255;
-  signal slice0shift_search_2_2, slice0shift_search_2_3, slice0shift_search_2_4 : natural range 0 to 255;
-  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
+  signal slice0shift_search : natural_255_2d(0 to 2, 0 to 4);
+  signal slice0shift_reference : natural_255_1d(0 to 2);
   signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
   signal slice0shift_tag_map_column : boolean;
   -- slice0cost
-  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
-  signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_1_0 : integer range -255 to 255;
-  signal slice0cost_difference_1_1, slice0cost_difference_1_2, slice0cost_difference_1_3 : integer range -255 to 255;
-  signal slice0cost_difference_1_4, slice0cost_difference_2_0, slice0cost_difference_2_1 : integer range -255 to 255;
-  signal slice0cost_difference_2_2, slice0cost_difference_2_3, slice0cost_difference_2_4 : integer range -255 to 255;
+  signal slice0cost_difference : integer_minus_255_to_255_2d(0 to 2, 0 to 4);
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
-  signal slice0cost_difference_tag_first_cost, slice0cost_difference_tag_map_column, slice0cost_negative_0_0 : boolean;
-  signal slice0cost_negative_0_1, slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4 : boolean;
+  signal slice0cost_difference_tag_first_cost, slice0cost_difference_tag_map_column : boolean;
+  signal slice0cost_negative_0 : boolean_1d(0 to 4);
   signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost : boolean;
   signal slice0cost_pair_tag_map_column, slice0cost_tag_valid, slice0cost_tag_first_cost : boolean;
   signal slice0cost_tag_map_column : boolean;
-  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
-  signal slice0cost_pair_0_4 : natural range 0 to 511;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
-  signal slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 255;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
-  signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 767;
+  signal slice0cost_pair_0 : natural_511_1d(0 to 4);
+  signal slice0cost_single_0 : natural_255_1d(0 to 4);
+  signal slice0cost_column_0 : natural_767_1d(0 to 4);
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4 : natural range 0 to 767;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4 : natural range 0 to 1534;
+  signal slice0window_partial_0_0 : natural_767_1d(0 to 4);
+  signal slice0window_partial_0_1 : natural_1534_1d(0 to 4);
   signal slice0window_centre_map_column_0, slice0window_centre_first_column_0, slice0window_tag_valid : boolean;
   signal slice0window_tag_map_column, slice0window_tag_first_column : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
-  signal slice0window_sum_0_3, slice0window_sum_0_4 : natural range 0 to 2301;
+  signal slice0window_sum_0 : natural_2301_1d(0 to 4);
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_four_0_0 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_1, slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_4, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_0 : natural_2301_1d(0 to 4);
+  signal slice0winner1_of_four_0 : natural_2301_1d(0 to 4);
+  signal slice0winner1_best_cost_0_1 : natural range 0 to 2301;
   signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_map_column : boolean;
   signal slice0winner1_pair_tag_first_column, slice0winner1_four_tag_valid, slice0winner1_four_tag_map_column : boolean;
   signal slice0winner1_four_tag_first_column, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
@@ -207,18 +209,15 @@ architecture rtl of stereo_core_ambrosch2007_f20 is
   signal winners_write_word_0, winners_winners_disparity_0 : natural range 0 to 127;
   signal winners_read_word_0 : unsigned(6 downto 0);
   -- other
-  signal other_0, other_1 : natural range 0 to 65535;
+  signal other : natural_65535_1d(0 to 1);
   signal winners_read_word_0_memory_read_enable : boolean;
-  signal winners_read_word_0_memory_read_address : unsigned(9 downto 0);
-  signal winners_read_word_0_memory_write_address : unsigned(9 downto 0);
+  signal winners_read_word_0_memory_read_address, winners_read_word_0_memory_write_address : unsigned(9 downto 0);
   signal winners_read_word_0_memory_write_data : unsigned(6 downto 0);
   signal best_read_words_0_memory_read_enable : boolean;
-  signal best_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal best_read_words_0_memory_write_address : unsigned(8 downto 0);
+  signal best_read_words_0_memory_read_address, best_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal best_read_words_0_memory_write_data : unsigned(19 downto 0);
   signal passes_read_search_0_memory_read_enable : boolean;
-  signal passes_read_search_0_memory_read_address : unsigned(9 downto 0);
-  signal passes_read_search_0_memory_write_address : unsigned(9 downto 0);
+  signal passes_read_search_0_memory_read_address, passes_read_search_0_memory_write_address : unsigned(9 downto 0);
   signal passes_read_search_0_memory_write_data : unsigned(23 downto 0);
   signal passes_read_reference_0_memory_read_enable : boolean;
   signal passes_read_reference_0_memory_read_address : unsigned(9 downto 0);
@@ -311,8 +310,9 @@ begin
       write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_place_group_choice_2, raster_place_group_is_equal_3, raster_place_next_frame_choice : boolean;
+    variable raster_place_group_is_equal : boolean;
+    variable raster_place_group_is_equals : boolean_1d(2 to 3);  -- raster_place_group_is_equal_#
+    variable raster_place_group_all, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
     variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_row_start_is_equal : boolean;
     variable passes_row_is_equal, passes_coming_output_all, passes_coming_output_any, passes_row_ended_all : boolean;
     variable passes_shows_any, passes_showing_output_differs, passes_showing_output_any : boolean;
@@ -324,8 +324,9 @@ begin
     variable slice0winner1_of_four_0_0_is_less, slice0winner2_best_cost_0_0_is_less, best_last_pass_is_equal : boolean;
     variable best_here_wins_is_less, best_pass_any, winners_row_differs, winners_column_any : boolean;
     variable raster_place_group_choice : natural range 0 to 15;
-    variable raster_place_group_choice_3, raster_place_group_choice_4, other_0_choice : natural range 0 to 255;
-    variable other_0_choice_2, other_1_choice, other_1_choice_2 : natural range 0 to 255;
+    variable raster_place_group_choices : natural_255_1d(3 to 4);  -- raster_place_group_choice_#
+    variable other_choice : natural_255_1d(0 to 1);  -- other_#_choice
+    variable other_choice_2 : natural_255_1d(0 to 1);  -- other_#_choice_2
     variable passes_search_address_value : natural range 0 to 512;
     variable passes_search_address_choice, passes_search_address_choice_2 : natural range 0 to 511;
     variable passes_reference_address_choice, best_write_column_choice : natural range 0 to 511;
@@ -334,8 +335,8 @@ begin
     if rising_edge(clock) then
       -- raster
       raster_place_group_is_equal := raster_place_column = 319;
-      raster_place_group_is_equal_2 := raster_place_group = 239;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_is_equals(2) := raster_place_group = 239;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equals(2);
       if raster_place_group_all then
         raster_place_group_choice := 15;
       else
@@ -346,16 +347,16 @@ begin
       else
         raster_place_group_choice_2 := raster_place_group_is_equal and in_valid;
       end if;
-      raster_place_group_is_equal_3 := raster_place_group = 240;
-      if raster_place_group_is_equal_3 and raster_place_next_frame then
-        raster_place_group_choice_3 := 1;
+      raster_place_group_is_equals(3) := raster_place_group = 240;
+      if raster_place_group_is_equals(3) and raster_place_next_frame then
+        raster_place_group_choices(3) := 1;
       else
-        raster_place_group_choice_3 := (raster_place_group + 1) mod 256;
+        raster_place_group_choices(3) := (raster_place_group + 1) mod 256;
       end if;
       if raster_place_group_choice_2 then
-        raster_place_group_choice_4 := raster_place_group_choice_3;
+        raster_place_group_choices(4) := raster_place_group_choices(3);
       else
-        raster_place_group_choice_4 := raster_place_group;
+        raster_place_group_choices(4) := raster_place_group;
       end if;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
@@ -363,9 +364,9 @@ begin
       if in_start_of_frame and in_valid then
         raster_place_group <= raster_place_group_choice * 16;
       else
-        raster_place_group <= raster_place_group_choice_4;
+        raster_place_group <= raster_place_group_choices(4);
       end if;
-      if raster_place_group_is_equal_3 then
+      if raster_place_group_is_equals(3) then
         raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame;
       else
         raster_place_next_frame_choice := raster_place_next_frame;
@@ -379,7 +380,7 @@ begin
         if raster_place_next_frame_choice then
           raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
         else
-          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equals(2) and
             in_start_of_frame;
         end if;
       end if;
@@ -390,10 +391,10 @@ begin
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 240;
-      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
-      delay_row_inside_2 <= (not ((raster_place_group / 128) = 1)) or (not (((raster_place_group / 64) mod 2) = 1)) or
-        (not (((raster_place_group / 32) mod 2) = 1)) or (not (((raster_place_group / 16) mod 2) = 1));
+      delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 240;
+      delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+      delay_row_inside(2) <= (not is_set(raster_place_group, 7)) or (not is_set(raster_place_group, 6)) or (not
+        is_set(raster_place_group, 5)) or (not is_set(raster_place_group, 4));
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= delay_tag_row_start_is_equal;
       delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and (raster_place_column
@@ -407,17 +408,17 @@ begin
       rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside_0 <= delay_row_inside_0;
-      rows_read_inside_1 <= delay_row_inside_1;
-      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_inside(0) <= delay_row_inside(0);
+      rows_read_inside(1) <= delay_row_inside(1);
+      rows_read_inside(2) <= delay_row_inside(2);
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_row_start <= delay_tag_row_start;
       rows_read_tag_output_column <= delay_tag_output_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= rows_read_inside_1;
-      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_inside(0) <= rows_read_inside(0);
+      rows_ready_inside(1) <= rows_read_inside(1);
+      rows_ready_inside(2) <= rows_read_inside(2);
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_row_start <= rows_read_tag_row_start;
       rows_ready_tag_output_column <= rows_read_tag_output_column;
@@ -426,7 +427,7 @@ begin
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      if rows_ready_inside_2 then
+      if rows_ready_inside(2) then
         rows_search_2 <= rows_search_rows_ready_newest_0;
         rows_reference_2 <= rows_reference_rows_ready_newest_0;
       else
@@ -489,15 +490,15 @@ begin
       end if;
       passes_read_tag_border_column_differs := (passes_column / 16) /= 0;
       if (passes_column / 2) = 112 then
-        passes_read_tag_border_column_choice := passes_read_tag_border_column_differs and (not ((passes_column mod 2) =
-          1));
+        passes_read_tag_border_column_choice := passes_read_tag_border_column_differs and (not is_set(passes_column,
+          0));
       else
         passes_read_tag_border_column_choice := passes_read_tag_border_column_differs;
       end if;
       if (passes_column mod 16) = 0 then
         passes_read_tag_border_column_choice_2 := passes_read_tag_border_column_choice;
       else
-        passes_read_tag_border_column_choice_2 := ((passes_column / 2) /= 112) or (not ((passes_column mod 2) = 1));
+        passes_read_tag_border_column_choice_2 := ((passes_column / 2) /= 112) or (not is_set(passes_column, 0));
       end if;
       passes_read_tag_border_column_differs_2 := passes_column /= 4;
       passes_read_tag_first_cost_is_equal := passes_column = 4;
@@ -512,12 +513,12 @@ begin
       passes_read_tag_map_column <= passes_read_tag_first_cost_is_equal or (passes_read_tag_map_column and (not
         passes_read_tag_end_of_line));
       passes_read_tag_end_of_line <= passes_column = 223;
-      passes_search_0 <= to_integer(passes_read_search_0(7 downto 0));
-      passes_search_1 <= to_integer(passes_read_search_0(15 downto 8));
-      passes_search_2 <= to_integer(passes_read_search_0(23 downto 16));
-      passes_reference_0 <= to_integer(passes_read_reference_0(7 downto 0));
-      passes_reference_1 <= to_integer(passes_read_reference_0(15 downto 8));
-      passes_reference_2 <= to_integer(passes_read_reference_0(23 downto 16));
+      passes_search(0) <= to_integer(passes_read_search_0(7 downto 0));
+      passes_search(1) <= to_integer(passes_read_search_0(15 downto 8));
+      passes_search(2) <= to_integer(passes_read_search_0(23 downto 16));
+      passes_reference(0) <= to_integer(passes_read_reference_0(7 downto 0));
+      passes_reference(1) <= to_integer(passes_read_reference_0(15 downto 8));
+      passes_reference(2) <= to_integer(passes_read_reference_0(23 downto 16));
       passes_tag_valid <= passes_read_tag_valid;
       passes_tag_border_column <= passes_read_tag_border_column;
       passes_tag_first_cost <= passes_read_tag_first_cost;
@@ -570,8 +571,8 @@ begin
       if rows_tag_valid then
         passes_ended_last <= passes_row_is_equal;
         passes_write_address <= rows_write_column + (as_number(passes_row) * 512);
-        passes_write_search_0 <= (rows_search_2 * 65536) + other_1;
-        passes_write_reference_0 <= (rows_reference_2 * 65536) + other_0;
+        passes_write_search_0 <= (rows_search_2 * 65536) + other(1);
+        passes_write_reference_0 <= (rows_reference_2 * 65536) + other(0);
       end if;
       if passes_pass_ends then
         if passes_shows_any then
@@ -584,69 +585,42 @@ begin
       end if;
       -- slice0shift
       if passes_tag_valid then
-        slice0shift_search_0_0 <= slice0shift_search_0_1;
-        slice0shift_search_0_1 <= slice0shift_search_0_2;
-        slice0shift_search_0_2 <= slice0shift_search_0_3;
-        slice0shift_search_0_3 <= slice0shift_search_0_4;
-        slice0shift_search_0_4 <= passes_search_0;
-        slice0shift_search_1_0 <= slice0shift_search_1_1;
-        slice0shift_search_1_1 <= slice0shift_search_1_2;
-        slice0shift_search_1_2 <= slice0shift_search_1_3;
-        slice0shift_search_1_3 <= slice0shift_search_1_4;
-        slice0shift_search_1_4 <= passes_search_1;
-        slice0shift_search_2_0 <= slice0shift_search_2_1;
-        slice0shift_search_2_1 <= slice0shift_search_2_2;
-        slice0shift_search_2_2 <= slice0shift_search_2_3;
-        slice0shift_search_2_3 <= slice0shift_search_2_4;
-        slice0shift_search_2_4 <= passes_search_2;
+        for i in 0 to 2 loop
+          slice0shift_search(i, 0) <= slice0shift_search(i, 1);
+          slice0shift_search(i, 1) <= slice0shift_search(i, 2);
+          slice0shift_search(i, 2) <= slice0shift_search(i, 3);
+          slice0shift_search(i, 3) <= slice0shift_search(i, 4);
+          slice0shift_search(i, 4) <= passes_search(i);
+        end loop;
       end if;
-      slice0shift_reference_0 <= passes_reference_0;
-      slice0shift_reference_1 <= passes_reference_1;
-      slice0shift_reference_2 <= passes_reference_2;
+      slice0shift_reference(0) <= passes_reference(0);
+      slice0shift_reference(1) <= passes_reference(1);
+      slice0shift_reference(2) <= passes_reference(2);
       slice0shift_tag_valid <= passes_tag_valid;
       slice0shift_tag_border_column <= passes_tag_border_column;
       slice0shift_tag_first_cost <= passes_tag_first_cost;
       slice0shift_tag_map_column <= passes_tag_map_column;
       -- slice0cost
-      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
-      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
-      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
-      slice0cost_difference_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
-      slice0cost_difference_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
-      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
-      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
-      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
-      slice0cost_difference_1_3 <= slice0shift_search_1_3 - slice0shift_reference_1;
-      slice0cost_difference_1_4 <= slice0shift_search_1_4 - slice0shift_reference_1;
-      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
-      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
-      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
-      slice0cost_difference_2_3 <= slice0shift_search_2_3 - slice0shift_reference_2;
-      slice0cost_difference_2_4 <= slice0shift_search_2_4 - slice0shift_reference_2;
+      for i in 0 to 2 loop
+        for j in 0 to 4 loop
+          slice0cost_difference(i, j) <= slice0shift_search(i, j) - slice0shift_reference(i);
+        end loop;
+      end loop;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_first_cost <= slice0shift_tag_first_cost;
       slice0cost_difference_tag_map_column <= slice0shift_tag_map_column;
-      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
-        as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
-        as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
-        as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
-        as_number((slice0cost_difference_1_3 < 0));
-      slice0cost_pair_0_4 <= folded(slice0cost_difference_2_4) + folded(slice0cost_difference_1_4) +
-        as_number((slice0cost_difference_1_4 < 0));
-      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
-      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
-      slice0cost_negative_0_4 <= slice0cost_difference_2_4 < 0;
-      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
-      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
-      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
-      slice0cost_single_0_3 <= (folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0))) mod 256;
-      slice0cost_single_0_4 <= (folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0))) mod 256;
+      for i in 0 to 4 loop
+        slice0cost_pair_0(i) <= folded(slice0cost_difference(2, i)) + folded(slice0cost_difference(1, i)) +
+          as_number((slice0cost_difference(1, i) < 0));
+      end loop;
+      for i in 0 to 4 loop
+        slice0cost_negative_0(i) <= slice0cost_difference(2, i) < 0;
+      end loop;
+      for i in 0 to 4 loop
+        slice0cost_single_0(i) <= (folded(slice0cost_difference(0, i)) + as_number((slice0cost_difference(0, i) < 0)))
+          mod 256;
+      end loop;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_first_cost <= slice0cost_difference_tag_first_cost;
@@ -655,94 +629,84 @@ begin
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
       slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
       if slice0cost_pair_tag_border_column then
-        slice0cost_column_0_0 <= 0;
-        slice0cost_column_0_1 <= 0;
-        slice0cost_column_0_2 <= 0;
-        slice0cost_column_0_3 <= 0;
-        slice0cost_column_0_4 <= 0;
+        for i in 0 to 4 loop
+          slice0cost_column_0(i) <= 0;
+        end loop;
       else
-        slice0cost_column_0_0 <= as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0;
-        slice0cost_column_0_1 <= as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1;
-        slice0cost_column_0_2 <= as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2;
-        slice0cost_column_0_3 <= as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_0_3;
-        slice0cost_column_0_4 <= as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_0_4;
+        for i in 0 to 4 loop
+          slice0cost_column_0(i) <= as_number(slice0cost_negative_0(i)) + slice0cost_pair_0(i) + slice0cost_single_0(i);
+        end loop;
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
-        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
-        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
-        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
-        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
-        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
-        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
-        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
-        slice0window_partial_0_1_3 <= slice0cost_column_0_3 + slice0window_partial_0_0_3;
-        slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
+        for i in 0 to 4 loop
+          slice0window_partial_0_0(i) <= slice0cost_column_0(i);
+        end loop;
+        for i in 0 to 4 loop
+          slice0window_partial_0_1(i) <= slice0cost_column_0(i) + slice0window_partial_0_0(i);
+        end loop;
         slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
         slice0window_centre_first_column_0 <= slice0cost_tag_first_cost;
       end if;
-      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
-      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
-      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
-      slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_1_3;
-      slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
+      for i in 0 to 4 loop
+        slice0window_sum_0(i) <= slice0cost_column_0(i) + slice0window_partial_0_1(i);
+      end loop;
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_map_column <= slice0window_centre_map_column_0;
       slice0window_tag_first_column <= slice0window_centre_first_column_0;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
-      slice0winner1_of_pair_0_4 <= slice0window_sum_0_4;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0(1) - slice0window_sum_0(0)) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0(3) - slice0window_sum_0(2)) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0(2), 12)) or
+        (to_unsigned(slice0winner1_of_pair_0(3), 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0(0), 12)) or
+        (to_unsigned(slice0winner1_of_pair_0(1), 12))))) < 0;
+      slice0winner1_of_pair_0(4) <= slice0window_sum_0(4);
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
       slice0winner1_pair_index_0_2 <= 4;
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
       slice0winner1_pair_tag_map_column <= slice0window_tag_map_column;
       slice0winner1_pair_tag_first_column <= slice0window_tag_first_column;
-      slice0winner1_of_four_0_4 <= slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0(4) <= slice0winner1_of_pair_0(4);
       slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_2;
       slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_four_tag_map_column <= slice0winner1_pair_tag_map_column;
       slice0winner1_four_tag_first_column <= slice0winner1_pair_tag_first_column;
-      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_3, 12)))) or (to_unsigned(slice0winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_0, 12))));
-      slice0winner1_best_cost_0_1 <= slice0winner1_of_four_0_4;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0(2), 12)) or
+        (to_unsigned(slice0winner1_of_four_0(3), 12)))) or (to_unsigned(slice0winner1_of_four_0(1), 12)))) or
+        (to_unsigned(slice0winner1_of_four_0(0), 12))));
+      slice0winner1_best_cost_0_1 <= slice0winner1_of_four_0(4);
       slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
       slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
       slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
       slice0winner1_tag_map_column <= slice0winner1_four_tag_map_column;
       slice0winner1_tag_first_column <= slice0winner1_four_tag_first_column;
       if slice0winner1_of_pair_0_0_is_less then
-        slice0winner1_of_pair_0_0 <= 0;
-        slice0winner1_of_pair_0_1 <= slice0window_sum_0_1;
+        slice0winner1_of_pair_0(0) <= 0;
+        slice0winner1_of_pair_0(1) <= slice0window_sum_0(1);
       else
-        slice0winner1_of_pair_0_0 <= slice0window_sum_0_0;
-        slice0winner1_of_pair_0_1 <= 0;
+        slice0winner1_of_pair_0(0) <= slice0window_sum_0(0);
+        slice0winner1_of_pair_0(1) <= 0;
       end if;
       if slice0winner1_of_pair_0_2_is_less then
-        slice0winner1_of_pair_0_2 <= 0;
-        slice0winner1_of_pair_0_3 <= slice0window_sum_0_3;
+        slice0winner1_of_pair_0(2) <= 0;
+        slice0winner1_of_pair_0(3) <= slice0window_sum_0(3);
         slice0winner1_pair_index_0_1 <= 3;
       else
-        slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
-        slice0winner1_of_pair_0_3 <= 0;
+        slice0winner1_of_pair_0(2) <= slice0window_sum_0(2);
+        slice0winner1_of_pair_0(3) <= 0;
         slice0winner1_pair_index_0_1 <= 2;
       end if;
       if slice0winner1_of_four_0_0_is_less then
-        slice0winner1_of_four_0_0 <= 0;
-        slice0winner1_of_four_0_1 <= 0;
-        slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2;
-        slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3;
+        slice0winner1_of_four_0(0) <= 0;
+        slice0winner1_of_four_0(1) <= 0;
+        slice0winner1_of_four_0(2) <= slice0winner1_of_pair_0(2);
+        slice0winner1_of_four_0(3) <= slice0winner1_of_pair_0(3);
         slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
       else
-        slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0;
-        slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1;
-        slice0winner1_of_four_0_2 <= 0;
-        slice0winner1_of_four_0_3 <= 0;
+        slice0winner1_of_four_0(0) <= slice0winner1_of_pair_0(0);
+        slice0winner1_of_four_0(1) <= slice0winner1_of_pair_0(1);
+        slice0winner1_of_four_0(2) <= 0;
+        slice0winner1_of_four_0(3) <= 0;
         slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0);
       end if;
       -- slice0winner2
@@ -803,7 +767,7 @@ begin
       best_best_tag_map_column <= best_last_pass and best_compared_tag_map_column;
       best_best_tag_first_column <= best_last_pass and best_compared_tag_first_column;
       if (best_pass / 2) = 0 then
-        best_here_wins <= best_here_wins_is_less or (not ((best_pass mod 2) = 1));
+        best_here_wins <= best_here_wins_is_less or (not is_set(best_pass, 0));
       else
         best_here_wins <= best_here_wins_is_less;
       end if;
@@ -873,28 +837,28 @@ begin
         winners_write_address <= winners_column_choice + (as_number(winners_row_differs) * 512);
       end if;
       -- other
-      if rows_ready_inside_0 then
-        other_0_choice := rows_reference_rows_ready_words_0 mod 256;
+      if rows_ready_inside(0) then
+        other_choice(0) := rows_reference_rows_ready_words_0 mod 256;
       else
-        other_0_choice := 0;
+        other_choice(0) := 0;
       end if;
-      if rows_ready_inside_1 then
-        other_0_choice_2 := rows_reference_rows_ready_words_0 / 256;
+      if rows_ready_inside(1) then
+        other_choice_2(0) := rows_reference_rows_ready_words_0 / 256;
       else
-        other_0_choice_2 := 0;
+        other_choice_2(0) := 0;
       end if;
-      if rows_ready_inside_0 then
-        other_1_choice := rows_search_rows_ready_words_0 mod 256;
+      if rows_ready_inside(0) then
+        other_choice(1) := rows_search_rows_ready_words_0 mod 256;
       else
-        other_1_choice := 0;
+        other_choice(1) := 0;
       end if;
-      if rows_ready_inside_1 then
-        other_1_choice_2 := rows_search_rows_ready_words_0 / 256;
+      if rows_ready_inside(1) then
+        other_choice_2(1) := rows_search_rows_ready_words_0 / 256;
       else
-        other_1_choice_2 := 0;
+        other_choice_2(1) := 0;
       end if;
-      other_0 <= other_0_choice + (other_0_choice_2 * 256);
-      other_1 <= other_1_choice + (other_1_choice_2 * 256);
+      other(0) <= other_choice(0) + (other_choice_2(0) * 256);
+      other(1) <= other_choice(1) + (other_choice_2(1) * 256);
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

@@ -4,6 +4,7 @@
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config ambrosch2007_f5
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+-- Where a comment behind a declaration has #, the C++ has the indices.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -86,10 +87,23 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
     return '0';
   end function;
 
-  signal in_start_of_frame : boolean;
-  signal in_valid : boolean;
-  signal in_left_pixel : natural range 0 to 255;
-  signal in_right_pixel : natural range 0 to 255;
+  -- whether the bit of this place is 1
+  function is_set(value : natural; place : natural) return boolean is
+  begin
+    return (value / 2 ** place) mod 2 = 1;
+  end function;
+
+  type boolean_1d is array (natural range <>) of boolean;
+  type integer_minus_255_to_255_2d is array (natural range <>, natural range <>) of integer range -255 to 255;
+  type natural_1534_1d is array (natural range <>) of natural range 0 to 1534;
+  type natural_2301_1d is array (natural range <>) of natural range 0 to 2301;
+  type natural_255_1d is array (natural range <>) of natural range 0 to 255;
+  type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
+  type natural_511_1d is array (natural range <>) of natural range 0 to 511;
+  type natural_65535_1d is array (natural range <>) of natural range 0 to 65535;
+  type natural_767_1d is array (natural range <>) of natural range 0 to 767;
+  signal in_start_of_frame, in_valid : boolean;
+  signal in_left_pixel, in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0, raster_place_group : natural range 0 to 255;
   signal raster_features_valid, raster_place_next_frame : boolean;
@@ -97,8 +111,8 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
   -- delay
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 255;
   signal delay_column : natural range 0 to 511;
-  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_row_start : boolean;
-  signal delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_row_inside : boolean_1d(0 to 2);
+  signal delay_tag_valid, delay_tag_row_start, delay_tag_output_column, delay_tag_start_of_frame : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(15 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
@@ -107,11 +121,13 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 65535;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 65535;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
-  signal rows_read_tag_row_start, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2, rows_ready_tag_valid : boolean;
-  signal rows_ready_tag_row_start, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
-  signal rows_tag_valid, rows_tag_row_start, rows_tag_output_column, rows_tag_start_of_frame : boolean;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_start_of_frame : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag_valid, rows_ready_tag_row_start, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_tag_valid, rows_tag_row_start, rows_tag_output_column : boolean;
+  signal rows_tag_start_of_frame : boolean;
   -- passes
   signal passes_row, passes_coming_output, passes_coming_starts, passes_row_ended, passes_ended_last : boolean;
   signal passes_arrived, passes_shows, passes_showing_output, passes_showing_starts, passes_inside_0 : boolean;
@@ -122,116 +138,35 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
   signal passes_write_address, passes_search_address, passes_reference_address : natural range 0 to 1023;
   signal passes_write_search_0, passes_write_reference_0 : natural range 0 to 16777215;
   signal passes_pass : natural range 0 to 7;
-  signal passes_column, passes_search_0, passes_search_1, passes_search_2, passes_reference_0 : natural range 0 to 255;
-  signal passes_reference_1, passes_reference_2 : natural range 0 to 255;
+  signal passes_column : natural range 0 to 255;
+  signal passes_search : natural_255_1d(0 to 2);
+  signal passes_reference : natural_255_1d(0 to 2);
   signal passes_search_start : natural range 0 to 511;
   signal passes_read_search_0, passes_read_reference_0 : unsigned(23 downto 0);
   -- slice0shift
-  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
-  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 255;
-  signal slice0shift_search_0_6, slice0shift_search_0_7, slice0shift_search_0_8 : natural range 0 to 255;
-  signal slice0shift_search_0_9, slice0shift_search_0_10, slice0shift_search_0_11 : natural range 0 to 255;
-  signal slice0shift_search_0_12, slice0shift_search_0_13, slice0shift_search_0_14 : natural range 0 to 255;
-  signal slice0shift_search_0_15, slice0shift_search_0_16, slice0shift_search_0_17 : natural range 0 to 255;
-  signal slice0shift_search_0_18, slice0shift_search_0_19, slice0shift_search_1_0 : natural range 0 to 255;
-  signal slice0shift_search_1_1, slice0shift_search_1_2, slice0shift_search_1_3 : natural range 0 to 255;
-  signal slice0shift_search_1_4, slice0shift_search_1_5, slice0shift_search_1_6 : natural range 0 to 255;
-  signal slice0shift_search_1_7, slice0shift_search_1_8, slice0shift_search_1_9 : natural range 0 to 255;
-  signal slice0shift_search_1_10, slice0shift_search_1_11, slice0shift_search_1_12 : natural range 0 to 255;
-  signal slice0shift_search_1_13, slice0shift_search_1_14, slice0shift_search_1_15 : natural range 0 to 255;
-  signal slice0shift_search_1_16, slice0shift_search_1_17, slice0shift_search_1_18 : natural range 0 to 255;
-  signal slice0shift_search_1_19, slice0shift_search_2_0, slice0shift_search_2_1 : natural range 0 to 255;
-  signal slice0shift_search_2_2, slice0shift_search_2_3, slice0shift_search_2_4 : natural range 0 to 255;
-  signal slice0shift_search_2_5, slice0shift_search_2_6, slice0shift_search_2_7 : natural range 0 to 255;
-  signal slice0shift_search_2_8, slice0shift_search_2_9, slice0shift_search_2_10 : natural range 0 to 255;
-  signal slice0shift_search_2_11, slice0shift_search_2_12, slice0shift_search_2_13 : natural range 0 to 255;
-  signal slice0shift_search_2_14, slice0shift_search_2_15, slice0shift_search_2_16 : natural range 0 to 255;
-  signal slice0shift_search_2_17, slice0shift_search_2_18, slice0shift_search_2_19 : natural range 0 to 255;
-  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
+  signal slice0shift_search : natural_255_2d(0 to 2, 0 to 19);
+  signal slice0shift_reference : natural_255_1d(0 to 2);
   signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
   signal slice0shift_tag_map_column : boolean;
   -- slice0cost
-  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
-  signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_0_5 : integer range -255 to 255;
-  signal slice0cost_difference_0_6, slice0cost_difference_0_7, slice0cost_difference_0_8 : integer range -255 to 255;
-  signal slice0cost_difference_0_9, slice0cost_difference_0_10, slice0cost_difference_0_11 : integer range -255 to 255;
-  signal slice0cost_difference_0_12, slice0cost_difference_0_13, slice0cost_difference_0_14 : integer range -255 to 255;
-  signal slice0cost_difference_0_15, slice0cost_difference_0_16, slice0cost_difference_0_17 : integer range -255 to 255;
-  signal slice0cost_difference_0_18, slice0cost_difference_0_19, slice0cost_difference_1_0 : integer range -255 to 255;
-  signal slice0cost_difference_1_1, slice0cost_difference_1_2, slice0cost_difference_1_3 : integer range -255 to 255;
-  signal slice0cost_difference_1_4, slice0cost_difference_1_5, slice0cost_difference_1_6 : integer range -255 to 255;
-  signal slice0cost_difference_1_7, slice0cost_difference_1_8, slice0cost_difference_1_9 : integer range -255 to 255;
-  signal slice0cost_difference_1_10, slice0cost_difference_1_11, slice0cost_difference_1_12 : integer range -255 to 255;
-  signal slice0cost_difference_1_13, slice0cost_difference_1_14, slice0cost_difference_1_15 : integer range -255 to 255;
-  signal slice0cost_difference_1_16, slice0cost_difference_1_17, slice0cost_difference_1_18 : integer range -255 to 255;
-  signal slice0cost_difference_1_19, slice0cost_difference_2_0, slice0cost_difference_2_1 : integer range -255 to 255;
-  signal slice0cost_difference_2_2, slice0cost_difference_2_3, slice0cost_difference_2_4 : integer range -255 to 255;
-  signal slice0cost_difference_2_5, slice0cost_difference_2_6, slice0cost_difference_2_7 : integer range -255 to 255;
-  signal slice0cost_difference_2_8, slice0cost_difference_2_9, slice0cost_difference_2_10 : integer range -255 to 255;
-  signal slice0cost_difference_2_11, slice0cost_difference_2_12, slice0cost_difference_2_13 : integer range -255 to 255;
-  signal slice0cost_difference_2_14, slice0cost_difference_2_15, slice0cost_difference_2_16 : integer range -255 to 255;
-  signal slice0cost_difference_2_17, slice0cost_difference_2_18, slice0cost_difference_2_19 : integer range -255 to 255;
+  signal slice0cost_difference : integer_minus_255_to_255_2d(0 to 2, 0 to 19);
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
-  signal slice0cost_difference_tag_first_cost, slice0cost_difference_tag_map_column, slice0cost_negative_0_0 : boolean;
-  signal slice0cost_negative_0_1, slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4 : boolean;
-  signal slice0cost_negative_0_5, slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_negative_0_8 : boolean;
-  signal slice0cost_negative_0_9, slice0cost_negative_0_10, slice0cost_negative_0_11 : boolean;
-  signal slice0cost_negative_0_12, slice0cost_negative_0_13, slice0cost_negative_0_14 : boolean;
-  signal slice0cost_negative_0_15, slice0cost_negative_0_16, slice0cost_negative_0_17 : boolean;
-  signal slice0cost_negative_0_18, slice0cost_negative_0_19, slice0cost_pair_tag_valid : boolean;
-  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column : boolean;
-  signal slice0cost_tag_valid, slice0cost_tag_first_cost, slice0cost_tag_map_column : boolean;
-  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
-  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
-  signal slice0cost_pair_0_8, slice0cost_pair_0_9, slice0cost_pair_0_10, slice0cost_pair_0_11 : natural range 0 to 511;
-  signal slice0cost_pair_0_12, slice0cost_pair_0_13, slice0cost_pair_0_14 : natural range 0 to 511;
-  signal slice0cost_pair_0_15, slice0cost_pair_0_16, slice0cost_pair_0_17 : natural range 0 to 511;
-  signal slice0cost_pair_0_18, slice0cost_pair_0_19 : natural range 0 to 511;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
-  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 255;
-  signal slice0cost_single_0_6, slice0cost_single_0_7, slice0cost_single_0_8 : natural range 0 to 255;
-  signal slice0cost_single_0_9, slice0cost_single_0_10, slice0cost_single_0_11 : natural range 0 to 255;
-  signal slice0cost_single_0_12, slice0cost_single_0_13, slice0cost_single_0_14 : natural range 0 to 255;
-  signal slice0cost_single_0_15, slice0cost_single_0_16, slice0cost_single_0_17 : natural range 0 to 255;
-  signal slice0cost_single_0_18, slice0cost_single_0_19 : natural range 0 to 255;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
-  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 767;
-  signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 767;
-  signal slice0cost_column_0_9, slice0cost_column_0_10, slice0cost_column_0_11 : natural range 0 to 767;
-  signal slice0cost_column_0_12, slice0cost_column_0_13, slice0cost_column_0_14 : natural range 0 to 767;
-  signal slice0cost_column_0_15, slice0cost_column_0_16, slice0cost_column_0_17 : natural range 0 to 767;
-  signal slice0cost_column_0_18, slice0cost_column_0_19 : natural range 0 to 767;
+  signal slice0cost_difference_tag_first_cost, slice0cost_difference_tag_map_column : boolean;
+  signal slice0cost_negative_0 : boolean_1d(0 to 19);
+  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost : boolean;
+  signal slice0cost_pair_tag_map_column, slice0cost_tag_valid, slice0cost_tag_first_cost : boolean;
+  signal slice0cost_tag_map_column : boolean;
+  signal slice0cost_pair_0 : natural_511_1d(0 to 19);
+  signal slice0cost_single_0 : natural_255_1d(0 to 19);
+  signal slice0cost_column_0 : natural_767_1d(0 to 19);
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 767;
-  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7, slice0window_partial_0_0_8 : natural range 0 to 767;
-  signal slice0window_partial_0_0_9, slice0window_partial_0_0_10, slice0window_partial_0_0_11 : natural range 0 to 767;
-  signal slice0window_partial_0_0_12, slice0window_partial_0_0_13, slice0window_partial_0_0_14 : natural range 0 to 767;
-  signal slice0window_partial_0_0_15, slice0window_partial_0_0_16, slice0window_partial_0_0_17 : natural range 0 to 767;
-  signal slice0window_partial_0_0_18, slice0window_partial_0_0_19 : natural range 0 to 767;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7, slice0window_partial_0_1_8 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_9, slice0window_partial_0_1_10, slice0window_partial_0_1_11 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_12, slice0window_partial_0_1_13 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_14, slice0window_partial_0_1_15 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_16, slice0window_partial_0_1_17 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_18, slice0window_partial_0_1_19 : natural range 0 to 1534;
+  signal slice0window_partial_0_0 : natural_767_1d(0 to 19);
+  signal slice0window_partial_0_1 : natural_1534_1d(0 to 19);
   signal slice0window_centre_map_column_0, slice0window_centre_first_column_0, slice0window_tag_valid : boolean;
   signal slice0window_tag_map_column, slice0window_tag_first_column : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 2301;
-  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 2301;
-  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 2301;
-  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 2301;
-  signal slice0window_sum_0_15, slice0window_sum_0_16, slice0window_sum_0_17 : natural range 0 to 2301;
-  signal slice0window_sum_0_18, slice0window_sum_0_19 : natural range 0 to 2301;
+  signal slice0window_sum_0 : natural_2301_1d(0 to 19);
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_8, slice0winner1_best_cost_0_9 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0 : natural_2301_1d(0 to 9);
   signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
   signal slice0winner1_tag_first_column : boolean;
   signal slice0winner1_best_index_0_1 : natural range 0 to 3;
@@ -244,9 +179,7 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
   signal slice0winner1_best_index_0_8 : natural range 0 to 17;
   signal slice0winner1_best_index_0_9 : natural range 0 to 19;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_0_4 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_0 : natural_2301_1d(0 to 4);
   signal slice0winner2_best_index_0_0 : natural range 0 to 3;
   signal slice0winner2_best_index_0_1 : natural range 0 to 7;
   signal slice0winner2_best_index_0_2 : natural range 0 to 11;
@@ -254,14 +187,13 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
   signal slice0winner2_best_index_0_4 : natural range 0 to 19;
   signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_first_column : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner3_best_cost_0_2 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_0 : natural_2301_1d(0 to 2);
   signal slice0winner3_best_index_0_0 : natural range 0 to 7;
   signal slice0winner3_best_index_0_1 : natural range 0 to 15;
   signal slice0winner3_best_index_0_2 : natural range 0 to 19;
   signal slice0winner3_tag_valid, slice0winner3_tag_map_column, slice0winner3_tag_first_column : boolean;
   -- slice0winner4
-  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner4_best_cost_0 : natural_2301_1d(0 to 1);
   signal slice0winner4_best_index_0_0 : natural range 0 to 15;
   signal slice0winner4_best_index_0_1 : natural range 0 to 19;
   signal slice0winner4_tag_valid, slice0winner4_tag_map_column, slice0winner4_tag_first_column : boolean;
@@ -298,18 +230,15 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
   signal winners_write_word_0, winners_winners_disparity_0 : natural range 0 to 127;
   signal winners_read_word_0 : unsigned(6 downto 0);
   -- other
-  signal other_0, other_1 : natural range 0 to 65535;
+  signal other : natural_65535_1d(0 to 1);
   signal winners_read_word_0_memory_read_enable : boolean;
-  signal winners_read_word_0_memory_read_address : unsigned(9 downto 0);
-  signal winners_read_word_0_memory_write_address : unsigned(9 downto 0);
+  signal winners_read_word_0_memory_read_address, winners_read_word_0_memory_write_address : unsigned(9 downto 0);
   signal winners_read_word_0_memory_write_data : unsigned(6 downto 0);
   signal best_read_words_0_memory_read_enable : boolean;
-  signal best_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal best_read_words_0_memory_write_address : unsigned(8 downto 0);
+  signal best_read_words_0_memory_read_address, best_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal best_read_words_0_memory_write_data : unsigned(19 downto 0);
   signal passes_read_search_0_memory_read_enable : boolean;
-  signal passes_read_search_0_memory_read_address : unsigned(9 downto 0);
-  signal passes_read_search_0_memory_write_address : unsigned(9 downto 0);
+  signal passes_read_search_0_memory_read_address, passes_read_search_0_memory_write_address : unsigned(9 downto 0);
   signal passes_read_search_0_memory_write_data : unsigned(23 downto 0);
   signal passes_read_reference_0_memory_read_enable : boolean;
   signal passes_read_reference_0_memory_read_address : unsigned(9 downto 0);
@@ -402,8 +331,9 @@ begin
       write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_place_group_choice_2, raster_place_group_is_equal_3, raster_place_next_frame_choice : boolean;
+    variable raster_place_group_is_equal : boolean;
+    variable raster_place_group_is_equals : boolean_1d(2 to 3);  -- raster_place_group_is_equal_#
+    variable raster_place_group_all, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
     variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_row_start_is_equal : boolean;
     variable passes_row_is_equal, passes_coming_output_all, passes_coming_output_any, passes_row_ended_all : boolean;
     variable passes_shows_any, passes_showing_output_differs, passes_showing_output_any : boolean;
@@ -411,20 +341,16 @@ begin
     variable passes_leaving_starts_choice_2, passes_read_tag_border_column_is_equal : boolean;
     variable passes_read_tag_border_column_all, passes_read_tag_border_column_value : boolean;
     variable passes_read_tag_border_column_choice, passes_read_tag_border_column_choice_2 : boolean;
-    variable passes_read_tag_first_cost_is_equal, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
-    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
-    variable slice0winner1_best_cost_0_7_is_less, slice0winner1_best_cost_0_8_is_less : boolean;
-    variable slice0winner1_best_cost_0_9_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
-    variable slice0winner2_best_cost_0_3_is_less, slice0winner2_best_cost_0_4_is_less : boolean;
-    variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_cost_0_1_is_less : boolean;
+    variable passes_read_tag_first_cost_is_equal : boolean;
+    variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 9);  -- slice0winner1_best_cost_0_#_is_less
+    variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 4);  -- slice0winner2_best_cost_0_#_is_less
+    variable slice0winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice0winner3_best_cost_0_#_is_less
     variable slice0winner4_best_cost_0_0_is_less, slice0winner5_best_cost_0_0_is_less, best_base_any : boolean;
     variable best_base_is_equal, winners_row_differs, winners_column_any : boolean;
     variable raster_place_group_choice : natural range 0 to 15;
-    variable raster_place_group_choice_3, raster_place_group_choice_4, other_0_choice : natural range 0 to 255;
-    variable other_0_choice_2, other_1_choice, other_1_choice_2 : natural range 0 to 255;
+    variable raster_place_group_choices : natural_255_1d(3 to 4);  -- raster_place_group_choice_#
+    variable other_choice : natural_255_1d(0 to 1);  -- other_#_choice
+    variable other_choice_2 : natural_255_1d(0 to 1);  -- other_#_choice_2
     variable passes_search_start_choice, passes_search_start_choice_2 : natural range 0 to 127;
     variable passes_search_address_choice : natural range 0 to 127;
     variable passes_search_address_value : natural range 0 to 512;
@@ -435,8 +361,8 @@ begin
     if rising_edge(clock) then
       -- raster
       raster_place_group_is_equal := raster_place_column = 319;
-      raster_place_group_is_equal_2 := raster_place_group = 239;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_is_equals(2) := raster_place_group = 239;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equals(2);
       if raster_place_group_all then
         raster_place_group_choice := 15;
       else
@@ -447,16 +373,16 @@ begin
       else
         raster_place_group_choice_2 := raster_place_group_is_equal and in_valid;
       end if;
-      raster_place_group_is_equal_3 := raster_place_group = 240;
-      if raster_place_group_is_equal_3 and raster_place_next_frame then
-        raster_place_group_choice_3 := 1;
+      raster_place_group_is_equals(3) := raster_place_group = 240;
+      if raster_place_group_is_equals(3) and raster_place_next_frame then
+        raster_place_group_choices(3) := 1;
       else
-        raster_place_group_choice_3 := (raster_place_group + 1) mod 256;
+        raster_place_group_choices(3) := (raster_place_group + 1) mod 256;
       end if;
       if raster_place_group_choice_2 then
-        raster_place_group_choice_4 := raster_place_group_choice_3;
+        raster_place_group_choices(4) := raster_place_group_choices(3);
       else
-        raster_place_group_choice_4 := raster_place_group;
+        raster_place_group_choices(4) := raster_place_group;
       end if;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
@@ -464,9 +390,9 @@ begin
       if in_start_of_frame and in_valid then
         raster_place_group <= raster_place_group_choice * 16;
       else
-        raster_place_group <= raster_place_group_choice_4;
+        raster_place_group <= raster_place_group_choices(4);
       end if;
-      if raster_place_group_is_equal_3 then
+      if raster_place_group_is_equals(3) then
         raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame;
       else
         raster_place_next_frame_choice := raster_place_next_frame;
@@ -480,7 +406,7 @@ begin
         if raster_place_next_frame_choice then
           raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
         else
-          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equals(2) and
             in_start_of_frame;
         end if;
       end if;
@@ -491,10 +417,10 @@ begin
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 240;
-      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
-      delay_row_inside_2 <= (not ((raster_place_group / 128) = 1)) or (not (((raster_place_group / 64) mod 2) = 1)) or
-        (not (((raster_place_group / 32) mod 2) = 1)) or (not (((raster_place_group / 16) mod 2) = 1));
+      delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 240;
+      delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+      delay_row_inside(2) <= (not is_set(raster_place_group, 7)) or (not is_set(raster_place_group, 6)) or (not
+        is_set(raster_place_group, 5)) or (not is_set(raster_place_group, 4));
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= delay_tag_row_start_is_equal;
       delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and (raster_place_column
@@ -508,17 +434,17 @@ begin
       rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside_0 <= delay_row_inside_0;
-      rows_read_inside_1 <= delay_row_inside_1;
-      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_inside(0) <= delay_row_inside(0);
+      rows_read_inside(1) <= delay_row_inside(1);
+      rows_read_inside(2) <= delay_row_inside(2);
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_row_start <= delay_tag_row_start;
       rows_read_tag_output_column <= delay_tag_output_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= rows_read_inside_1;
-      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_inside(0) <= rows_read_inside(0);
+      rows_ready_inside(1) <= rows_read_inside(1);
+      rows_ready_inside(2) <= rows_read_inside(2);
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_row_start <= rows_read_tag_row_start;
       rows_ready_tag_output_column <= rows_read_tag_output_column;
@@ -527,7 +453,7 @@ begin
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      if rows_ready_inside_2 then
+      if rows_ready_inside(2) then
         rows_search_2 <= rows_search_rows_ready_newest_0;
         rows_reference_2 <= rows_reference_rows_ready_newest_0;
       else
@@ -600,7 +526,7 @@ begin
       end if;
       passes_read_tag_border_column_is_equal := (passes_column mod 16) = 0;
       passes_read_tag_border_column_all := passes_read_tag_border_column_is_equal and ((passes_column / 32) = 7);
-      passes_read_tag_border_column_value := ((passes_column / 16) mod 2) = 1;
+      passes_read_tag_border_column_value := is_set(passes_column, 4);
       if passes_read_tag_border_column_all then
         passes_read_tag_border_column_choice := (not passes_read_tag_border_column) and (not
           passes_read_tag_border_column_value);
@@ -627,12 +553,12 @@ begin
       passes_read_tag_map_column <= passes_read_tag_first_cost_is_equal or (passes_read_tag_map_column and (not
         passes_read_tag_end_of_line));
       passes_read_tag_end_of_line <= passes_column = 238;
-      passes_search_0 <= to_integer(passes_read_search_0(7 downto 0));
-      passes_search_1 <= to_integer(passes_read_search_0(15 downto 8));
-      passes_search_2 <= to_integer(passes_read_search_0(23 downto 16));
-      passes_reference_0 <= to_integer(passes_read_reference_0(7 downto 0));
-      passes_reference_1 <= to_integer(passes_read_reference_0(15 downto 8));
-      passes_reference_2 <= to_integer(passes_read_reference_0(23 downto 16));
+      passes_search(0) <= to_integer(passes_read_search_0(7 downto 0));
+      passes_search(1) <= to_integer(passes_read_search_0(15 downto 8));
+      passes_search(2) <= to_integer(passes_read_search_0(23 downto 16));
+      passes_reference(0) <= to_integer(passes_read_reference_0(7 downto 0));
+      passes_reference(1) <= to_integer(passes_read_reference_0(15 downto 8));
+      passes_reference(2) <= to_integer(passes_read_reference_0(23 downto 16));
       passes_tag_valid <= passes_read_tag_valid;
       passes_tag_border_column <= passes_read_tag_border_column;
       passes_tag_first_cost <= passes_read_tag_first_cost;
@@ -680,8 +606,8 @@ begin
       if rows_tag_valid then
         passes_ended_last <= passes_row_is_equal;
         passes_write_address <= rows_write_column + (as_number(passes_row) * 512);
-        passes_write_search_0 <= (rows_search_2 * 65536) + other_1;
-        passes_write_reference_0 <= (rows_reference_2 * 65536) + other_0;
+        passes_write_search_0 <= (rows_search_2 * 65536) + other(1);
+        passes_write_reference_0 <= (rows_reference_2 * 65536) + other(0);
       end if;
       if passes_pass_ends then
         if passes_shows_any then
@@ -692,229 +618,41 @@ begin
       end if;
       -- slice0shift
       if passes_tag_valid then
-        slice0shift_search_0_0 <= slice0shift_search_0_1;
-        slice0shift_search_0_1 <= slice0shift_search_0_2;
-        slice0shift_search_0_2 <= slice0shift_search_0_3;
-        slice0shift_search_0_3 <= slice0shift_search_0_4;
-        slice0shift_search_0_4 <= slice0shift_search_0_5;
-        slice0shift_search_0_5 <= slice0shift_search_0_6;
-        slice0shift_search_0_6 <= slice0shift_search_0_7;
-        slice0shift_search_0_7 <= slice0shift_search_0_8;
-        slice0shift_search_0_8 <= slice0shift_search_0_9;
-        slice0shift_search_0_9 <= slice0shift_search_0_10;
-        slice0shift_search_0_10 <= slice0shift_search_0_11;
-        slice0shift_search_0_11 <= slice0shift_search_0_12;
-        slice0shift_search_0_12 <= slice0shift_search_0_13;
-        slice0shift_search_0_13 <= slice0shift_search_0_14;
-        slice0shift_search_0_14 <= slice0shift_search_0_15;
-        slice0shift_search_0_15 <= slice0shift_search_0_16;
-        slice0shift_search_0_16 <= slice0shift_search_0_17;
-        slice0shift_search_0_17 <= slice0shift_search_0_18;
-        slice0shift_search_0_18 <= slice0shift_search_0_19;
-        slice0shift_search_0_19 <= passes_search_0;
-        slice0shift_search_1_0 <= slice0shift_search_1_1;
-        slice0shift_search_1_1 <= slice0shift_search_1_2;
-        slice0shift_search_1_2 <= slice0shift_search_1_3;
-        slice0shift_search_1_3 <= slice0shift_search_1_4;
-        slice0shift_search_1_4 <= slice0shift_search_1_5;
-        slice0shift_search_1_5 <= slice0shift_search_1_6;
-        slice0shift_search_1_6 <= slice0shift_search_1_7;
-        slice0shift_search_1_7 <= slice0shift_search_1_8;
-        slice0shift_search_1_8 <= slice0shift_search_1_9;
-        slice0shift_search_1_9 <= slice0shift_search_1_10;
-        slice0shift_search_1_10 <= slice0shift_search_1_11;
-        slice0shift_search_1_11 <= slice0shift_search_1_12;
-        slice0shift_search_1_12 <= slice0shift_search_1_13;
-        slice0shift_search_1_13 <= slice0shift_search_1_14;
-        slice0shift_search_1_14 <= slice0shift_search_1_15;
-        slice0shift_search_1_15 <= slice0shift_search_1_16;
-        slice0shift_search_1_16 <= slice0shift_search_1_17;
-        slice0shift_search_1_17 <= slice0shift_search_1_18;
-        slice0shift_search_1_18 <= slice0shift_search_1_19;
-        slice0shift_search_1_19 <= passes_search_1;
-        slice0shift_search_2_0 <= slice0shift_search_2_1;
-        slice0shift_search_2_1 <= slice0shift_search_2_2;
-        slice0shift_search_2_2 <= slice0shift_search_2_3;
-        slice0shift_search_2_3 <= slice0shift_search_2_4;
-        slice0shift_search_2_4 <= slice0shift_search_2_5;
-        slice0shift_search_2_5 <= slice0shift_search_2_6;
-        slice0shift_search_2_6 <= slice0shift_search_2_7;
-        slice0shift_search_2_7 <= slice0shift_search_2_8;
-        slice0shift_search_2_8 <= slice0shift_search_2_9;
-        slice0shift_search_2_9 <= slice0shift_search_2_10;
-        slice0shift_search_2_10 <= slice0shift_search_2_11;
-        slice0shift_search_2_11 <= slice0shift_search_2_12;
-        slice0shift_search_2_12 <= slice0shift_search_2_13;
-        slice0shift_search_2_13 <= slice0shift_search_2_14;
-        slice0shift_search_2_14 <= slice0shift_search_2_15;
-        slice0shift_search_2_15 <= slice0shift_search_2_16;
-        slice0shift_search_2_16 <= slice0shift_search_2_17;
-        slice0shift_search_2_17 <= slice0shift_search_2_18;
-        slice0shift_search_2_18 <= slice0shift_search_2_19;
-        slice0shift_search_2_19 <= passes_search_2;
+        for i in 0 to 2 loop
+          for j in 0 to 18 loop
+            slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
+          end loop;
+          slice0shift_search(i, 19) <= passes_search(i);
+        end loop;
       end if;
-      slice0shift_reference_0 <= passes_reference_0;
-      slice0shift_reference_1 <= passes_reference_1;
-      slice0shift_reference_2 <= passes_reference_2;
+      slice0shift_reference(0) <= passes_reference(0);
+      slice0shift_reference(1) <= passes_reference(1);
+      slice0shift_reference(2) <= passes_reference(2);
       slice0shift_tag_valid <= passes_tag_valid;
       slice0shift_tag_border_column <= passes_tag_border_column;
       slice0shift_tag_first_cost <= passes_tag_first_cost;
       slice0shift_tag_map_column <= passes_tag_map_column;
       -- slice0cost
-      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
-      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
-      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
-      slice0cost_difference_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
-      slice0cost_difference_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
-      slice0cost_difference_0_5 <= slice0shift_search_0_5 - slice0shift_reference_0;
-      slice0cost_difference_0_6 <= slice0shift_search_0_6 - slice0shift_reference_0;
-      slice0cost_difference_0_7 <= slice0shift_search_0_7 - slice0shift_reference_0;
-      slice0cost_difference_0_8 <= slice0shift_search_0_8 - slice0shift_reference_0;
-      slice0cost_difference_0_9 <= slice0shift_search_0_9 - slice0shift_reference_0;
-      slice0cost_difference_0_10 <= slice0shift_search_0_10 - slice0shift_reference_0;
-      slice0cost_difference_0_11 <= slice0shift_search_0_11 - slice0shift_reference_0;
-      slice0cost_difference_0_12 <= slice0shift_search_0_12 - slice0shift_reference_0;
-      slice0cost_difference_0_13 <= slice0shift_search_0_13 - slice0shift_reference_0;
-      slice0cost_difference_0_14 <= slice0shift_search_0_14 - slice0shift_reference_0;
-      slice0cost_difference_0_15 <= slice0shift_search_0_15 - slice0shift_reference_0;
-      slice0cost_difference_0_16 <= slice0shift_search_0_16 - slice0shift_reference_0;
-      slice0cost_difference_0_17 <= slice0shift_search_0_17 - slice0shift_reference_0;
-      slice0cost_difference_0_18 <= slice0shift_search_0_18 - slice0shift_reference_0;
-      slice0cost_difference_0_19 <= slice0shift_search_0_19 - slice0shift_reference_0;
-      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
-      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
-      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
-      slice0cost_difference_1_3 <= slice0shift_search_1_3 - slice0shift_reference_1;
-      slice0cost_difference_1_4 <= slice0shift_search_1_4 - slice0shift_reference_1;
-      slice0cost_difference_1_5 <= slice0shift_search_1_5 - slice0shift_reference_1;
-      slice0cost_difference_1_6 <= slice0shift_search_1_6 - slice0shift_reference_1;
-      slice0cost_difference_1_7 <= slice0shift_search_1_7 - slice0shift_reference_1;
-      slice0cost_difference_1_8 <= slice0shift_search_1_8 - slice0shift_reference_1;
-      slice0cost_difference_1_9 <= slice0shift_search_1_9 - slice0shift_reference_1;
-      slice0cost_difference_1_10 <= slice0shift_search_1_10 - slice0shift_reference_1;
-      slice0cost_difference_1_11 <= slice0shift_search_1_11 - slice0shift_reference_1;
-      slice0cost_difference_1_12 <= slice0shift_search_1_12 - slice0shift_reference_1;
-      slice0cost_difference_1_13 <= slice0shift_search_1_13 - slice0shift_reference_1;
-      slice0cost_difference_1_14 <= slice0shift_search_1_14 - slice0shift_reference_1;
-      slice0cost_difference_1_15 <= slice0shift_search_1_15 - slice0shift_reference_1;
-      slice0cost_difference_1_16 <= slice0shift_search_1_16 - slice0shift_reference_1;
-      slice0cost_difference_1_17 <= slice0shift_search_1_17 - slice0shift_reference_1;
-      slice0cost_difference_1_18 <= slice0shift_search_1_18 - slice0shift_reference_1;
-      slice0cost_difference_1_19 <= slice0shift_search_1_19 - slice0shift_reference_1;
-      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
-      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
-      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
-      slice0cost_difference_2_3 <= slice0shift_search_2_3 - slice0shift_reference_2;
-      slice0cost_difference_2_4 <= slice0shift_search_2_4 - slice0shift_reference_2;
-      slice0cost_difference_2_5 <= slice0shift_search_2_5 - slice0shift_reference_2;
-      slice0cost_difference_2_6 <= slice0shift_search_2_6 - slice0shift_reference_2;
-      slice0cost_difference_2_7 <= slice0shift_search_2_7 - slice0shift_reference_2;
-      slice0cost_difference_2_8 <= slice0shift_search_2_8 - slice0shift_reference_2;
-      slice0cost_difference_2_9 <= slice0shift_search_2_9 - slice0shift_reference_2;
-      slice0cost_difference_2_10 <= slice0shift_search_2_10 - slice0shift_reference_2;
-      slice0cost_difference_2_11 <= slice0shift_search_2_11 - slice0shift_reference_2;
-      slice0cost_difference_2_12 <= slice0shift_search_2_12 - slice0shift_reference_2;
-      slice0cost_difference_2_13 <= slice0shift_search_2_13 - slice0shift_reference_2;
-      slice0cost_difference_2_14 <= slice0shift_search_2_14 - slice0shift_reference_2;
-      slice0cost_difference_2_15 <= slice0shift_search_2_15 - slice0shift_reference_2;
-      slice0cost_difference_2_16 <= slice0shift_search_2_16 - slice0shift_reference_2;
-      slice0cost_difference_2_17 <= slice0shift_search_2_17 - slice0shift_reference_2;
-      slice0cost_difference_2_18 <= slice0shift_search_2_18 - slice0shift_reference_2;
-      slice0cost_difference_2_19 <= slice0shift_search_2_19 - slice0shift_reference_2;
+      for i in 0 to 2 loop
+        for j in 0 to 19 loop
+          slice0cost_difference(i, j) <= slice0shift_search(i, j) - slice0shift_reference(i);
+        end loop;
+      end loop;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_first_cost <= slice0shift_tag_first_cost;
       slice0cost_difference_tag_map_column <= slice0shift_tag_map_column;
-      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
-        as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
-        as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
-        as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
-        as_number((slice0cost_difference_1_3 < 0));
-      slice0cost_pair_0_4 <= folded(slice0cost_difference_2_4) + folded(slice0cost_difference_1_4) +
-        as_number((slice0cost_difference_1_4 < 0));
-      slice0cost_pair_0_5 <= folded(slice0cost_difference_2_5) + folded(slice0cost_difference_1_5) +
-        as_number((slice0cost_difference_1_5 < 0));
-      slice0cost_pair_0_6 <= folded(slice0cost_difference_2_6) + folded(slice0cost_difference_1_6) +
-        as_number((slice0cost_difference_1_6 < 0));
-      slice0cost_pair_0_7 <= folded(slice0cost_difference_2_7) + folded(slice0cost_difference_1_7) +
-        as_number((slice0cost_difference_1_7 < 0));
-      slice0cost_pair_0_8 <= folded(slice0cost_difference_2_8) + folded(slice0cost_difference_1_8) +
-        as_number((slice0cost_difference_1_8 < 0));
-      slice0cost_pair_0_9 <= folded(slice0cost_difference_2_9) + folded(slice0cost_difference_1_9) +
-        as_number((slice0cost_difference_1_9 < 0));
-      slice0cost_pair_0_10 <= folded(slice0cost_difference_2_10) + folded(slice0cost_difference_1_10) +
-        as_number((slice0cost_difference_1_10 < 0));
-      slice0cost_pair_0_11 <= folded(slice0cost_difference_2_11) + folded(slice0cost_difference_1_11) +
-        as_number((slice0cost_difference_1_11 < 0));
-      slice0cost_pair_0_12 <= folded(slice0cost_difference_2_12) + folded(slice0cost_difference_1_12) +
-        as_number((slice0cost_difference_1_12 < 0));
-      slice0cost_pair_0_13 <= folded(slice0cost_difference_2_13) + folded(slice0cost_difference_1_13) +
-        as_number((slice0cost_difference_1_13 < 0));
-      slice0cost_pair_0_14 <= folded(slice0cost_difference_2_14) + folded(slice0cost_difference_1_14) +
-        as_number((slice0cost_difference_1_14 < 0));
-      slice0cost_pair_0_15 <= folded(slice0cost_difference_2_15) + folded(slice0cost_difference_1_15) +
-        as_number((slice0cost_difference_1_15 < 0));
-      slice0cost_pair_0_16 <= folded(slice0cost_difference_2_16) + folded(slice0cost_difference_1_16) +
-        as_number((slice0cost_difference_1_16 < 0));
-      slice0cost_pair_0_17 <= folded(slice0cost_difference_2_17) + folded(slice0cost_difference_1_17) +
-        as_number((slice0cost_difference_1_17 < 0));
-      slice0cost_pair_0_18 <= folded(slice0cost_difference_2_18) + folded(slice0cost_difference_1_18) +
-        as_number((slice0cost_difference_1_18 < 0));
-      slice0cost_pair_0_19 <= folded(slice0cost_difference_2_19) + folded(slice0cost_difference_1_19) +
-        as_number((slice0cost_difference_1_19 < 0));
-      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
-      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
-      slice0cost_negative_0_4 <= slice0cost_difference_2_4 < 0;
-      slice0cost_negative_0_5 <= slice0cost_difference_2_5 < 0;
-      slice0cost_negative_0_6 <= slice0cost_difference_2_6 < 0;
-      slice0cost_negative_0_7 <= slice0cost_difference_2_7 < 0;
-      slice0cost_negative_0_8 <= slice0cost_difference_2_8 < 0;
-      slice0cost_negative_0_9 <= slice0cost_difference_2_9 < 0;
-      slice0cost_negative_0_10 <= slice0cost_difference_2_10 < 0;
-      slice0cost_negative_0_11 <= slice0cost_difference_2_11 < 0;
-      slice0cost_negative_0_12 <= slice0cost_difference_2_12 < 0;
-      slice0cost_negative_0_13 <= slice0cost_difference_2_13 < 0;
-      slice0cost_negative_0_14 <= slice0cost_difference_2_14 < 0;
-      slice0cost_negative_0_15 <= slice0cost_difference_2_15 < 0;
-      slice0cost_negative_0_16 <= slice0cost_difference_2_16 < 0;
-      slice0cost_negative_0_17 <= slice0cost_difference_2_17 < 0;
-      slice0cost_negative_0_18 <= slice0cost_difference_2_18 < 0;
-      slice0cost_negative_0_19 <= slice0cost_difference_2_19 < 0;
-      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
-      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
-      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
-      slice0cost_single_0_3 <= (folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0))) mod 256;
-      slice0cost_single_0_4 <= (folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0))) mod 256;
-      slice0cost_single_0_5 <= (folded(slice0cost_difference_0_5) + as_number((slice0cost_difference_0_5 < 0))) mod 256;
-      slice0cost_single_0_6 <= (folded(slice0cost_difference_0_6) + as_number((slice0cost_difference_0_6 < 0))) mod 256;
-      slice0cost_single_0_7 <= (folded(slice0cost_difference_0_7) + as_number((slice0cost_difference_0_7 < 0))) mod 256;
-      slice0cost_single_0_8 <= (folded(slice0cost_difference_0_8) + as_number((slice0cost_difference_0_8 < 0))) mod 256;
-      slice0cost_single_0_9 <= (folded(slice0cost_difference_0_9) + as_number((slice0cost_difference_0_9 < 0))) mod 256;
-      slice0cost_single_0_10 <= (folded(slice0cost_difference_0_10) + as_number((slice0cost_difference_0_10 < 0))) mod
-        256;
-      slice0cost_single_0_11 <= (folded(slice0cost_difference_0_11) + as_number((slice0cost_difference_0_11 < 0))) mod
-        256;
-      slice0cost_single_0_12 <= (folded(slice0cost_difference_0_12) + as_number((slice0cost_difference_0_12 < 0))) mod
-        256;
-      slice0cost_single_0_13 <= (folded(slice0cost_difference_0_13) + as_number((slice0cost_difference_0_13 < 0))) mod
-        256;
-      slice0cost_single_0_14 <= (folded(slice0cost_difference_0_14) + as_number((slice0cost_difference_0_14 < 0))) mod
-        256;
-      slice0cost_single_0_15 <= (folded(slice0cost_difference_0_15) + as_number((slice0cost_difference_0_15 < 0))) mod
-        256;
-      slice0cost_single_0_16 <= (folded(slice0cost_difference_0_16) + as_number((slice0cost_difference_0_16 < 0))) mod
-        256;
-      slice0cost_single_0_17 <= (folded(slice0cost_difference_0_17) + as_number((slice0cost_difference_0_17 < 0))) mod
-        256;
-      slice0cost_single_0_18 <= (folded(slice0cost_difference_0_18) + as_number((slice0cost_difference_0_18 < 0))) mod
-        256;
-      slice0cost_single_0_19 <= (folded(slice0cost_difference_0_19) + as_number((slice0cost_difference_0_19 < 0))) mod
-        256;
+      for i in 0 to 19 loop
+        slice0cost_pair_0(i) <= folded(slice0cost_difference(2, i)) + folded(slice0cost_difference(1, i)) +
+          as_number((slice0cost_difference(1, i) < 0));
+      end loop;
+      for i in 0 to 19 loop
+        slice0cost_negative_0(i) <= slice0cost_difference(2, i) < 0;
+      end loop;
+      for i in 0 to 19 loop
+        slice0cost_single_0(i) <= (folded(slice0cost_difference(0, i)) + as_number((slice0cost_difference(0, i) < 0)))
+          mod 256;
+      end loop;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_first_cost <= slice0cost_difference_tag_first_cost;
@@ -923,289 +661,196 @@ begin
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
       slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
       if slice0cost_pair_tag_border_column then
-        slice0cost_column_0_0 <= 0;
-        slice0cost_column_0_1 <= 0;
-        slice0cost_column_0_2 <= 0;
-        slice0cost_column_0_3 <= 0;
-        slice0cost_column_0_4 <= 0;
-        slice0cost_column_0_5 <= 0;
-        slice0cost_column_0_6 <= 0;
-        slice0cost_column_0_7 <= 0;
-        slice0cost_column_0_8 <= 0;
-        slice0cost_column_0_9 <= 0;
-        slice0cost_column_0_10 <= 0;
-        slice0cost_column_0_11 <= 0;
-        slice0cost_column_0_12 <= 0;
-        slice0cost_column_0_13 <= 0;
-        slice0cost_column_0_14 <= 0;
-        slice0cost_column_0_15 <= 0;
-        slice0cost_column_0_16 <= 0;
-        slice0cost_column_0_17 <= 0;
-        slice0cost_column_0_18 <= 0;
-        slice0cost_column_0_19 <= 0;
+        for i in 0 to 19 loop
+          slice0cost_column_0(i) <= 0;
+        end loop;
       else
-        slice0cost_column_0_0 <= as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0;
-        slice0cost_column_0_1 <= as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1;
-        slice0cost_column_0_2 <= as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2;
-        slice0cost_column_0_3 <= as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_0_3;
-        slice0cost_column_0_4 <= as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_0_4;
-        slice0cost_column_0_5 <= as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 + slice0cost_single_0_5;
-        slice0cost_column_0_6 <= as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 + slice0cost_single_0_6;
-        slice0cost_column_0_7 <= as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 + slice0cost_single_0_7;
-        slice0cost_column_0_8 <= as_number(slice0cost_negative_0_8) + slice0cost_pair_0_8 + slice0cost_single_0_8;
-        slice0cost_column_0_9 <= as_number(slice0cost_negative_0_9) + slice0cost_pair_0_9 + slice0cost_single_0_9;
-        slice0cost_column_0_10 <= as_number(slice0cost_negative_0_10) + slice0cost_pair_0_10 + slice0cost_single_0_10;
-        slice0cost_column_0_11 <= as_number(slice0cost_negative_0_11) + slice0cost_pair_0_11 + slice0cost_single_0_11;
-        slice0cost_column_0_12 <= as_number(slice0cost_negative_0_12) + slice0cost_pair_0_12 + slice0cost_single_0_12;
-        slice0cost_column_0_13 <= as_number(slice0cost_negative_0_13) + slice0cost_pair_0_13 + slice0cost_single_0_13;
-        slice0cost_column_0_14 <= as_number(slice0cost_negative_0_14) + slice0cost_pair_0_14 + slice0cost_single_0_14;
-        slice0cost_column_0_15 <= as_number(slice0cost_negative_0_15) + slice0cost_pair_0_15 + slice0cost_single_0_15;
-        slice0cost_column_0_16 <= as_number(slice0cost_negative_0_16) + slice0cost_pair_0_16 + slice0cost_single_0_16;
-        slice0cost_column_0_17 <= as_number(slice0cost_negative_0_17) + slice0cost_pair_0_17 + slice0cost_single_0_17;
-        slice0cost_column_0_18 <= as_number(slice0cost_negative_0_18) + slice0cost_pair_0_18 + slice0cost_single_0_18;
-        slice0cost_column_0_19 <= as_number(slice0cost_negative_0_19) + slice0cost_pair_0_19 + slice0cost_single_0_19;
+        for i in 0 to 19 loop
+          slice0cost_column_0(i) <= as_number(slice0cost_negative_0(i)) + slice0cost_pair_0(i) + slice0cost_single_0(i);
+        end loop;
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
-        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
-        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
-        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
-        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
-        slice0window_partial_0_0_5 <= slice0cost_column_0_5;
-        slice0window_partial_0_0_6 <= slice0cost_column_0_6;
-        slice0window_partial_0_0_7 <= slice0cost_column_0_7;
-        slice0window_partial_0_0_8 <= slice0cost_column_0_8;
-        slice0window_partial_0_0_9 <= slice0cost_column_0_9;
-        slice0window_partial_0_0_10 <= slice0cost_column_0_10;
-        slice0window_partial_0_0_11 <= slice0cost_column_0_11;
-        slice0window_partial_0_0_12 <= slice0cost_column_0_12;
-        slice0window_partial_0_0_13 <= slice0cost_column_0_13;
-        slice0window_partial_0_0_14 <= slice0cost_column_0_14;
-        slice0window_partial_0_0_15 <= slice0cost_column_0_15;
-        slice0window_partial_0_0_16 <= slice0cost_column_0_16;
-        slice0window_partial_0_0_17 <= slice0cost_column_0_17;
-        slice0window_partial_0_0_18 <= slice0cost_column_0_18;
-        slice0window_partial_0_0_19 <= slice0cost_column_0_19;
-        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
-        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
-        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
-        slice0window_partial_0_1_3 <= slice0cost_column_0_3 + slice0window_partial_0_0_3;
-        slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
-        slice0window_partial_0_1_5 <= slice0cost_column_0_5 + slice0window_partial_0_0_5;
-        slice0window_partial_0_1_6 <= slice0cost_column_0_6 + slice0window_partial_0_0_6;
-        slice0window_partial_0_1_7 <= slice0cost_column_0_7 + slice0window_partial_0_0_7;
-        slice0window_partial_0_1_8 <= slice0cost_column_0_8 + slice0window_partial_0_0_8;
-        slice0window_partial_0_1_9 <= slice0cost_column_0_9 + slice0window_partial_0_0_9;
-        slice0window_partial_0_1_10 <= slice0cost_column_0_10 + slice0window_partial_0_0_10;
-        slice0window_partial_0_1_11 <= slice0cost_column_0_11 + slice0window_partial_0_0_11;
-        slice0window_partial_0_1_12 <= slice0cost_column_0_12 + slice0window_partial_0_0_12;
-        slice0window_partial_0_1_13 <= slice0cost_column_0_13 + slice0window_partial_0_0_13;
-        slice0window_partial_0_1_14 <= slice0cost_column_0_14 + slice0window_partial_0_0_14;
-        slice0window_partial_0_1_15 <= slice0cost_column_0_15 + slice0window_partial_0_0_15;
-        slice0window_partial_0_1_16 <= slice0cost_column_0_16 + slice0window_partial_0_0_16;
-        slice0window_partial_0_1_17 <= slice0cost_column_0_17 + slice0window_partial_0_0_17;
-        slice0window_partial_0_1_18 <= slice0cost_column_0_18 + slice0window_partial_0_0_18;
-        slice0window_partial_0_1_19 <= slice0cost_column_0_19 + slice0window_partial_0_0_19;
+        for i in 0 to 19 loop
+          slice0window_partial_0_0(i) <= slice0cost_column_0(i);
+        end loop;
+        for i in 0 to 19 loop
+          slice0window_partial_0_1(i) <= slice0cost_column_0(i) + slice0window_partial_0_0(i);
+        end loop;
         slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
         slice0window_centre_first_column_0 <= slice0cost_tag_first_cost;
       end if;
-      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
-      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
-      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
-      slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_1_3;
-      slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
-      slice0window_sum_0_5 <= slice0cost_column_0_5 + slice0window_partial_0_1_5;
-      slice0window_sum_0_6 <= slice0cost_column_0_6 + slice0window_partial_0_1_6;
-      slice0window_sum_0_7 <= slice0cost_column_0_7 + slice0window_partial_0_1_7;
-      slice0window_sum_0_8 <= slice0cost_column_0_8 + slice0window_partial_0_1_8;
-      slice0window_sum_0_9 <= slice0cost_column_0_9 + slice0window_partial_0_1_9;
-      slice0window_sum_0_10 <= slice0cost_column_0_10 + slice0window_partial_0_1_10;
-      slice0window_sum_0_11 <= slice0cost_column_0_11 + slice0window_partial_0_1_11;
-      slice0window_sum_0_12 <= slice0cost_column_0_12 + slice0window_partial_0_1_12;
-      slice0window_sum_0_13 <= slice0cost_column_0_13 + slice0window_partial_0_1_13;
-      slice0window_sum_0_14 <= slice0cost_column_0_14 + slice0window_partial_0_1_14;
-      slice0window_sum_0_15 <= slice0cost_column_0_15 + slice0window_partial_0_1_15;
-      slice0window_sum_0_16 <= slice0cost_column_0_16 + slice0window_partial_0_1_16;
-      slice0window_sum_0_17 <= slice0cost_column_0_17 + slice0window_partial_0_1_17;
-      slice0window_sum_0_18 <= slice0cost_column_0_18 + slice0window_partial_0_1_18;
-      slice0window_sum_0_19 <= slice0cost_column_0_19 + slice0window_partial_0_1_19;
+      for i in 0 to 19 loop
+        slice0window_sum_0(i) <= slice0cost_column_0(i) + slice0window_partial_0_1(i);
+      end loop;
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_map_column <= slice0window_centre_map_column_0;
       slice0window_tag_first_column <= slice0window_centre_first_column_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
-      slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_best_cost_0_8_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
-      slice0winner1_best_cost_0_9_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      for i in 0 to 9 loop
+        slice0winner1_best_cost_0_is_less(i) := (slice0window_sum_0(2 * i + 1) - slice0window_sum_0(2 * i)) < 0;
+      end loop;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_map_column <= slice0window_tag_map_column;
       slice0winner1_tag_first_column <= slice0window_tag_first_column;
-      if slice0winner1_best_cost_0_0_is_less then
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      if slice0winner1_best_cost_0_is_less(0) then
+        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
       else
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
       end if;
-      if slice0winner1_best_cost_0_1_is_less then
-        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+      if slice0winner1_best_cost_0_is_less(1) then
+        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
         slice0winner1_best_index_0_1 <= 3;
       else
-        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
         slice0winner1_best_index_0_1 <= 2;
       end if;
-      if slice0winner1_best_cost_0_2_is_less then
-        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+      if slice0winner1_best_cost_0_is_less(2) then
+        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
         slice0winner1_best_index_0_2 <= 5;
       else
-        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
         slice0winner1_best_index_0_2 <= 4;
       end if;
-      if slice0winner1_best_cost_0_3_is_less then
-        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+      if slice0winner1_best_cost_0_is_less(3) then
+        slice0winner1_best_cost_0(3) <= slice0window_sum_0(7);
         slice0winner1_best_index_0_3 <= 7;
       else
-        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_cost_0(3) <= slice0window_sum_0(6);
         slice0winner1_best_index_0_3 <= 6;
       end if;
-      if slice0winner1_best_cost_0_4_is_less then
-        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
+      if slice0winner1_best_cost_0_is_less(4) then
+        slice0winner1_best_cost_0(4) <= slice0window_sum_0(9);
         slice0winner1_best_index_0_4 <= 9;
       else
-        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_cost_0(4) <= slice0window_sum_0(8);
         slice0winner1_best_index_0_4 <= 8;
       end if;
-      if slice0winner1_best_cost_0_5_is_less then
-        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
+      if slice0winner1_best_cost_0_is_less(5) then
+        slice0winner1_best_cost_0(5) <= slice0window_sum_0(11);
         slice0winner1_best_index_0_5 <= 11;
       else
-        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_cost_0(5) <= slice0window_sum_0(10);
         slice0winner1_best_index_0_5 <= 10;
       end if;
-      if slice0winner1_best_cost_0_6_is_less then
-        slice0winner1_best_cost_0_6 <= slice0window_sum_0_13;
+      if slice0winner1_best_cost_0_is_less(6) then
+        slice0winner1_best_cost_0(6) <= slice0window_sum_0(13);
         slice0winner1_best_index_0_6 <= 13;
       else
-        slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
+        slice0winner1_best_cost_0(6) <= slice0window_sum_0(12);
         slice0winner1_best_index_0_6 <= 12;
       end if;
-      if slice0winner1_best_cost_0_7_is_less then
-        slice0winner1_best_cost_0_7 <= slice0window_sum_0_15;
+      if slice0winner1_best_cost_0_is_less(7) then
+        slice0winner1_best_cost_0(7) <= slice0window_sum_0(15);
         slice0winner1_best_index_0_7 <= 15;
       else
-        slice0winner1_best_cost_0_7 <= slice0window_sum_0_14;
+        slice0winner1_best_cost_0(7) <= slice0window_sum_0(14);
         slice0winner1_best_index_0_7 <= 14;
       end if;
-      if slice0winner1_best_cost_0_8_is_less then
-        slice0winner1_best_cost_0_8 <= slice0window_sum_0_17;
+      if slice0winner1_best_cost_0_is_less(8) then
+        slice0winner1_best_cost_0(8) <= slice0window_sum_0(17);
         slice0winner1_best_index_0_8 <= 17;
       else
-        slice0winner1_best_cost_0_8 <= slice0window_sum_0_16;
+        slice0winner1_best_cost_0(8) <= slice0window_sum_0(16);
         slice0winner1_best_index_0_8 <= 16;
       end if;
-      if slice0winner1_best_cost_0_9_is_less then
-        slice0winner1_best_cost_0_9 <= slice0window_sum_0_19;
+      if slice0winner1_best_cost_0_is_less(9) then
+        slice0winner1_best_cost_0(9) <= slice0window_sum_0(19);
         slice0winner1_best_index_0_9 <= 19;
       else
-        slice0winner1_best_cost_0_9 <= slice0window_sum_0_18;
+        slice0winner1_best_cost_0(9) <= slice0window_sum_0(18);
         slice0winner1_best_index_0_9 <= 18;
       end if;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
-      slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
-      slice0winner2_best_cost_0_4_is_less := (slice0winner1_best_cost_0_9 - slice0winner1_best_cost_0_8) < 0;
+      for i in 0 to 4 loop
+        slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 *
+          i)) < 0;
+      end loop;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_first_column <= slice0winner1_tag_first_column;
-      if slice0winner2_best_cost_0_0_is_less then
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+      if slice0winner2_best_cost_0_is_less(0) then
+        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
         slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
       else
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
         slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
       end if;
-      if slice0winner2_best_cost_0_1_is_less then
-        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+      if slice0winner2_best_cost_0_is_less(1) then
+        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
         slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
       else
-        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
         slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
       end if;
-      if slice0winner2_best_cost_0_2_is_less then
-        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
+      if slice0winner2_best_cost_0_is_less(2) then
+        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(5);
         slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
       else
-        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(4);
         slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
       end if;
-      if slice0winner2_best_cost_0_3_is_less then
-        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7;
+      if slice0winner2_best_cost_0_is_less(3) then
+        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(7);
         slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
       else
-        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
+        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(6);
         slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
       end if;
-      if slice0winner2_best_cost_0_4_is_less then
-        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9;
+      if slice0winner2_best_cost_0_is_less(4) then
+        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(9);
         slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9;
       else
-        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_8;
+        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(8);
         slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
       end if;
       -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
-      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
-      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_4;
+      slice0winner3_best_cost_0_is_less(0) := (slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) < 0;
+      slice0winner3_best_cost_0_is_less(1) := (slice0winner2_best_cost_0(3) - slice0winner2_best_cost_0(2)) < 0;
+      slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(4);
       slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
       slice0winner3_tag_first_column <= slice0winner2_tag_first_column;
-      if slice0winner3_best_cost_0_0_is_less then
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+      if slice0winner3_best_cost_0_is_less(0) then
+        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(1);
         slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
       else
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(0);
         slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
       end if;
-      if slice0winner3_best_cost_0_1_is_less then
-        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3;
+      if slice0winner3_best_cost_0_is_less(1) then
+        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(3);
         slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
       else
-        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
+        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(2);
         slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
       end if;
       -- slice0winner4
-      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
-      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_2;
+      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
+      slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(2);
       slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
       slice0winner4_tag_valid <= slice0winner3_tag_valid;
       slice0winner4_tag_map_column <= slice0winner3_tag_map_column;
       slice0winner4_tag_first_column <= slice0winner3_tag_first_column;
       if slice0winner4_best_cost_0_0_is_less then
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(1);
         slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
       else
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(0);
         slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
       end if;
       -- slice0winner5
-      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
+      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0(1) - slice0winner4_best_cost_0(0)) < 0;
       slice0winner5_tag_valid <= slice0winner4_tag_valid;
       slice0winner5_tag_map_column <= slice0winner4_tag_map_column;
       slice0winner5_tag_first_column <= slice0winner4_tag_first_column;
       if slice0winner5_best_cost_0_0_is_less then
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1;
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(1);
         slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1;
       else
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_0;
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(0);
         slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_0;
       end if;
       -- slice0
@@ -1329,28 +974,28 @@ begin
         winners_write_address <= winners_column_choice + (as_number(winners_row_differs) * 512);
       end if;
       -- other
-      if rows_ready_inside_0 then
-        other_0_choice := rows_reference_rows_ready_words_0 mod 256;
+      if rows_ready_inside(0) then
+        other_choice(0) := rows_reference_rows_ready_words_0 mod 256;
       else
-        other_0_choice := 0;
+        other_choice(0) := 0;
       end if;
-      if rows_ready_inside_1 then
-        other_0_choice_2 := rows_reference_rows_ready_words_0 / 256;
+      if rows_ready_inside(1) then
+        other_choice_2(0) := rows_reference_rows_ready_words_0 / 256;
       else
-        other_0_choice_2 := 0;
+        other_choice_2(0) := 0;
       end if;
-      if rows_ready_inside_0 then
-        other_1_choice := rows_search_rows_ready_words_0 mod 256;
+      if rows_ready_inside(0) then
+        other_choice(1) := rows_search_rows_ready_words_0 mod 256;
       else
-        other_1_choice := 0;
+        other_choice(1) := 0;
       end if;
-      if rows_ready_inside_1 then
-        other_1_choice_2 := rows_search_rows_ready_words_0 / 256;
+      if rows_ready_inside(1) then
+        other_choice_2(1) := rows_search_rows_ready_words_0 / 256;
       else
-        other_1_choice_2 := 0;
+        other_choice_2(1) := 0;
       end if;
-      other_0 <= other_0_choice + (other_0_choice_2 * 256);
-      other_1 <= other_1_choice + (other_1_choice_2 * 256);
+      other(0) <= other_choice(0) + (other_choice_2(0) * 256);
+      other(1) <= other_choice(1) + (other_choice_2(1) * 256);
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

@@ -4,6 +4,7 @@
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config ambrosch2007_p2
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+-- Where a comment behind a declaration has #, the C++ has the indices.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -86,1141 +87,384 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
     return '0';
   end function;
 
-  signal in_valid : boolean;
-  signal in_start_of_frame : boolean;
-  signal in_left_pixel : natural range 0 to 65535;
-  signal in_right_pixel : natural range 0 to 65535;
+  -- whether the bit of this place is 1
+  function is_set(value : natural; place : natural) return boolean is
+  begin
+    return (value / 2 ** place) mod 2 = 1;
+  end function;
+
+  type boolean_1d is array (natural range <>) of boolean;
+  type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type integer_minus_255_to_255_2d is array (natural range <>, natural range <>) of integer range -255 to 255;
+  type natural_11_1d is array (natural range <>) of natural range 0 to 11;
+  type natural_127_1d is array (natural range <>) of natural range 0 to 127;
+  type natural_13_1d is array (natural range <>) of natural range 0 to 13;
+  type natural_1532_1d is array (natural range <>) of natural range 0 to 1532;
+  type natural_1534_1d is array (natural range <>) of natural range 0 to 1534;
+  type natural_15_1d is array (natural range <>) of natural range 0 to 15;
+  type natural_17_1d is array (natural range <>) of natural range 0 to 17;
+  type natural_19_1d is array (natural range <>) of natural range 0 to 19;
+  type natural_21_1d is array (natural range <>) of natural range 0 to 21;
+  type natural_2298_1d is array (natural range <>) of natural range 0 to 2298;
+  type natural_2301_1d is array (natural range <>) of natural range 0 to 2301;
+  type natural_23_1d is array (natural range <>) of natural range 0 to 23;
+  type natural_24_1d is array (natural range <>) of natural range 0 to 24;
+  type natural_255_1d is array (natural range <>) of natural range 0 to 255;
+  type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
+  type natural_33554431_1d is array (natural range <>) of natural range 0 to 33554431;
+  type natural_3_1d is array (natural range <>) of natural range 0 to 3;
+  type natural_511_1d is array (natural range <>) of natural range 0 to 511;
+  type natural_5_1d is array (natural range <>) of natural range 0 to 5;
+  type natural_766_1d is array (natural range <>) of natural range 0 to 766;
+  type natural_767_1d is array (natural range <>) of natural range 0 to 767;
+  type natural_7_1d is array (natural range <>) of natural range 0 to 7;
+  type natural_99_1d is array (natural range <>) of natural range 0 to 99;
+  type natural_9_1d is array (natural range <>) of natural range 0 to 9;
+  type unsigned_25_1d is array (natural range <>) of unsigned(24 downto 0);
+  signal in_valid, in_start_of_frame : boolean;
+  signal in_left_pixel, in_right_pixel : natural range 0 to 65535;
   -- raster
-  signal raster_features_search_0, raster_features_search_1 : natural range 0 to 255;
+  signal raster_features_search : natural_255_1d(0 to 1);
   signal raster_features_reference : natural range 0 to 65535;
   signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 511;
   signal raster_place_group : natural range 0 to 127;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 127;
-  signal delay_ahead_0, delay_ahead_1 : natural range 0 to 255;
+  signal delay_ahead : natural_255_1d(0 to 1);
   signal delay_delayed_0 : unsigned(15 downto 0);
   signal delay_column : natural range 0 to 511;
-  signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_border_column : boolean;
-  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_row_inside : boolean_1d(0 to 1);
+  signal delay_tag_valid, delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_tag_end_of_line : boolean;
   signal delay_tag_newest_inside : natural range 0 to 3;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(23 downto 0);
-  signal rows_search_rows_read_newest_0, rows_search_rows_read_newest_1 : natural range 0 to 255;
-  signal rows_search_rows_ready_newest_0, rows_search_rows_ready_newest_1 : natural range 0 to 255;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_read_newest_1 : natural range 0 to 255;
-  signal rows_reference_rows_ready_newest_0, rows_reference_rows_ready_newest_1, rows_search_0 : natural range 0 to 255;
-  signal rows_search_1, rows_search_2, rows_search_3, rows_reference_0, rows_reference_1 : natural range 0 to 255;
-  signal rows_reference_2, rows_reference_3 : natural range 0 to 255;
+  signal rows_search_rows_read_newest : natural_255_1d(0 to 1);
+  signal rows_search_rows_ready_newest : natural_255_1d(0 to 1);
+  signal rows_reference_rows_read_newest : natural_255_1d(0 to 1);
+  signal rows_reference_rows_ready_newest : natural_255_1d(0 to 1);
+  signal rows_search : natural_255_1d(0 to 3);
+  signal rows_reference : natural_255_1d(0 to 3);
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 16777215;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_border_column : boolean;
-  signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
-  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_tag_valid, rows_ready_tag_border_column : boolean;
-  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
-  signal rows_tag_valid, rows_tag_border_column, rows_tag_output_column, rows_tag_start_of_frame : boolean;
-  signal rows_tag_end_of_line : boolean;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   signal rows_read_tag_newest_inside, rows_ready_tag_newest_inside, rows_tag_newest_inside : natural range 0 to 3;
   -- slice0shift
-  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
-  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 255;
-  signal slice0shift_search_0_6, slice0shift_search_0_7, slice0shift_search_0_8 : natural range 0 to 255;
-  signal slice0shift_search_0_9, slice0shift_search_0_10, slice0shift_search_0_11 : natural range 0 to 255;
-  signal slice0shift_search_0_12, slice0shift_search_0_13, slice0shift_search_0_14 : natural range 0 to 255;
-  signal slice0shift_search_0_15, slice0shift_search_0_16, slice0shift_search_0_17 : natural range 0 to 255;
-  signal slice0shift_search_0_18, slice0shift_search_0_19, slice0shift_search_0_20 : natural range 0 to 255;
-  signal slice0shift_search_0_21, slice0shift_search_0_22, slice0shift_search_0_23 : natural range 0 to 255;
-  signal slice0shift_search_0_24, slice0shift_search_1_0, slice0shift_search_1_1 : natural range 0 to 255;
-  signal slice0shift_search_1_2, slice0shift_search_1_3, slice0shift_search_1_4 : natural range 0 to 255;
-  signal slice0shift_search_1_5, slice0shift_search_1_6, slice0shift_search_1_7 : natural range 0 to 255;
-  signal slice0shift_search_1_8, slice0shift_search_1_9, slice0shift_search_1_10 : natural range 0 to 255;
-  signal slice0shift_search_1_11, slice0shift_search_1_12, slice0shift_search_1_13 : natural range 0 to 255;
-  signal slice0shift_search_1_14, slice0shift_search_1_15, slice0shift_search_1_16 : natural range 0 to 255;
-  signal slice0shift_search_1_17, slice0shift_search_1_18, slice0shift_search_1_19 : natural range 0 to 255;
-  signal slice0shift_search_1_20, slice0shift_search_1_21, slice0shift_search_1_22 : natural range 0 to 255;
-  signal slice0shift_search_1_23, slice0shift_search_1_24, slice0shift_search_2_0 : natural range 0 to 255;
-  signal slice0shift_search_2_1, slice0shift_search_2_2, slice0shift_search_2_3 : natural range 0 to 255;
-  signal slice0shift_search_2_4, slice0shift_search_2_5, slice0shift_search_2_6 : natural range 0 to 255;
-  signal slice0shift_search_2_7, slice0shift_search_2_8, slice0shift_search_2_9 : natural range 0 to 255;
-  signal slice0shift_search_2_10, slice0shift_search_2_11, slice0shift_search_2_12 : natural range 0 to 255;
-  signal slice0shift_search_2_13, slice0shift_search_2_14, slice0shift_search_2_15 : natural range 0 to 255;
-  signal slice0shift_search_2_16, slice0shift_search_2_17, slice0shift_search_2_18 : natural range 0 to 255;
-  signal slice0shift_search_2_19, slice0shift_search_2_20, slice0shift_search_2_21 : natural range 0 to 255;
-  signal slice0shift_search_2_22, slice0shift_search_2_23, slice0shift_search_2_24 : natural range 0 to 255;
-  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 255;
-  signal slice0shift_search_3_3, slice0shift_search_3_4, slice0shift_search_3_5 : natural range 0 to 255;
-  signal slice0shift_search_3_6, slice0shift_search_3_7, slice0shift_search_3_8 : natural range 0 to 255;
-  signal slice0shift_search_3_9, slice0shift_search_3_10, slice0shift_search_3_11 : natural range 0 to 255;
-  signal slice0shift_search_3_12, slice0shift_search_3_13, slice0shift_search_3_14 : natural range 0 to 255;
-  signal slice0shift_search_3_15, slice0shift_search_3_16, slice0shift_search_3_17 : natural range 0 to 255;
-  signal slice0shift_search_3_18, slice0shift_search_3_19, slice0shift_search_3_20 : natural range 0 to 255;
-  signal slice0shift_search_3_21, slice0shift_search_3_22, slice0shift_search_3_23 : natural range 0 to 255;
-  signal slice0shift_search_3_24, slice0shift_reference_0, slice0shift_reference_1 : natural range 0 to 255;
-  signal slice0shift_reference_2, slice0shift_reference_3, slice0shift_search_out_0 : natural range 0 to 255;
-  signal slice0shift_search_out_1, slice0shift_search_out_2, slice0shift_search_out_3 : natural range 0 to 255;
+  signal slice0shift_search : natural_255_2d(0 to 3, 0 to 24);
+  signal slice0shift_reference : natural_255_1d(0 to 3);
+  signal slice0shift_search_out : natural_255_1d(0 to 3);
   signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
   signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   signal slice0shift_tag_newest_inside : natural range 0 to 3;
   -- slice0cost
   signal slice0cost_signs_column, slice0cost_signs_next_column : natural range 0 to 511;
   signal slice0cost_signs_difference_column, slice0cost_signs_write_column : natural range 0 to 511;
-  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
-  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
-  signal slice0cost_pair_0_8, slice0cost_pair_0_9, slice0cost_pair_0_10, slice0cost_pair_0_11 : natural range 0 to 511;
-  signal slice0cost_pair_0_12, slice0cost_pair_0_13, slice0cost_pair_0_14 : natural range 0 to 511;
-  signal slice0cost_pair_0_15, slice0cost_pair_0_16, slice0cost_pair_0_17 : natural range 0 to 511;
-  signal slice0cost_pair_0_18, slice0cost_pair_0_19, slice0cost_pair_0_20 : natural range 0 to 511;
-  signal slice0cost_pair_0_21, slice0cost_pair_0_22, slice0cost_pair_0_23 : natural range 0 to 511;
-  signal slice0cost_pair_0_24 : natural range 0 to 511;
-  signal slice0cost_signs_read_words_0, slice0cost_signs_read_words_1 : unsigned(24 downto 0);
-  signal slice0cost_signs_ready_words_0, slice0cost_signs_ready_words_1 : natural range 0 to 33554431;
-  signal slice0cost_signs_write_words_0, slice0cost_signs_write_words_1 : natural range 0 to 33554431;
-  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : natural range 0 to 255;
-  signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_0_5 : natural range 0 to 255;
-  signal slice0cost_difference_0_6, slice0cost_difference_0_7, slice0cost_difference_0_8 : natural range 0 to 255;
-  signal slice0cost_difference_0_9, slice0cost_difference_0_10, slice0cost_difference_0_11 : natural range 0 to 255;
-  signal slice0cost_difference_0_12, slice0cost_difference_0_13, slice0cost_difference_0_14 : natural range 0 to 255;
-  signal slice0cost_difference_0_15, slice0cost_difference_0_16, slice0cost_difference_0_17 : natural range 0 to 255;
-  signal slice0cost_difference_0_18, slice0cost_difference_0_19, slice0cost_difference_0_20 : natural range 0 to 255;
-  signal slice0cost_difference_0_21, slice0cost_difference_0_22, slice0cost_difference_0_23 : natural range 0 to 255;
-  signal slice0cost_difference_0_24, slice0cost_difference_1_0, slice0cost_difference_1_1 : natural range 0 to 255;
-  signal slice0cost_difference_1_2, slice0cost_difference_1_3, slice0cost_difference_1_4 : natural range 0 to 255;
-  signal slice0cost_difference_1_5, slice0cost_difference_1_6, slice0cost_difference_1_7 : natural range 0 to 255;
-  signal slice0cost_difference_1_8, slice0cost_difference_1_9, slice0cost_difference_1_10 : natural range 0 to 255;
-  signal slice0cost_difference_1_11, slice0cost_difference_1_12, slice0cost_difference_1_13 : natural range 0 to 255;
-  signal slice0cost_difference_1_14, slice0cost_difference_1_15, slice0cost_difference_1_16 : natural range 0 to 255;
-  signal slice0cost_difference_1_17, slice0cost_difference_1_18, slice0cost_difference_1_19 : natural range 0 to 255;
-  signal slice0cost_difference_1_20, slice0cost_difference_1_21, slice0cost_difference_1_22 : natural range 0 to 255;
-  signal slice0cost_difference_1_23, slice0cost_difference_1_24, slice0cost_single_0_0 : natural range 0 to 255;
-  signal slice0cost_single_0_1, slice0cost_single_0_2, slice0cost_single_0_3 : natural range 0 to 255;
-  signal slice0cost_single_0_4, slice0cost_single_0_5, slice0cost_single_0_6 : natural range 0 to 255;
-  signal slice0cost_single_0_7, slice0cost_single_0_8, slice0cost_single_0_9 : natural range 0 to 255;
-  signal slice0cost_single_0_10, slice0cost_single_0_11, slice0cost_single_0_12 : natural range 0 to 255;
-  signal slice0cost_single_0_13, slice0cost_single_0_14, slice0cost_single_0_15 : natural range 0 to 255;
-  signal slice0cost_single_0_16, slice0cost_single_0_17, slice0cost_single_0_18 : natural range 0 to 255;
-  signal slice0cost_single_0_19, slice0cost_single_0_20, slice0cost_single_0_21 : natural range 0 to 255;
-  signal slice0cost_single_0_22, slice0cost_single_0_23, slice0cost_single_0_24 : natural range 0 to 255;
-  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
-  signal slice0cost_single_3_3, slice0cost_single_3_4, slice0cost_single_3_5 : natural range 0 to 255;
-  signal slice0cost_single_3_6, slice0cost_single_3_7, slice0cost_single_3_8 : natural range 0 to 255;
-  signal slice0cost_single_3_9, slice0cost_single_3_10, slice0cost_single_3_11 : natural range 0 to 255;
-  signal slice0cost_single_3_12, slice0cost_single_3_13, slice0cost_single_3_14 : natural range 0 to 255;
-  signal slice0cost_single_3_15, slice0cost_single_3_16, slice0cost_single_3_17 : natural range 0 to 255;
-  signal slice0cost_single_3_18, slice0cost_single_3_19, slice0cost_single_3_20 : natural range 0 to 255;
-  signal slice0cost_single_3_21, slice0cost_single_3_22, slice0cost_single_3_23 : natural range 0 to 255;
-  signal slice0cost_single_3_24 : natural range 0 to 255;
-  signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
-  signal slice0cost_difference_2_3, slice0cost_difference_2_4, slice0cost_difference_2_5 : integer range -255 to 255;
-  signal slice0cost_difference_2_6, slice0cost_difference_2_7, slice0cost_difference_2_8 : integer range -255 to 255;
-  signal slice0cost_difference_2_9, slice0cost_difference_2_10, slice0cost_difference_2_11 : integer range -255 to 255;
-  signal slice0cost_difference_2_12, slice0cost_difference_2_13, slice0cost_difference_2_14 : integer range -255 to 255;
-  signal slice0cost_difference_2_15, slice0cost_difference_2_16, slice0cost_difference_2_17 : integer range -255 to 255;
-  signal slice0cost_difference_2_18, slice0cost_difference_2_19, slice0cost_difference_2_20 : integer range -255 to 255;
-  signal slice0cost_difference_2_21, slice0cost_difference_2_22, slice0cost_difference_2_23 : integer range -255 to 255;
-  signal slice0cost_difference_2_24, slice0cost_difference_3_0, slice0cost_difference_3_1 : integer range -255 to 255;
-  signal slice0cost_difference_3_2, slice0cost_difference_3_3, slice0cost_difference_3_4 : integer range -255 to 255;
-  signal slice0cost_difference_3_5, slice0cost_difference_3_6, slice0cost_difference_3_7 : integer range -255 to 255;
-  signal slice0cost_difference_3_8, slice0cost_difference_3_9, slice0cost_difference_3_10 : integer range -255 to 255;
-  signal slice0cost_difference_3_11, slice0cost_difference_3_12, slice0cost_difference_3_13 : integer range -255 to 255;
-  signal slice0cost_difference_3_14, slice0cost_difference_3_15, slice0cost_difference_3_16 : integer range -255 to 255;
-  signal slice0cost_difference_3_17, slice0cost_difference_3_18, slice0cost_difference_3_19 : integer range -255 to 255;
-  signal slice0cost_difference_3_20, slice0cost_difference_3_21, slice0cost_difference_3_22 : integer range -255 to 255;
-  signal slice0cost_difference_3_23, slice0cost_difference_3_24 : integer range -255 to 255;
-  signal slice0cost_newest_negative_0_0, slice0cost_newest_negative_0_1, slice0cost_newest_negative_0_2 : boolean;
-  signal slice0cost_newest_negative_0_3, slice0cost_newest_negative_0_4, slice0cost_newest_negative_0_5 : boolean;
-  signal slice0cost_newest_negative_0_6, slice0cost_newest_negative_0_7, slice0cost_newest_negative_0_8 : boolean;
-  signal slice0cost_newest_negative_0_9, slice0cost_newest_negative_0_10, slice0cost_newest_negative_0_11 : boolean;
-  signal slice0cost_newest_negative_0_12, slice0cost_newest_negative_0_13, slice0cost_newest_negative_0_14 : boolean;
-  signal slice0cost_newest_negative_0_15, slice0cost_newest_negative_0_16, slice0cost_newest_negative_0_17 : boolean;
-  signal slice0cost_newest_negative_0_18, slice0cost_newest_negative_0_19, slice0cost_newest_negative_0_20 : boolean;
-  signal slice0cost_newest_negative_0_21, slice0cost_newest_negative_0_22, slice0cost_newest_negative_0_23 : boolean;
-  signal slice0cost_newest_negative_0_24, slice0cost_newest_negative_1_0, slice0cost_newest_negative_1_1 : boolean;
-  signal slice0cost_newest_negative_1_2, slice0cost_newest_negative_1_3, slice0cost_newest_negative_1_4 : boolean;
-  signal slice0cost_newest_negative_1_5, slice0cost_newest_negative_1_6, slice0cost_newest_negative_1_7 : boolean;
-  signal slice0cost_newest_negative_1_8, slice0cost_newest_negative_1_9, slice0cost_newest_negative_1_10 : boolean;
-  signal slice0cost_newest_negative_1_11, slice0cost_newest_negative_1_12, slice0cost_newest_negative_1_13 : boolean;
-  signal slice0cost_newest_negative_1_14, slice0cost_newest_negative_1_15, slice0cost_newest_negative_1_16 : boolean;
-  signal slice0cost_newest_negative_1_17, slice0cost_newest_negative_1_18, slice0cost_newest_negative_1_19 : boolean;
-  signal slice0cost_newest_negative_1_20, slice0cost_newest_negative_1_21, slice0cost_newest_negative_1_22 : boolean;
-  signal slice0cost_newest_negative_1_23, slice0cost_newest_negative_1_24, slice0cost_difference_tag_valid : boolean;
-  signal slice0cost_difference_tag_border_column, slice0cost_difference_tag_output_column : boolean;
-  signal slice0cost_difference_tag_start_of_frame, slice0cost_difference_tag_end_of_line : boolean;
-  signal slice0cost_single_negative_3_0, slice0cost_single_negative_3_1, slice0cost_single_negative_3_2 : boolean;
-  signal slice0cost_single_negative_3_3, slice0cost_single_negative_3_4, slice0cost_single_negative_3_5 : boolean;
-  signal slice0cost_single_negative_3_6, slice0cost_single_negative_3_7, slice0cost_single_negative_3_8 : boolean;
-  signal slice0cost_single_negative_3_9, slice0cost_single_negative_3_10, slice0cost_single_negative_3_11 : boolean;
-  signal slice0cost_single_negative_3_12, slice0cost_single_negative_3_13, slice0cost_single_negative_3_14 : boolean;
-  signal slice0cost_single_negative_3_15, slice0cost_single_negative_3_16, slice0cost_single_negative_3_17 : boolean;
-  signal slice0cost_single_negative_3_18, slice0cost_single_negative_3_19, slice0cost_single_negative_3_20 : boolean;
-  signal slice0cost_single_negative_3_21, slice0cost_single_negative_3_22, slice0cost_single_negative_3_23 : boolean;
-  signal slice0cost_single_negative_3_24, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
-  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
-  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_0 : natural_511_1d(0 to 24);
+  signal slice0cost_signs_read_words : unsigned_25_1d(0 to 1);
+  signal slice0cost_signs_ready_words : natural_33554431_1d(0 to 1);
+  signal slice0cost_signs_write_words : natural_33554431_1d(0 to 1);
+  signal slice0cost_difference : natural_255_2d(0 to 1, 0 to 24);
+  signal slice0cost_single_0 : natural_255_1d(0 to 24);
+  signal slice0cost_single_3 : natural_255_1d(0 to 24);
+  signal slice0cost_differences : integer_minus_255_to_255_2d(2 to 3, 0 to 24);  -- slice0cost_difference_#_#
+  signal slice0cost_newest_negative : boolean_2d(0 to 1, 0 to 24);
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line : boolean;
+  signal slice0cost_single_negative_3 : boolean_1d(0 to 24);
+  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
   signal slice0cost_difference_tag_newest_inside, slice0cost_pair_tag_newest_inside : natural range 0 to 3;
   signal slice0cost_tag_newest_inside : natural range 0 to 3;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 766;
-  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 766;
-  signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 766;
-  signal slice0cost_column_0_9, slice0cost_column_0_10, slice0cost_column_0_11 : natural range 0 to 766;
-  signal slice0cost_column_0_12, slice0cost_column_0_13, slice0cost_column_0_14 : natural range 0 to 766;
-  signal slice0cost_column_0_15, slice0cost_column_0_16, slice0cost_column_0_17 : natural range 0 to 766;
-  signal slice0cost_column_0_18, slice0cost_column_0_19, slice0cost_column_0_20 : natural range 0 to 766;
-  signal slice0cost_column_0_21, slice0cost_column_0_22, slice0cost_column_0_23 : natural range 0 to 766;
-  signal slice0cost_column_0_24 : natural range 0 to 766;
-  signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 767;
-  signal slice0cost_column_1_3, slice0cost_column_1_4, slice0cost_column_1_5 : natural range 0 to 767;
-  signal slice0cost_column_1_6, slice0cost_column_1_7, slice0cost_column_1_8 : natural range 0 to 767;
-  signal slice0cost_column_1_9, slice0cost_column_1_10, slice0cost_column_1_11 : natural range 0 to 767;
-  signal slice0cost_column_1_12, slice0cost_column_1_13, slice0cost_column_1_14 : natural range 0 to 767;
-  signal slice0cost_column_1_15, slice0cost_column_1_16, slice0cost_column_1_17 : natural range 0 to 767;
-  signal slice0cost_column_1_18, slice0cost_column_1_19, slice0cost_column_1_20 : natural range 0 to 767;
-  signal slice0cost_column_1_21, slice0cost_column_1_22, slice0cost_column_1_23 : natural range 0 to 767;
-  signal slice0cost_column_1_24 : natural range 0 to 767;
+  signal slice0cost_column_0 : natural_766_1d(0 to 24);
+  signal slice0cost_column_1 : natural_767_1d(0 to 24);
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 766;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 766;
-  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7, slice0window_partial_0_0_8 : natural range 0 to 766;
-  signal slice0window_partial_0_0_9, slice0window_partial_0_0_10, slice0window_partial_0_0_11 : natural range 0 to 766;
-  signal slice0window_partial_0_0_12, slice0window_partial_0_0_13, slice0window_partial_0_0_14 : natural range 0 to 766;
-  signal slice0window_partial_0_0_15, slice0window_partial_0_0_16, slice0window_partial_0_0_17 : natural range 0 to 766;
-  signal slice0window_partial_0_0_18, slice0window_partial_0_0_19, slice0window_partial_0_0_20 : natural range 0 to 766;
-  signal slice0window_partial_0_0_21, slice0window_partial_0_0_22, slice0window_partial_0_0_23 : natural range 0 to 766;
-  signal slice0window_partial_0_0_24 : natural range 0 to 766;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7, slice0window_partial_0_1_8 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_9, slice0window_partial_0_1_10, slice0window_partial_0_1_11 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_12, slice0window_partial_0_1_13 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_14, slice0window_partial_0_1_15 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_16, slice0window_partial_0_1_17 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_18, slice0window_partial_0_1_19 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_20, slice0window_partial_0_1_21 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_22, slice0window_partial_0_1_23 : natural range 0 to 1532;
-  signal slice0window_partial_0_1_24 : natural range 0 to 1532;
-  signal slice0window_partial_1_0_0, slice0window_partial_1_0_1, slice0window_partial_1_0_2 : natural range 0 to 767;
-  signal slice0window_partial_1_0_3, slice0window_partial_1_0_4, slice0window_partial_1_0_5 : natural range 0 to 767;
-  signal slice0window_partial_1_0_6, slice0window_partial_1_0_7, slice0window_partial_1_0_8 : natural range 0 to 767;
-  signal slice0window_partial_1_0_9, slice0window_partial_1_0_10, slice0window_partial_1_0_11 : natural range 0 to 767;
-  signal slice0window_partial_1_0_12, slice0window_partial_1_0_13, slice0window_partial_1_0_14 : natural range 0 to 767;
-  signal slice0window_partial_1_0_15, slice0window_partial_1_0_16, slice0window_partial_1_0_17 : natural range 0 to 767;
-  signal slice0window_partial_1_0_18, slice0window_partial_1_0_19, slice0window_partial_1_0_20 : natural range 0 to 767;
-  signal slice0window_partial_1_0_21, slice0window_partial_1_0_22, slice0window_partial_1_0_23 : natural range 0 to 767;
-  signal slice0window_partial_1_0_24 : natural range 0 to 767;
-  signal slice0window_partial_1_1_0, slice0window_partial_1_1_1, slice0window_partial_1_1_2 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_3, slice0window_partial_1_1_4, slice0window_partial_1_1_5 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_6, slice0window_partial_1_1_7, slice0window_partial_1_1_8 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_9, slice0window_partial_1_1_10, slice0window_partial_1_1_11 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_12, slice0window_partial_1_1_13 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_14, slice0window_partial_1_1_15 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_16, slice0window_partial_1_1_17 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_18, slice0window_partial_1_1_19 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_20, slice0window_partial_1_1_21 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_22, slice0window_partial_1_1_23 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_24 : natural range 0 to 1534;
+  signal slice0window_partial_0_0 : natural_766_1d(0 to 24);
+  signal slice0window_partial_0_1 : natural_1532_1d(0 to 24);
+  signal slice0window_partial_1_0 : natural_767_1d(0 to 24);
+  signal slice0window_partial_1_1 : natural_1534_1d(0 to 24);
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
   signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2298;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 2298;
-  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 2298;
-  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 2298;
-  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 2298;
-  signal slice0window_sum_0_15, slice0window_sum_0_16, slice0window_sum_0_17 : natural range 0 to 2298;
-  signal slice0window_sum_0_18, slice0window_sum_0_19, slice0window_sum_0_20 : natural range 0 to 2298;
-  signal slice0window_sum_0_21, slice0window_sum_0_22, slice0window_sum_0_23 : natural range 0 to 2298;
-  signal slice0window_sum_0_24 : natural range 0 to 2298;
-  signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 2301;
-  signal slice0window_sum_1_3, slice0window_sum_1_4, slice0window_sum_1_5 : natural range 0 to 2301;
-  signal slice0window_sum_1_6, slice0window_sum_1_7, slice0window_sum_1_8 : natural range 0 to 2301;
-  signal slice0window_sum_1_9, slice0window_sum_1_10, slice0window_sum_1_11 : natural range 0 to 2301;
-  signal slice0window_sum_1_12, slice0window_sum_1_13, slice0window_sum_1_14 : natural range 0 to 2301;
-  signal slice0window_sum_1_15, slice0window_sum_1_16, slice0window_sum_1_17 : natural range 0 to 2301;
-  signal slice0window_sum_1_18, slice0window_sum_1_19, slice0window_sum_1_20 : natural range 0 to 2301;
-  signal slice0window_sum_1_21, slice0window_sum_1_22, slice0window_sum_1_23 : natural range 0 to 2301;
-  signal slice0window_sum_1_24 : natural range 0 to 2301;
+  signal slice0window_sum_0 : natural_2298_1d(0 to 24);
+  signal slice0window_sum_1 : natural_2301_1d(0 to 24);
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_0_8, slice0winner1_best_cost_0_9 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_0_10, slice0winner1_best_cost_0_11 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_0_12 : natural range 0 to 2298;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_2, slice0winner1_best_cost_1_3 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_4, slice0winner1_best_cost_1_5 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_6, slice0winner1_best_cost_1_7 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_8, slice0winner1_best_cost_1_9 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_10, slice0winner1_best_cost_1_11 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_12 : natural range 0 to 2301;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4, slice0winner1_best_index_1_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5, slice0winner1_best_index_1_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6, slice0winner1_best_index_1_6 : natural range 0 to 13;
-  signal slice0winner1_best_index_0_7, slice0winner1_best_index_1_7 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_8, slice0winner1_best_index_1_8 : natural range 0 to 17;
-  signal slice0winner1_best_index_0_9, slice0winner1_best_index_1_9 : natural range 0 to 19;
-  signal slice0winner1_best_index_0_10, slice0winner1_best_index_1_10 : natural range 0 to 21;
-  signal slice0winner1_best_index_0_11, slice0winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice0winner1_best_cost_0 : natural_2298_1d(0 to 12);
+  signal slice0winner1_best_cost_1 : natural_2301_1d(0 to 12);
+  signal slice0winner1_best_index_0 : boolean_1d(0 to 1);  -- slice0winner1_best_index_#_0
+  signal slice0winner1_tag_valid, slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame : boolean;
+  signal slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_1 : natural_3_1d(0 to 1);  -- slice0winner1_best_index_#_1
+  signal slice0winner1_best_index_2 : natural_5_1d(0 to 1);  -- slice0winner1_best_index_#_2
+  signal slice0winner1_best_index_3 : natural_7_1d(0 to 1);  -- slice0winner1_best_index_#_3
+  signal slice0winner1_best_index_4 : natural_9_1d(0 to 1);  -- slice0winner1_best_index_#_4
+  signal slice0winner1_best_index_5 : natural_11_1d(0 to 1);  -- slice0winner1_best_index_#_5
+  signal slice0winner1_best_index_6 : natural_13_1d(0 to 1);  -- slice0winner1_best_index_#_6
+  signal slice0winner1_best_index_7 : natural_15_1d(0 to 1);  -- slice0winner1_best_index_#_7
+  signal slice0winner1_best_index_8 : natural_17_1d(0 to 1);  -- slice0winner1_best_index_#_8
+  signal slice0winner1_best_index_9 : natural_19_1d(0 to 1);  -- slice0winner1_best_index_#_9
+  signal slice0winner1_best_index_10 : natural_21_1d(0 to 1);  -- slice0winner1_best_index_#_10
+  signal slice0winner1_best_index_11 : natural_23_1d(0 to 1);  -- slice0winner1_best_index_#_11
   signal slice0winner1_best_index_0_12 : natural range 0 to 24;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 2298;
-  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 2298;
-  signal slice0winner2_best_cost_0_4, slice0winner2_best_cost_0_5 : natural range 0 to 2298;
-  signal slice0winner2_best_cost_0_6 : natural range 0 to 2298;
-  signal slice0winner2_best_cost_1_0, slice0winner2_best_cost_1_1 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_1_2, slice0winner2_best_cost_1_3 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_1_4, slice0winner2_best_cost_1_5 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_1_6 : natural range 0 to 2301;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1, slice0winner2_best_index_1_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2, slice0winner2_best_index_1_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3, slice0winner2_best_index_1_3 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_4, slice0winner2_best_index_1_4 : natural range 0 to 19;
-  signal slice0winner2_best_index_0_5, slice0winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice0winner2_best_cost_0 : natural_2298_1d(0 to 6);
+  signal slice0winner2_best_cost_1 : natural_2301_1d(0 to 6);
+  signal slice0winner2_best_index_0 : natural_3_1d(0 to 1);  -- slice0winner2_best_index_#_0
+  signal slice0winner2_best_index_1 : natural_7_1d(0 to 1);  -- slice0winner2_best_index_#_1
+  signal slice0winner2_best_index_2 : natural_11_1d(0 to 1);  -- slice0winner2_best_index_#_2
+  signal slice0winner2_best_index_3 : natural_15_1d(0 to 1);  -- slice0winner2_best_index_#_3
+  signal slice0winner2_best_index_4 : natural_19_1d(0 to 1);  -- slice0winner2_best_index_#_4
+  signal slice0winner2_best_index_5 : natural_23_1d(0 to 1);  -- slice0winner2_best_index_#_5
   signal slice0winner2_best_index_0_6 : natural range 0 to 24;
   signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 2298;
-  signal slice0winner3_best_cost_0_2, slice0winner3_best_cost_0_3 : natural range 0 to 2298;
-  signal slice0winner3_best_cost_1_0, slice0winner3_best_cost_1_1 : natural range 0 to 2301;
-  signal slice0winner3_best_cost_1_2, slice0winner3_best_cost_1_3 : natural range 0 to 2301;
-  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1, slice0winner3_best_index_1_1 : natural range 0 to 15;
-  signal slice0winner3_best_index_0_2, slice0winner3_best_index_1_2 : natural range 0 to 23;
+  signal slice0winner3_best_cost_0 : natural_2298_1d(0 to 3);
+  signal slice0winner3_best_cost_1 : natural_2301_1d(0 to 3);
+  signal slice0winner3_best_index_0 : natural_7_1d(0 to 1);  -- slice0winner3_best_index_#_0
+  signal slice0winner3_best_index_1 : natural_15_1d(0 to 1);  -- slice0winner3_best_index_#_1
+  signal slice0winner3_best_index_2 : natural_23_1d(0 to 1);  -- slice0winner3_best_index_#_2
   signal slice0winner3_best_index_0_3 : natural range 0 to 24;
   signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
   signal slice0winner3_tag_end_of_line : boolean;
   -- slice0winner4
-  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 2298;
-  signal slice0winner4_best_cost_1_0, slice0winner4_best_cost_1_1 : natural range 0 to 2301;
-  signal slice0winner4_best_index_0_0, slice0winner4_best_index_1_0 : natural range 0 to 15;
-  signal slice0winner4_best_index_0_1, slice0winner4_best_index_1_1 : natural range 0 to 24;
+  signal slice0winner4_best_cost_0 : natural_2298_1d(0 to 1);
+  signal slice0winner4_best_cost_1 : natural_2301_1d(0 to 1);
+  signal slice0winner4_best_index_0 : natural_15_1d(0 to 1);  -- slice0winner4_best_index_#_0
+  signal slice0winner4_best_index_1 : natural_24_1d(0 to 1);  -- slice0winner4_best_index_#_1
   signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
   signal slice0winner4_tag_end_of_line : boolean;
   -- slice0winner5
   signal slice0winner5_best_cost_0_0 : natural range 0 to 2298;
   signal slice0winner5_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0winner5_best_index_0_0, slice0winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice0winner5_best_index_0 : natural_24_1d(0 to 1);  -- slice0winner5_best_index_#_0
   signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
   signal slice0winner5_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 2298;
   signal slice0_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 99;
+  signal slice0_best_index_0 : natural_99_1d(0 to 1);  -- slice0_best_index_#_0
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
-  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
-  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 255;
-  signal slice1shift_search_0_6, slice1shift_search_0_7, slice1shift_search_0_8 : natural range 0 to 255;
-  signal slice1shift_search_0_9, slice1shift_search_0_10, slice1shift_search_0_11 : natural range 0 to 255;
-  signal slice1shift_search_0_12, slice1shift_search_0_13, slice1shift_search_0_14 : natural range 0 to 255;
-  signal slice1shift_search_0_15, slice1shift_search_0_16, slice1shift_search_0_17 : natural range 0 to 255;
-  signal slice1shift_search_0_18, slice1shift_search_0_19, slice1shift_search_0_20 : natural range 0 to 255;
-  signal slice1shift_search_0_21, slice1shift_search_0_22, slice1shift_search_0_23 : natural range 0 to 255;
-  signal slice1shift_search_0_24, slice1shift_search_1_0, slice1shift_search_1_1 : natural range 0 to 255;
-  signal slice1shift_search_1_2, slice1shift_search_1_3, slice1shift_search_1_4 : natural range 0 to 255;
-  signal slice1shift_search_1_5, slice1shift_search_1_6, slice1shift_search_1_7 : natural range 0 to 255;
-  signal slice1shift_search_1_8, slice1shift_search_1_9, slice1shift_search_1_10 : natural range 0 to 255;
-  signal slice1shift_search_1_11, slice1shift_search_1_12, slice1shift_search_1_13 : natural range 0 to 255;
-  signal slice1shift_search_1_14, slice1shift_search_1_15, slice1shift_search_1_16 : natural range 0 to 255;
-  signal slice1shift_search_1_17, slice1shift_search_1_18, slice1shift_search_1_19 : natural range 0 to 255;
-  signal slice1shift_search_1_20, slice1shift_search_1_21, slice1shift_search_1_22 : natural range 0 to 255;
-  signal slice1shift_search_1_23, slice1shift_search_1_24, slice1shift_search_2_0 : natural range 0 to 255;
-  signal slice1shift_search_2_1, slice1shift_search_2_2, slice1shift_search_2_3 : natural range 0 to 255;
-  signal slice1shift_search_2_4, slice1shift_search_2_5, slice1shift_search_2_6 : natural range 0 to 255;
-  signal slice1shift_search_2_7, slice1shift_search_2_8, slice1shift_search_2_9 : natural range 0 to 255;
-  signal slice1shift_search_2_10, slice1shift_search_2_11, slice1shift_search_2_12 : natural range 0 to 255;
-  signal slice1shift_search_2_13, slice1shift_search_2_14, slice1shift_search_2_15 : natural range 0 to 255;
-  signal slice1shift_search_2_16, slice1shift_search_2_17, slice1shift_search_2_18 : natural range 0 to 255;
-  signal slice1shift_search_2_19, slice1shift_search_2_20, slice1shift_search_2_21 : natural range 0 to 255;
-  signal slice1shift_search_2_22, slice1shift_search_2_23, slice1shift_search_2_24 : natural range 0 to 255;
-  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 255;
-  signal slice1shift_search_3_3, slice1shift_search_3_4, slice1shift_search_3_5 : natural range 0 to 255;
-  signal slice1shift_search_3_6, slice1shift_search_3_7, slice1shift_search_3_8 : natural range 0 to 255;
-  signal slice1shift_search_3_9, slice1shift_search_3_10, slice1shift_search_3_11 : natural range 0 to 255;
-  signal slice1shift_search_3_12, slice1shift_search_3_13, slice1shift_search_3_14 : natural range 0 to 255;
-  signal slice1shift_search_3_15, slice1shift_search_3_16, slice1shift_search_3_17 : natural range 0 to 255;
-  signal slice1shift_search_3_18, slice1shift_search_3_19, slice1shift_search_3_20 : natural range 0 to 255;
-  signal slice1shift_search_3_21, slice1shift_search_3_22, slice1shift_search_3_23 : natural range 0 to 255;
-  signal slice1shift_search_3_24, slice1shift_reference_0, slice1shift_reference_1 : natural range 0 to 255;
-  signal slice1shift_reference_2, slice1shift_reference_3, slice1shift_search_out_0 : natural range 0 to 255;
-  signal slice1shift_search_out_1, slice1shift_search_out_2, slice1shift_search_out_3 : natural range 0 to 255;
+  signal slice1shift_search : natural_255_2d(0 to 3, 0 to 24);
+  signal slice1shift_reference : natural_255_1d(0 to 3);
+  signal slice1shift_search_out : natural_255_1d(0 to 3);
   -- slice1cost
   signal slice1cost_signs_difference_column, slice1cost_signs_write_column : natural range 0 to 511;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
-  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 511;
-  signal slice1cost_pair_0_8, slice1cost_pair_0_9, slice1cost_pair_0_10, slice1cost_pair_0_11 : natural range 0 to 511;
-  signal slice1cost_pair_0_12, slice1cost_pair_0_13, slice1cost_pair_0_14 : natural range 0 to 511;
-  signal slice1cost_pair_0_15, slice1cost_pair_0_16, slice1cost_pair_0_17 : natural range 0 to 511;
-  signal slice1cost_pair_0_18, slice1cost_pair_0_19, slice1cost_pair_0_20 : natural range 0 to 511;
-  signal slice1cost_pair_0_21, slice1cost_pair_0_22, slice1cost_pair_0_23 : natural range 0 to 511;
-  signal slice1cost_pair_0_24 : natural range 0 to 511;
-  signal slice1cost_signs_read_words_0, slice1cost_signs_read_words_1 : unsigned(24 downto 0);
-  signal slice1cost_signs_ready_words_0, slice1cost_signs_ready_words_1 : natural range 0 to 33554431;
-  signal slice1cost_signs_write_words_0, slice1cost_signs_write_words_1 : natural range 0 to 33554431;
-  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : natural range 0 to 255;
-  signal slice1cost_difference_0_3, slice1cost_difference_0_4, slice1cost_difference_0_5 : natural range 0 to 255;
-  signal slice1cost_difference_0_6, slice1cost_difference_0_7, slice1cost_difference_0_8 : natural range 0 to 255;
-  signal slice1cost_difference_0_9, slice1cost_difference_0_10, slice1cost_difference_0_11 : natural range 0 to 255;
-  signal slice1cost_difference_0_12, slice1cost_difference_0_13, slice1cost_difference_0_14 : natural range 0 to 255;
-  signal slice1cost_difference_0_15, slice1cost_difference_0_16, slice1cost_difference_0_17 : natural range 0 to 255;
-  signal slice1cost_difference_0_18, slice1cost_difference_0_19, slice1cost_difference_0_20 : natural range 0 to 255;
-  signal slice1cost_difference_0_21, slice1cost_difference_0_22, slice1cost_difference_0_23 : natural range 0 to 255;
-  signal slice1cost_difference_0_24, slice1cost_difference_1_0, slice1cost_difference_1_1 : natural range 0 to 255;
-  signal slice1cost_difference_1_2, slice1cost_difference_1_3, slice1cost_difference_1_4 : natural range 0 to 255;
-  signal slice1cost_difference_1_5, slice1cost_difference_1_6, slice1cost_difference_1_7 : natural range 0 to 255;
-  signal slice1cost_difference_1_8, slice1cost_difference_1_9, slice1cost_difference_1_10 : natural range 0 to 255;
-  signal slice1cost_difference_1_11, slice1cost_difference_1_12, slice1cost_difference_1_13 : natural range 0 to 255;
-  signal slice1cost_difference_1_14, slice1cost_difference_1_15, slice1cost_difference_1_16 : natural range 0 to 255;
-  signal slice1cost_difference_1_17, slice1cost_difference_1_18, slice1cost_difference_1_19 : natural range 0 to 255;
-  signal slice1cost_difference_1_20, slice1cost_difference_1_21, slice1cost_difference_1_22 : natural range 0 to 255;
-  signal slice1cost_difference_1_23, slice1cost_difference_1_24, slice1cost_single_0_0 : natural range 0 to 255;
-  signal slice1cost_single_0_1, slice1cost_single_0_2, slice1cost_single_0_3 : natural range 0 to 255;
-  signal slice1cost_single_0_4, slice1cost_single_0_5, slice1cost_single_0_6 : natural range 0 to 255;
-  signal slice1cost_single_0_7, slice1cost_single_0_8, slice1cost_single_0_9 : natural range 0 to 255;
-  signal slice1cost_single_0_10, slice1cost_single_0_11, slice1cost_single_0_12 : natural range 0 to 255;
-  signal slice1cost_single_0_13, slice1cost_single_0_14, slice1cost_single_0_15 : natural range 0 to 255;
-  signal slice1cost_single_0_16, slice1cost_single_0_17, slice1cost_single_0_18 : natural range 0 to 255;
-  signal slice1cost_single_0_19, slice1cost_single_0_20, slice1cost_single_0_21 : natural range 0 to 255;
-  signal slice1cost_single_0_22, slice1cost_single_0_23, slice1cost_single_0_24 : natural range 0 to 255;
-  signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 255;
-  signal slice1cost_single_3_3, slice1cost_single_3_4, slice1cost_single_3_5 : natural range 0 to 255;
-  signal slice1cost_single_3_6, slice1cost_single_3_7, slice1cost_single_3_8 : natural range 0 to 255;
-  signal slice1cost_single_3_9, slice1cost_single_3_10, slice1cost_single_3_11 : natural range 0 to 255;
-  signal slice1cost_single_3_12, slice1cost_single_3_13, slice1cost_single_3_14 : natural range 0 to 255;
-  signal slice1cost_single_3_15, slice1cost_single_3_16, slice1cost_single_3_17 : natural range 0 to 255;
-  signal slice1cost_single_3_18, slice1cost_single_3_19, slice1cost_single_3_20 : natural range 0 to 255;
-  signal slice1cost_single_3_21, slice1cost_single_3_22, slice1cost_single_3_23 : natural range 0 to 255;
-  signal slice1cost_single_3_24 : natural range 0 to 255;
-  signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
-  signal slice1cost_difference_2_3, slice1cost_difference_2_4, slice1cost_difference_2_5 : integer range -255 to 255;
-  signal slice1cost_difference_2_6, slice1cost_difference_2_7, slice1cost_difference_2_8 : integer range -255 to 255;
-  signal slice1cost_difference_2_9, slice1cost_difference_2_10, slice1cost_difference_2_11 : integer range -255 to 255;
-  signal slice1cost_difference_2_12, slice1cost_difference_2_13, slice1cost_difference_2_14 : integer range -255 to 255;
-  signal slice1cost_difference_2_15, slice1cost_difference_2_16, slice1cost_difference_2_17 : integer range -255 to 255;
-  signal slice1cost_difference_2_18, slice1cost_difference_2_19, slice1cost_difference_2_20 : integer range -255 to 255;
-  signal slice1cost_difference_2_21, slice1cost_difference_2_22, slice1cost_difference_2_23 : integer range -255 to 255;
-  signal slice1cost_difference_2_24, slice1cost_difference_3_0, slice1cost_difference_3_1 : integer range -255 to 255;
-  signal slice1cost_difference_3_2, slice1cost_difference_3_3, slice1cost_difference_3_4 : integer range -255 to 255;
-  signal slice1cost_difference_3_5, slice1cost_difference_3_6, slice1cost_difference_3_7 : integer range -255 to 255;
-  signal slice1cost_difference_3_8, slice1cost_difference_3_9, slice1cost_difference_3_10 : integer range -255 to 255;
-  signal slice1cost_difference_3_11, slice1cost_difference_3_12, slice1cost_difference_3_13 : integer range -255 to 255;
-  signal slice1cost_difference_3_14, slice1cost_difference_3_15, slice1cost_difference_3_16 : integer range -255 to 255;
-  signal slice1cost_difference_3_17, slice1cost_difference_3_18, slice1cost_difference_3_19 : integer range -255 to 255;
-  signal slice1cost_difference_3_20, slice1cost_difference_3_21, slice1cost_difference_3_22 : integer range -255 to 255;
-  signal slice1cost_difference_3_23, slice1cost_difference_3_24 : integer range -255 to 255;
-  signal slice1cost_newest_negative_0_0, slice1cost_newest_negative_0_1, slice1cost_newest_negative_0_2 : boolean;
-  signal slice1cost_newest_negative_0_3, slice1cost_newest_negative_0_4, slice1cost_newest_negative_0_5 : boolean;
-  signal slice1cost_newest_negative_0_6, slice1cost_newest_negative_0_7, slice1cost_newest_negative_0_8 : boolean;
-  signal slice1cost_newest_negative_0_9, slice1cost_newest_negative_0_10, slice1cost_newest_negative_0_11 : boolean;
-  signal slice1cost_newest_negative_0_12, slice1cost_newest_negative_0_13, slice1cost_newest_negative_0_14 : boolean;
-  signal slice1cost_newest_negative_0_15, slice1cost_newest_negative_0_16, slice1cost_newest_negative_0_17 : boolean;
-  signal slice1cost_newest_negative_0_18, slice1cost_newest_negative_0_19, slice1cost_newest_negative_0_20 : boolean;
-  signal slice1cost_newest_negative_0_21, slice1cost_newest_negative_0_22, slice1cost_newest_negative_0_23 : boolean;
-  signal slice1cost_newest_negative_0_24, slice1cost_newest_negative_1_0, slice1cost_newest_negative_1_1 : boolean;
-  signal slice1cost_newest_negative_1_2, slice1cost_newest_negative_1_3, slice1cost_newest_negative_1_4 : boolean;
-  signal slice1cost_newest_negative_1_5, slice1cost_newest_negative_1_6, slice1cost_newest_negative_1_7 : boolean;
-  signal slice1cost_newest_negative_1_8, slice1cost_newest_negative_1_9, slice1cost_newest_negative_1_10 : boolean;
-  signal slice1cost_newest_negative_1_11, slice1cost_newest_negative_1_12, slice1cost_newest_negative_1_13 : boolean;
-  signal slice1cost_newest_negative_1_14, slice1cost_newest_negative_1_15, slice1cost_newest_negative_1_16 : boolean;
-  signal slice1cost_newest_negative_1_17, slice1cost_newest_negative_1_18, slice1cost_newest_negative_1_19 : boolean;
-  signal slice1cost_newest_negative_1_20, slice1cost_newest_negative_1_21, slice1cost_newest_negative_1_22 : boolean;
-  signal slice1cost_newest_negative_1_23, slice1cost_newest_negative_1_24, slice1cost_single_negative_3_0 : boolean;
-  signal slice1cost_single_negative_3_1, slice1cost_single_negative_3_2, slice1cost_single_negative_3_3 : boolean;
-  signal slice1cost_single_negative_3_4, slice1cost_single_negative_3_5, slice1cost_single_negative_3_6 : boolean;
-  signal slice1cost_single_negative_3_7, slice1cost_single_negative_3_8, slice1cost_single_negative_3_9 : boolean;
-  signal slice1cost_single_negative_3_10, slice1cost_single_negative_3_11, slice1cost_single_negative_3_12 : boolean;
-  signal slice1cost_single_negative_3_13, slice1cost_single_negative_3_14, slice1cost_single_negative_3_15 : boolean;
-  signal slice1cost_single_negative_3_16, slice1cost_single_negative_3_17, slice1cost_single_negative_3_18 : boolean;
-  signal slice1cost_single_negative_3_19, slice1cost_single_negative_3_20, slice1cost_single_negative_3_21 : boolean;
-  signal slice1cost_single_negative_3_22, slice1cost_single_negative_3_23, slice1cost_single_negative_3_24 : boolean;
+  signal slice1cost_pair_0 : natural_511_1d(0 to 24);
+  signal slice1cost_signs_read_words : unsigned_25_1d(0 to 1);
+  signal slice1cost_signs_ready_words : natural_33554431_1d(0 to 1);
+  signal slice1cost_signs_write_words : natural_33554431_1d(0 to 1);
+  signal slice1cost_difference : natural_255_2d(0 to 1, 0 to 24);
+  signal slice1cost_single_0 : natural_255_1d(0 to 24);
+  signal slice1cost_single_3 : natural_255_1d(0 to 24);
+  signal slice1cost_differences : integer_minus_255_to_255_2d(2 to 3, 0 to 24);  -- slice1cost_difference_#_#
+  signal slice1cost_newest_negative : boolean_2d(0 to 1, 0 to 24);
+  signal slice1cost_single_negative_3 : boolean_1d(0 to 24);
   signal slice1cost_tag_border_column : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 766;
-  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 766;
-  signal slice1cost_column_0_6, slice1cost_column_0_7, slice1cost_column_0_8 : natural range 0 to 766;
-  signal slice1cost_column_0_9, slice1cost_column_0_10, slice1cost_column_0_11 : natural range 0 to 766;
-  signal slice1cost_column_0_12, slice1cost_column_0_13, slice1cost_column_0_14 : natural range 0 to 766;
-  signal slice1cost_column_0_15, slice1cost_column_0_16, slice1cost_column_0_17 : natural range 0 to 766;
-  signal slice1cost_column_0_18, slice1cost_column_0_19, slice1cost_column_0_20 : natural range 0 to 766;
-  signal slice1cost_column_0_21, slice1cost_column_0_22, slice1cost_column_0_23 : natural range 0 to 766;
-  signal slice1cost_column_0_24 : natural range 0 to 766;
-  signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 767;
-  signal slice1cost_column_1_3, slice1cost_column_1_4, slice1cost_column_1_5 : natural range 0 to 767;
-  signal slice1cost_column_1_6, slice1cost_column_1_7, slice1cost_column_1_8 : natural range 0 to 767;
-  signal slice1cost_column_1_9, slice1cost_column_1_10, slice1cost_column_1_11 : natural range 0 to 767;
-  signal slice1cost_column_1_12, slice1cost_column_1_13, slice1cost_column_1_14 : natural range 0 to 767;
-  signal slice1cost_column_1_15, slice1cost_column_1_16, slice1cost_column_1_17 : natural range 0 to 767;
-  signal slice1cost_column_1_18, slice1cost_column_1_19, slice1cost_column_1_20 : natural range 0 to 767;
-  signal slice1cost_column_1_21, slice1cost_column_1_22, slice1cost_column_1_23 : natural range 0 to 767;
-  signal slice1cost_column_1_24 : natural range 0 to 767;
+  signal slice1cost_column_0 : natural_766_1d(0 to 24);
+  signal slice1cost_column_1 : natural_767_1d(0 to 24);
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 766;
-  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 766;
-  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7, slice1window_partial_0_0_8 : natural range 0 to 766;
-  signal slice1window_partial_0_0_9, slice1window_partial_0_0_10, slice1window_partial_0_0_11 : natural range 0 to 766;
-  signal slice1window_partial_0_0_12, slice1window_partial_0_0_13, slice1window_partial_0_0_14 : natural range 0 to 766;
-  signal slice1window_partial_0_0_15, slice1window_partial_0_0_16, slice1window_partial_0_0_17 : natural range 0 to 766;
-  signal slice1window_partial_0_0_18, slice1window_partial_0_0_19, slice1window_partial_0_0_20 : natural range 0 to 766;
-  signal slice1window_partial_0_0_21, slice1window_partial_0_0_22, slice1window_partial_0_0_23 : natural range 0 to 766;
-  signal slice1window_partial_0_0_24 : natural range 0 to 766;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7, slice1window_partial_0_1_8 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_9, slice1window_partial_0_1_10, slice1window_partial_0_1_11 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_12, slice1window_partial_0_1_13 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_14, slice1window_partial_0_1_15 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_16, slice1window_partial_0_1_17 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_18, slice1window_partial_0_1_19 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_20, slice1window_partial_0_1_21 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_22, slice1window_partial_0_1_23 : natural range 0 to 1532;
-  signal slice1window_partial_0_1_24 : natural range 0 to 1532;
-  signal slice1window_partial_1_0_0, slice1window_partial_1_0_1, slice1window_partial_1_0_2 : natural range 0 to 767;
-  signal slice1window_partial_1_0_3, slice1window_partial_1_0_4, slice1window_partial_1_0_5 : natural range 0 to 767;
-  signal slice1window_partial_1_0_6, slice1window_partial_1_0_7, slice1window_partial_1_0_8 : natural range 0 to 767;
-  signal slice1window_partial_1_0_9, slice1window_partial_1_0_10, slice1window_partial_1_0_11 : natural range 0 to 767;
-  signal slice1window_partial_1_0_12, slice1window_partial_1_0_13, slice1window_partial_1_0_14 : natural range 0 to 767;
-  signal slice1window_partial_1_0_15, slice1window_partial_1_0_16, slice1window_partial_1_0_17 : natural range 0 to 767;
-  signal slice1window_partial_1_0_18, slice1window_partial_1_0_19, slice1window_partial_1_0_20 : natural range 0 to 767;
-  signal slice1window_partial_1_0_21, slice1window_partial_1_0_22, slice1window_partial_1_0_23 : natural range 0 to 767;
-  signal slice1window_partial_1_0_24 : natural range 0 to 767;
-  signal slice1window_partial_1_1_0, slice1window_partial_1_1_1, slice1window_partial_1_1_2 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_3, slice1window_partial_1_1_4, slice1window_partial_1_1_5 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_6, slice1window_partial_1_1_7, slice1window_partial_1_1_8 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_9, slice1window_partial_1_1_10, slice1window_partial_1_1_11 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_12, slice1window_partial_1_1_13 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_14, slice1window_partial_1_1_15 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_16, slice1window_partial_1_1_17 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_18, slice1window_partial_1_1_19 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_20, slice1window_partial_1_1_21 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_22, slice1window_partial_1_1_23 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_24 : natural range 0 to 1534;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2298;
-  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 2298;
-  signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 2298;
-  signal slice1window_sum_0_9, slice1window_sum_0_10, slice1window_sum_0_11 : natural range 0 to 2298;
-  signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 2298;
-  signal slice1window_sum_0_15, slice1window_sum_0_16, slice1window_sum_0_17 : natural range 0 to 2298;
-  signal slice1window_sum_0_18, slice1window_sum_0_19, slice1window_sum_0_20 : natural range 0 to 2298;
-  signal slice1window_sum_0_21, slice1window_sum_0_22, slice1window_sum_0_23 : natural range 0 to 2298;
-  signal slice1window_sum_0_24 : natural range 0 to 2298;
-  signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 2301;
-  signal slice1window_sum_1_3, slice1window_sum_1_4, slice1window_sum_1_5 : natural range 0 to 2301;
-  signal slice1window_sum_1_6, slice1window_sum_1_7, slice1window_sum_1_8 : natural range 0 to 2301;
-  signal slice1window_sum_1_9, slice1window_sum_1_10, slice1window_sum_1_11 : natural range 0 to 2301;
-  signal slice1window_sum_1_12, slice1window_sum_1_13, slice1window_sum_1_14 : natural range 0 to 2301;
-  signal slice1window_sum_1_15, slice1window_sum_1_16, slice1window_sum_1_17 : natural range 0 to 2301;
-  signal slice1window_sum_1_18, slice1window_sum_1_19, slice1window_sum_1_20 : natural range 0 to 2301;
-  signal slice1window_sum_1_21, slice1window_sum_1_22, slice1window_sum_1_23 : natural range 0 to 2301;
-  signal slice1window_sum_1_24 : natural range 0 to 2301;
+  signal slice1window_partial_0_0 : natural_766_1d(0 to 24);
+  signal slice1window_partial_0_1 : natural_1532_1d(0 to 24);
+  signal slice1window_partial_1_0 : natural_767_1d(0 to 24);
+  signal slice1window_partial_1_1 : natural_1534_1d(0 to 24);
+  signal slice1window_sum_0 : natural_2298_1d(0 to 24);
+  signal slice1window_sum_1 : natural_2301_1d(0 to 24);
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_0_8, slice1winner1_best_cost_0_9 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_0_10, slice1winner1_best_cost_0_11 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_0_12 : natural range 0 to 2298;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_2, slice1winner1_best_cost_1_3 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_4, slice1winner1_best_cost_1_5 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_6, slice1winner1_best_cost_1_7 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_8, slice1winner1_best_cost_1_9 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_10, slice1winner1_best_cost_1_11 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_12 : natural range 0 to 2301;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
-  signal slice1winner1_best_index_0_1, slice1winner1_best_index_1_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2, slice1winner1_best_index_1_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3, slice1winner1_best_index_1_3 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_4, slice1winner1_best_index_1_4 : natural range 0 to 9;
-  signal slice1winner1_best_index_0_5, slice1winner1_best_index_1_5 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_6, slice1winner1_best_index_1_6 : natural range 0 to 13;
-  signal slice1winner1_best_index_0_7, slice1winner1_best_index_1_7 : natural range 0 to 15;
-  signal slice1winner1_best_index_0_8, slice1winner1_best_index_1_8 : natural range 0 to 17;
-  signal slice1winner1_best_index_0_9, slice1winner1_best_index_1_9 : natural range 0 to 19;
-  signal slice1winner1_best_index_0_10, slice1winner1_best_index_1_10 : natural range 0 to 21;
-  signal slice1winner1_best_index_0_11, slice1winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice1winner1_best_cost_0 : natural_2298_1d(0 to 12);
+  signal slice1winner1_best_cost_1 : natural_2301_1d(0 to 12);
+  signal slice1winner1_best_index_0 : boolean_1d(0 to 1);  -- slice1winner1_best_index_#_0
+  signal slice1winner1_best_index_1 : natural_3_1d(0 to 1);  -- slice1winner1_best_index_#_1
+  signal slice1winner1_best_index_2 : natural_5_1d(0 to 1);  -- slice1winner1_best_index_#_2
+  signal slice1winner1_best_index_3 : natural_7_1d(0 to 1);  -- slice1winner1_best_index_#_3
+  signal slice1winner1_best_index_4 : natural_9_1d(0 to 1);  -- slice1winner1_best_index_#_4
+  signal slice1winner1_best_index_5 : natural_11_1d(0 to 1);  -- slice1winner1_best_index_#_5
+  signal slice1winner1_best_index_6 : natural_13_1d(0 to 1);  -- slice1winner1_best_index_#_6
+  signal slice1winner1_best_index_7 : natural_15_1d(0 to 1);  -- slice1winner1_best_index_#_7
+  signal slice1winner1_best_index_8 : natural_17_1d(0 to 1);  -- slice1winner1_best_index_#_8
+  signal slice1winner1_best_index_9 : natural_19_1d(0 to 1);  -- slice1winner1_best_index_#_9
+  signal slice1winner1_best_index_10 : natural_21_1d(0 to 1);  -- slice1winner1_best_index_#_10
+  signal slice1winner1_best_index_11 : natural_23_1d(0 to 1);  -- slice1winner1_best_index_#_11
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 2298;
-  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 2298;
-  signal slice1winner2_best_cost_0_4, slice1winner2_best_cost_0_5 : natural range 0 to 2298;
-  signal slice1winner2_best_cost_0_6 : natural range 0 to 2298;
-  signal slice1winner2_best_cost_1_0, slice1winner2_best_cost_1_1 : natural range 0 to 2301;
-  signal slice1winner2_best_cost_1_2, slice1winner2_best_cost_1_3 : natural range 0 to 2301;
-  signal slice1winner2_best_cost_1_4, slice1winner2_best_cost_1_5 : natural range 0 to 2301;
-  signal slice1winner2_best_cost_1_6 : natural range 0 to 2301;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1, slice1winner2_best_index_1_1 : natural range 0 to 7;
-  signal slice1winner2_best_index_0_2, slice1winner2_best_index_1_2 : natural range 0 to 11;
-  signal slice1winner2_best_index_0_3, slice1winner2_best_index_1_3 : natural range 0 to 15;
-  signal slice1winner2_best_index_0_4, slice1winner2_best_index_1_4 : natural range 0 to 19;
-  signal slice1winner2_best_index_0_5, slice1winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice1winner2_best_cost_0 : natural_2298_1d(0 to 6);
+  signal slice1winner2_best_cost_1 : natural_2301_1d(0 to 6);
+  signal slice1winner2_best_index_0 : natural_3_1d(0 to 1);  -- slice1winner2_best_index_#_0
+  signal slice1winner2_best_index_1 : natural_7_1d(0 to 1);  -- slice1winner2_best_index_#_1
+  signal slice1winner2_best_index_2 : natural_11_1d(0 to 1);  -- slice1winner2_best_index_#_2
+  signal slice1winner2_best_index_3 : natural_15_1d(0 to 1);  -- slice1winner2_best_index_#_3
+  signal slice1winner2_best_index_4 : natural_19_1d(0 to 1);  -- slice1winner2_best_index_#_4
+  signal slice1winner2_best_index_5 : natural_23_1d(0 to 1);  -- slice1winner2_best_index_#_5
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 2298;
-  signal slice1winner3_best_cost_0_2, slice1winner3_best_cost_0_3 : natural range 0 to 2298;
-  signal slice1winner3_best_cost_1_0, slice1winner3_best_cost_1_1 : natural range 0 to 2301;
-  signal slice1winner3_best_cost_1_2, slice1winner3_best_cost_1_3 : natural range 0 to 2301;
-  signal slice1winner3_best_index_0_0, slice1winner3_best_index_1_0 : natural range 0 to 7;
-  signal slice1winner3_best_index_0_1, slice1winner3_best_index_1_1 : natural range 0 to 15;
-  signal slice1winner3_best_index_0_2, slice1winner3_best_index_1_2 : natural range 0 to 23;
+  signal slice1winner3_best_cost_0 : natural_2298_1d(0 to 3);
+  signal slice1winner3_best_cost_1 : natural_2301_1d(0 to 3);
+  signal slice1winner3_best_index_0 : natural_7_1d(0 to 1);  -- slice1winner3_best_index_#_0
+  signal slice1winner3_best_index_1 : natural_15_1d(0 to 1);  -- slice1winner3_best_index_#_1
+  signal slice1winner3_best_index_2 : natural_23_1d(0 to 1);  -- slice1winner3_best_index_#_2
   -- slice1winner4
-  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_0_1 : natural range 0 to 2298;
-  signal slice1winner4_best_cost_1_0, slice1winner4_best_cost_1_1 : natural range 0 to 2301;
-  signal slice1winner4_best_index_0_0, slice1winner4_best_index_1_0 : natural range 0 to 15;
-  signal slice1winner4_best_index_0_1, slice1winner4_best_index_1_1 : natural range 0 to 24;
+  signal slice1winner4_best_cost_0 : natural_2298_1d(0 to 1);
+  signal slice1winner4_best_cost_1 : natural_2301_1d(0 to 1);
+  signal slice1winner4_best_index_0 : natural_15_1d(0 to 1);  -- slice1winner4_best_index_#_0
+  signal slice1winner4_best_index_1 : natural_24_1d(0 to 1);  -- slice1winner4_best_index_#_1
   -- slice1winner5
   signal slice1winner5_best_cost_0_0 : natural range 0 to 2298;
   signal slice1winner5_best_cost_1_0 : natural range 0 to 2301;
-  signal slice1winner5_best_index_0_0, slice1winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice1winner5_best_index_0 : natural_24_1d(0 to 1);  -- slice1winner5_best_index_#_0
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 2298;
   signal slice1_best_cost_1_0 : natural range 0 to 2301;
-  signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 99;
+  signal slice1_best_index_0 : natural_99_1d(0 to 1);  -- slice1_best_index_#_0
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
   -- slice2shift
-  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_0_2 : natural range 0 to 255;
-  signal slice2shift_search_0_3, slice2shift_search_0_4, slice2shift_search_0_5 : natural range 0 to 255;
-  signal slice2shift_search_0_6, slice2shift_search_0_7, slice2shift_search_0_8 : natural range 0 to 255;
-  signal slice2shift_search_0_9, slice2shift_search_0_10, slice2shift_search_0_11 : natural range 0 to 255;
-  signal slice2shift_search_0_12, slice2shift_search_0_13, slice2shift_search_0_14 : natural range 0 to 255;
-  signal slice2shift_search_0_15, slice2shift_search_0_16, slice2shift_search_0_17 : natural range 0 to 255;
-  signal slice2shift_search_0_18, slice2shift_search_0_19, slice2shift_search_0_20 : natural range 0 to 255;
-  signal slice2shift_search_0_21, slice2shift_search_0_22, slice2shift_search_0_23 : natural range 0 to 255;
-  signal slice2shift_search_0_24, slice2shift_search_1_0, slice2shift_search_1_1 : natural range 0 to 255;
-  signal slice2shift_search_1_2, slice2shift_search_1_3, slice2shift_search_1_4 : natural range 0 to 255;
-  signal slice2shift_search_1_5, slice2shift_search_1_6, slice2shift_search_1_7 : natural range 0 to 255;
-  signal slice2shift_search_1_8, slice2shift_search_1_9, slice2shift_search_1_10 : natural range 0 to 255;
-  signal slice2shift_search_1_11, slice2shift_search_1_12, slice2shift_search_1_13 : natural range 0 to 255;
-  signal slice2shift_search_1_14, slice2shift_search_1_15, slice2shift_search_1_16 : natural range 0 to 255;
-  signal slice2shift_search_1_17, slice2shift_search_1_18, slice2shift_search_1_19 : natural range 0 to 255;
-  signal slice2shift_search_1_20, slice2shift_search_1_21, slice2shift_search_1_22 : natural range 0 to 255;
-  signal slice2shift_search_1_23, slice2shift_search_1_24, slice2shift_search_2_0 : natural range 0 to 255;
-  signal slice2shift_search_2_1, slice2shift_search_2_2, slice2shift_search_2_3 : natural range 0 to 255;
-  signal slice2shift_search_2_4, slice2shift_search_2_5, slice2shift_search_2_6 : natural range 0 to 255;
-  signal slice2shift_search_2_7, slice2shift_search_2_8, slice2shift_search_2_9 : natural range 0 to 255;
-  signal slice2shift_search_2_10, slice2shift_search_2_11, slice2shift_search_2_12 : natural range 0 to 255;
-  signal slice2shift_search_2_13, slice2shift_search_2_14, slice2shift_search_2_15 : natural range 0 to 255;
-  signal slice2shift_search_2_16, slice2shift_search_2_17, slice2shift_search_2_18 : natural range 0 to 255;
-  signal slice2shift_search_2_19, slice2shift_search_2_20, slice2shift_search_2_21 : natural range 0 to 255;
-  signal slice2shift_search_2_22, slice2shift_search_2_23, slice2shift_search_2_24 : natural range 0 to 255;
-  signal slice2shift_search_3_0, slice2shift_search_3_1, slice2shift_search_3_2 : natural range 0 to 255;
-  signal slice2shift_search_3_3, slice2shift_search_3_4, slice2shift_search_3_5 : natural range 0 to 255;
-  signal slice2shift_search_3_6, slice2shift_search_3_7, slice2shift_search_3_8 : natural range 0 to 255;
-  signal slice2shift_search_3_9, slice2shift_search_3_10, slice2shift_search_3_11 : natural range 0 to 255;
-  signal slice2shift_search_3_12, slice2shift_search_3_13, slice2shift_search_3_14 : natural range 0 to 255;
-  signal slice2shift_search_3_15, slice2shift_search_3_16, slice2shift_search_3_17 : natural range 0 to 255;
-  signal slice2shift_search_3_18, slice2shift_search_3_19, slice2shift_search_3_20 : natural range 0 to 255;
-  signal slice2shift_search_3_21, slice2shift_search_3_22, slice2shift_search_3_23 : natural range 0 to 255;
-  signal slice2shift_search_3_24, slice2shift_reference_0, slice2shift_reference_1 : natural range 0 to 255;
-  signal slice2shift_reference_2, slice2shift_reference_3, slice2shift_search_out_0 : natural range 0 to 255;
-  signal slice2shift_search_out_1, slice2shift_search_out_2, slice2shift_search_out_3 : natural range 0 to 255;
+  signal slice2shift_search : natural_255_2d(0 to 3, 0 to 24);
+  signal slice2shift_reference : natural_255_1d(0 to 3);
+  signal slice2shift_search_out : natural_255_1d(0 to 3);
   -- slice2cost
   signal slice2cost_signs_difference_column, slice2cost_signs_write_column : natural range 0 to 511;
-  signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_0_2, slice2cost_pair_0_3 : natural range 0 to 511;
-  signal slice2cost_pair_0_4, slice2cost_pair_0_5, slice2cost_pair_0_6, slice2cost_pair_0_7 : natural range 0 to 511;
-  signal slice2cost_pair_0_8, slice2cost_pair_0_9, slice2cost_pair_0_10, slice2cost_pair_0_11 : natural range 0 to 511;
-  signal slice2cost_pair_0_12, slice2cost_pair_0_13, slice2cost_pair_0_14 : natural range 0 to 511;
-  signal slice2cost_pair_0_15, slice2cost_pair_0_16, slice2cost_pair_0_17 : natural range 0 to 511;
-  signal slice2cost_pair_0_18, slice2cost_pair_0_19, slice2cost_pair_0_20 : natural range 0 to 511;
-  signal slice2cost_pair_0_21, slice2cost_pair_0_22, slice2cost_pair_0_23 : natural range 0 to 511;
-  signal slice2cost_pair_0_24 : natural range 0 to 511;
-  signal slice2cost_signs_read_words_0, slice2cost_signs_read_words_1 : unsigned(24 downto 0);
-  signal slice2cost_signs_ready_words_0, slice2cost_signs_ready_words_1 : natural range 0 to 33554431;
-  signal slice2cost_signs_write_words_0, slice2cost_signs_write_words_1 : natural range 0 to 33554431;
-  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_0_2 : natural range 0 to 255;
-  signal slice2cost_difference_0_3, slice2cost_difference_0_4, slice2cost_difference_0_5 : natural range 0 to 255;
-  signal slice2cost_difference_0_6, slice2cost_difference_0_7, slice2cost_difference_0_8 : natural range 0 to 255;
-  signal slice2cost_difference_0_9, slice2cost_difference_0_10, slice2cost_difference_0_11 : natural range 0 to 255;
-  signal slice2cost_difference_0_12, slice2cost_difference_0_13, slice2cost_difference_0_14 : natural range 0 to 255;
-  signal slice2cost_difference_0_15, slice2cost_difference_0_16, slice2cost_difference_0_17 : natural range 0 to 255;
-  signal slice2cost_difference_0_18, slice2cost_difference_0_19, slice2cost_difference_0_20 : natural range 0 to 255;
-  signal slice2cost_difference_0_21, slice2cost_difference_0_22, slice2cost_difference_0_23 : natural range 0 to 255;
-  signal slice2cost_difference_0_24, slice2cost_difference_1_0, slice2cost_difference_1_1 : natural range 0 to 255;
-  signal slice2cost_difference_1_2, slice2cost_difference_1_3, slice2cost_difference_1_4 : natural range 0 to 255;
-  signal slice2cost_difference_1_5, slice2cost_difference_1_6, slice2cost_difference_1_7 : natural range 0 to 255;
-  signal slice2cost_difference_1_8, slice2cost_difference_1_9, slice2cost_difference_1_10 : natural range 0 to 255;
-  signal slice2cost_difference_1_11, slice2cost_difference_1_12, slice2cost_difference_1_13 : natural range 0 to 255;
-  signal slice2cost_difference_1_14, slice2cost_difference_1_15, slice2cost_difference_1_16 : natural range 0 to 255;
-  signal slice2cost_difference_1_17, slice2cost_difference_1_18, slice2cost_difference_1_19 : natural range 0 to 255;
-  signal slice2cost_difference_1_20, slice2cost_difference_1_21, slice2cost_difference_1_22 : natural range 0 to 255;
-  signal slice2cost_difference_1_23, slice2cost_difference_1_24, slice2cost_single_0_0 : natural range 0 to 255;
-  signal slice2cost_single_0_1, slice2cost_single_0_2, slice2cost_single_0_3 : natural range 0 to 255;
-  signal slice2cost_single_0_4, slice2cost_single_0_5, slice2cost_single_0_6 : natural range 0 to 255;
-  signal slice2cost_single_0_7, slice2cost_single_0_8, slice2cost_single_0_9 : natural range 0 to 255;
-  signal slice2cost_single_0_10, slice2cost_single_0_11, slice2cost_single_0_12 : natural range 0 to 255;
-  signal slice2cost_single_0_13, slice2cost_single_0_14, slice2cost_single_0_15 : natural range 0 to 255;
-  signal slice2cost_single_0_16, slice2cost_single_0_17, slice2cost_single_0_18 : natural range 0 to 255;
-  signal slice2cost_single_0_19, slice2cost_single_0_20, slice2cost_single_0_21 : natural range 0 to 255;
-  signal slice2cost_single_0_22, slice2cost_single_0_23, slice2cost_single_0_24 : natural range 0 to 255;
-  signal slice2cost_single_3_0, slice2cost_single_3_1, slice2cost_single_3_2 : natural range 0 to 255;
-  signal slice2cost_single_3_3, slice2cost_single_3_4, slice2cost_single_3_5 : natural range 0 to 255;
-  signal slice2cost_single_3_6, slice2cost_single_3_7, slice2cost_single_3_8 : natural range 0 to 255;
-  signal slice2cost_single_3_9, slice2cost_single_3_10, slice2cost_single_3_11 : natural range 0 to 255;
-  signal slice2cost_single_3_12, slice2cost_single_3_13, slice2cost_single_3_14 : natural range 0 to 255;
-  signal slice2cost_single_3_15, slice2cost_single_3_16, slice2cost_single_3_17 : natural range 0 to 255;
-  signal slice2cost_single_3_18, slice2cost_single_3_19, slice2cost_single_3_20 : natural range 0 to 255;
-  signal slice2cost_single_3_21, slice2cost_single_3_22, slice2cost_single_3_23 : natural range 0 to 255;
-  signal slice2cost_single_3_24 : natural range 0 to 255;
-  signal slice2cost_difference_2_0, slice2cost_difference_2_1, slice2cost_difference_2_2 : integer range -255 to 255;
-  signal slice2cost_difference_2_3, slice2cost_difference_2_4, slice2cost_difference_2_5 : integer range -255 to 255;
-  signal slice2cost_difference_2_6, slice2cost_difference_2_7, slice2cost_difference_2_8 : integer range -255 to 255;
-  signal slice2cost_difference_2_9, slice2cost_difference_2_10, slice2cost_difference_2_11 : integer range -255 to 255;
-  signal slice2cost_difference_2_12, slice2cost_difference_2_13, slice2cost_difference_2_14 : integer range -255 to 255;
-  signal slice2cost_difference_2_15, slice2cost_difference_2_16, slice2cost_difference_2_17 : integer range -255 to 255;
-  signal slice2cost_difference_2_18, slice2cost_difference_2_19, slice2cost_difference_2_20 : integer range -255 to 255;
-  signal slice2cost_difference_2_21, slice2cost_difference_2_22, slice2cost_difference_2_23 : integer range -255 to 255;
-  signal slice2cost_difference_2_24, slice2cost_difference_3_0, slice2cost_difference_3_1 : integer range -255 to 255;
-  signal slice2cost_difference_3_2, slice2cost_difference_3_3, slice2cost_difference_3_4 : integer range -255 to 255;
-  signal slice2cost_difference_3_5, slice2cost_difference_3_6, slice2cost_difference_3_7 : integer range -255 to 255;
-  signal slice2cost_difference_3_8, slice2cost_difference_3_9, slice2cost_difference_3_10 : integer range -255 to 255;
-  signal slice2cost_difference_3_11, slice2cost_difference_3_12, slice2cost_difference_3_13 : integer range -255 to 255;
-  signal slice2cost_difference_3_14, slice2cost_difference_3_15, slice2cost_difference_3_16 : integer range -255 to 255;
-  signal slice2cost_difference_3_17, slice2cost_difference_3_18, slice2cost_difference_3_19 : integer range -255 to 255;
-  signal slice2cost_difference_3_20, slice2cost_difference_3_21, slice2cost_difference_3_22 : integer range -255 to 255;
-  signal slice2cost_difference_3_23, slice2cost_difference_3_24 : integer range -255 to 255;
-  signal slice2cost_newest_negative_0_0, slice2cost_newest_negative_0_1, slice2cost_newest_negative_0_2 : boolean;
-  signal slice2cost_newest_negative_0_3, slice2cost_newest_negative_0_4, slice2cost_newest_negative_0_5 : boolean;
-  signal slice2cost_newest_negative_0_6, slice2cost_newest_negative_0_7, slice2cost_newest_negative_0_8 : boolean;
-  signal slice2cost_newest_negative_0_9, slice2cost_newest_negative_0_10, slice2cost_newest_negative_0_11 : boolean;
-  signal slice2cost_newest_negative_0_12, slice2cost_newest_negative_0_13, slice2cost_newest_negative_0_14 : boolean;
-  signal slice2cost_newest_negative_0_15, slice2cost_newest_negative_0_16, slice2cost_newest_negative_0_17 : boolean;
-  signal slice2cost_newest_negative_0_18, slice2cost_newest_negative_0_19, slice2cost_newest_negative_0_20 : boolean;
-  signal slice2cost_newest_negative_0_21, slice2cost_newest_negative_0_22, slice2cost_newest_negative_0_23 : boolean;
-  signal slice2cost_newest_negative_0_24, slice2cost_newest_negative_1_0, slice2cost_newest_negative_1_1 : boolean;
-  signal slice2cost_newest_negative_1_2, slice2cost_newest_negative_1_3, slice2cost_newest_negative_1_4 : boolean;
-  signal slice2cost_newest_negative_1_5, slice2cost_newest_negative_1_6, slice2cost_newest_negative_1_7 : boolean;
-  signal slice2cost_newest_negative_1_8, slice2cost_newest_negative_1_9, slice2cost_newest_negative_1_10 : boolean;
-  signal slice2cost_newest_negative_1_11, slice2cost_newest_negative_1_12, slice2cost_newest_negative_1_13 : boolean;
-  signal slice2cost_newest_negative_1_14, slice2cost_newest_negative_1_15, slice2cost_newest_negative_1_16 : boolean;
-  signal slice2cost_newest_negative_1_17, slice2cost_newest_negative_1_18, slice2cost_newest_negative_1_19 : boolean;
-  signal slice2cost_newest_negative_1_20, slice2cost_newest_negative_1_21, slice2cost_newest_negative_1_22 : boolean;
-  signal slice2cost_newest_negative_1_23, slice2cost_newest_negative_1_24, slice2cost_single_negative_3_0 : boolean;
-  signal slice2cost_single_negative_3_1, slice2cost_single_negative_3_2, slice2cost_single_negative_3_3 : boolean;
-  signal slice2cost_single_negative_3_4, slice2cost_single_negative_3_5, slice2cost_single_negative_3_6 : boolean;
-  signal slice2cost_single_negative_3_7, slice2cost_single_negative_3_8, slice2cost_single_negative_3_9 : boolean;
-  signal slice2cost_single_negative_3_10, slice2cost_single_negative_3_11, slice2cost_single_negative_3_12 : boolean;
-  signal slice2cost_single_negative_3_13, slice2cost_single_negative_3_14, slice2cost_single_negative_3_15 : boolean;
-  signal slice2cost_single_negative_3_16, slice2cost_single_negative_3_17, slice2cost_single_negative_3_18 : boolean;
-  signal slice2cost_single_negative_3_19, slice2cost_single_negative_3_20, slice2cost_single_negative_3_21 : boolean;
-  signal slice2cost_single_negative_3_22, slice2cost_single_negative_3_23, slice2cost_single_negative_3_24 : boolean;
+  signal slice2cost_pair_0 : natural_511_1d(0 to 24);
+  signal slice2cost_signs_read_words : unsigned_25_1d(0 to 1);
+  signal slice2cost_signs_ready_words : natural_33554431_1d(0 to 1);
+  signal slice2cost_signs_write_words : natural_33554431_1d(0 to 1);
+  signal slice2cost_difference : natural_255_2d(0 to 1, 0 to 24);
+  signal slice2cost_single_0 : natural_255_1d(0 to 24);
+  signal slice2cost_single_3 : natural_255_1d(0 to 24);
+  signal slice2cost_differences : integer_minus_255_to_255_2d(2 to 3, 0 to 24);  -- slice2cost_difference_#_#
+  signal slice2cost_newest_negative : boolean_2d(0 to 1, 0 to 24);
+  signal slice2cost_single_negative_3 : boolean_1d(0 to 24);
   signal slice2cost_tag_border_column : boolean;
-  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_0_2 : natural range 0 to 766;
-  signal slice2cost_column_0_3, slice2cost_column_0_4, slice2cost_column_0_5 : natural range 0 to 766;
-  signal slice2cost_column_0_6, slice2cost_column_0_7, slice2cost_column_0_8 : natural range 0 to 766;
-  signal slice2cost_column_0_9, slice2cost_column_0_10, slice2cost_column_0_11 : natural range 0 to 766;
-  signal slice2cost_column_0_12, slice2cost_column_0_13, slice2cost_column_0_14 : natural range 0 to 766;
-  signal slice2cost_column_0_15, slice2cost_column_0_16, slice2cost_column_0_17 : natural range 0 to 766;
-  signal slice2cost_column_0_18, slice2cost_column_0_19, slice2cost_column_0_20 : natural range 0 to 766;
-  signal slice2cost_column_0_21, slice2cost_column_0_22, slice2cost_column_0_23 : natural range 0 to 766;
-  signal slice2cost_column_0_24 : natural range 0 to 766;
-  signal slice2cost_column_1_0, slice2cost_column_1_1, slice2cost_column_1_2 : natural range 0 to 767;
-  signal slice2cost_column_1_3, slice2cost_column_1_4, slice2cost_column_1_5 : natural range 0 to 767;
-  signal slice2cost_column_1_6, slice2cost_column_1_7, slice2cost_column_1_8 : natural range 0 to 767;
-  signal slice2cost_column_1_9, slice2cost_column_1_10, slice2cost_column_1_11 : natural range 0 to 767;
-  signal slice2cost_column_1_12, slice2cost_column_1_13, slice2cost_column_1_14 : natural range 0 to 767;
-  signal slice2cost_column_1_15, slice2cost_column_1_16, slice2cost_column_1_17 : natural range 0 to 767;
-  signal slice2cost_column_1_18, slice2cost_column_1_19, slice2cost_column_1_20 : natural range 0 to 767;
-  signal slice2cost_column_1_21, slice2cost_column_1_22, slice2cost_column_1_23 : natural range 0 to 767;
-  signal slice2cost_column_1_24 : natural range 0 to 767;
+  signal slice2cost_column_0 : natural_766_1d(0 to 24);
+  signal slice2cost_column_1 : natural_767_1d(0 to 24);
   -- slice2window
-  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_0_0_2 : natural range 0 to 766;
-  signal slice2window_partial_0_0_3, slice2window_partial_0_0_4, slice2window_partial_0_0_5 : natural range 0 to 766;
-  signal slice2window_partial_0_0_6, slice2window_partial_0_0_7, slice2window_partial_0_0_8 : natural range 0 to 766;
-  signal slice2window_partial_0_0_9, slice2window_partial_0_0_10, slice2window_partial_0_0_11 : natural range 0 to 766;
-  signal slice2window_partial_0_0_12, slice2window_partial_0_0_13, slice2window_partial_0_0_14 : natural range 0 to 766;
-  signal slice2window_partial_0_0_15, slice2window_partial_0_0_16, slice2window_partial_0_0_17 : natural range 0 to 766;
-  signal slice2window_partial_0_0_18, slice2window_partial_0_0_19, slice2window_partial_0_0_20 : natural range 0 to 766;
-  signal slice2window_partial_0_0_21, slice2window_partial_0_0_22, slice2window_partial_0_0_23 : natural range 0 to 766;
-  signal slice2window_partial_0_0_24 : natural range 0 to 766;
-  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_0_1_2 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_3, slice2window_partial_0_1_4, slice2window_partial_0_1_5 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_6, slice2window_partial_0_1_7, slice2window_partial_0_1_8 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_9, slice2window_partial_0_1_10, slice2window_partial_0_1_11 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_12, slice2window_partial_0_1_13 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_14, slice2window_partial_0_1_15 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_16, slice2window_partial_0_1_17 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_18, slice2window_partial_0_1_19 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_20, slice2window_partial_0_1_21 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_22, slice2window_partial_0_1_23 : natural range 0 to 1532;
-  signal slice2window_partial_0_1_24 : natural range 0 to 1532;
-  signal slice2window_partial_1_0_0, slice2window_partial_1_0_1, slice2window_partial_1_0_2 : natural range 0 to 767;
-  signal slice2window_partial_1_0_3, slice2window_partial_1_0_4, slice2window_partial_1_0_5 : natural range 0 to 767;
-  signal slice2window_partial_1_0_6, slice2window_partial_1_0_7, slice2window_partial_1_0_8 : natural range 0 to 767;
-  signal slice2window_partial_1_0_9, slice2window_partial_1_0_10, slice2window_partial_1_0_11 : natural range 0 to 767;
-  signal slice2window_partial_1_0_12, slice2window_partial_1_0_13, slice2window_partial_1_0_14 : natural range 0 to 767;
-  signal slice2window_partial_1_0_15, slice2window_partial_1_0_16, slice2window_partial_1_0_17 : natural range 0 to 767;
-  signal slice2window_partial_1_0_18, slice2window_partial_1_0_19, slice2window_partial_1_0_20 : natural range 0 to 767;
-  signal slice2window_partial_1_0_21, slice2window_partial_1_0_22, slice2window_partial_1_0_23 : natural range 0 to 767;
-  signal slice2window_partial_1_0_24 : natural range 0 to 767;
-  signal slice2window_partial_1_1_0, slice2window_partial_1_1_1, slice2window_partial_1_1_2 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_3, slice2window_partial_1_1_4, slice2window_partial_1_1_5 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_6, slice2window_partial_1_1_7, slice2window_partial_1_1_8 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_9, slice2window_partial_1_1_10, slice2window_partial_1_1_11 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_12, slice2window_partial_1_1_13 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_14, slice2window_partial_1_1_15 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_16, slice2window_partial_1_1_17 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_18, slice2window_partial_1_1_19 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_20, slice2window_partial_1_1_21 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_22, slice2window_partial_1_1_23 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_24 : natural range 0 to 1534;
-  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 2298;
-  signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 2298;
-  signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 2298;
-  signal slice2window_sum_0_9, slice2window_sum_0_10, slice2window_sum_0_11 : natural range 0 to 2298;
-  signal slice2window_sum_0_12, slice2window_sum_0_13, slice2window_sum_0_14 : natural range 0 to 2298;
-  signal slice2window_sum_0_15, slice2window_sum_0_16, slice2window_sum_0_17 : natural range 0 to 2298;
-  signal slice2window_sum_0_18, slice2window_sum_0_19, slice2window_sum_0_20 : natural range 0 to 2298;
-  signal slice2window_sum_0_21, slice2window_sum_0_22, slice2window_sum_0_23 : natural range 0 to 2298;
-  signal slice2window_sum_0_24 : natural range 0 to 2298;
-  signal slice2window_sum_1_0, slice2window_sum_1_1, slice2window_sum_1_2 : natural range 0 to 2301;
-  signal slice2window_sum_1_3, slice2window_sum_1_4, slice2window_sum_1_5 : natural range 0 to 2301;
-  signal slice2window_sum_1_6, slice2window_sum_1_7, slice2window_sum_1_8 : natural range 0 to 2301;
-  signal slice2window_sum_1_9, slice2window_sum_1_10, slice2window_sum_1_11 : natural range 0 to 2301;
-  signal slice2window_sum_1_12, slice2window_sum_1_13, slice2window_sum_1_14 : natural range 0 to 2301;
-  signal slice2window_sum_1_15, slice2window_sum_1_16, slice2window_sum_1_17 : natural range 0 to 2301;
-  signal slice2window_sum_1_18, slice2window_sum_1_19, slice2window_sum_1_20 : natural range 0 to 2301;
-  signal slice2window_sum_1_21, slice2window_sum_1_22, slice2window_sum_1_23 : natural range 0 to 2301;
-  signal slice2window_sum_1_24 : natural range 0 to 2301;
+  signal slice2window_partial_0_0 : natural_766_1d(0 to 24);
+  signal slice2window_partial_0_1 : natural_1532_1d(0 to 24);
+  signal slice2window_partial_1_0 : natural_767_1d(0 to 24);
+  signal slice2window_partial_1_1 : natural_1534_1d(0 to 24);
+  signal slice2window_sum_0 : natural_2298_1d(0 to 24);
+  signal slice2window_sum_1 : natural_2301_1d(0 to 24);
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_0_8, slice2winner1_best_cost_0_9 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_0_10, slice2winner1_best_cost_0_11 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_0_12 : natural range 0 to 2298;
-  signal slice2winner1_best_cost_1_0, slice2winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_2, slice2winner1_best_cost_1_3 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_4, slice2winner1_best_cost_1_5 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_6, slice2winner1_best_cost_1_7 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_8, slice2winner1_best_cost_1_9 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_10, slice2winner1_best_cost_1_11 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_12 : natural range 0 to 2301;
-  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : boolean;
-  signal slice2winner1_best_index_0_1, slice2winner1_best_index_1_1 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_2, slice2winner1_best_index_1_2 : natural range 0 to 5;
-  signal slice2winner1_best_index_0_3, slice2winner1_best_index_1_3 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_4, slice2winner1_best_index_1_4 : natural range 0 to 9;
-  signal slice2winner1_best_index_0_5, slice2winner1_best_index_1_5 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_6, slice2winner1_best_index_1_6 : natural range 0 to 13;
-  signal slice2winner1_best_index_0_7, slice2winner1_best_index_1_7 : natural range 0 to 15;
-  signal slice2winner1_best_index_0_8, slice2winner1_best_index_1_8 : natural range 0 to 17;
-  signal slice2winner1_best_index_0_9, slice2winner1_best_index_1_9 : natural range 0 to 19;
-  signal slice2winner1_best_index_0_10, slice2winner1_best_index_1_10 : natural range 0 to 21;
-  signal slice2winner1_best_index_0_11, slice2winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice2winner1_best_cost_0 : natural_2298_1d(0 to 12);
+  signal slice2winner1_best_cost_1 : natural_2301_1d(0 to 12);
+  signal slice2winner1_best_index_0 : boolean_1d(0 to 1);  -- slice2winner1_best_index_#_0
+  signal slice2winner1_best_index_1 : natural_3_1d(0 to 1);  -- slice2winner1_best_index_#_1
+  signal slice2winner1_best_index_2 : natural_5_1d(0 to 1);  -- slice2winner1_best_index_#_2
+  signal slice2winner1_best_index_3 : natural_7_1d(0 to 1);  -- slice2winner1_best_index_#_3
+  signal slice2winner1_best_index_4 : natural_9_1d(0 to 1);  -- slice2winner1_best_index_#_4
+  signal slice2winner1_best_index_5 : natural_11_1d(0 to 1);  -- slice2winner1_best_index_#_5
+  signal slice2winner1_best_index_6 : natural_13_1d(0 to 1);  -- slice2winner1_best_index_#_6
+  signal slice2winner1_best_index_7 : natural_15_1d(0 to 1);  -- slice2winner1_best_index_#_7
+  signal slice2winner1_best_index_8 : natural_17_1d(0 to 1);  -- slice2winner1_best_index_#_8
+  signal slice2winner1_best_index_9 : natural_19_1d(0 to 1);  -- slice2winner1_best_index_#_9
+  signal slice2winner1_best_index_10 : natural_21_1d(0 to 1);  -- slice2winner1_best_index_#_10
+  signal slice2winner1_best_index_11 : natural_23_1d(0 to 1);  -- slice2winner1_best_index_#_11
   -- slice2winner2
-  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 2298;
-  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 2298;
-  signal slice2winner2_best_cost_0_4, slice2winner2_best_cost_0_5 : natural range 0 to 2298;
-  signal slice2winner2_best_cost_0_6 : natural range 0 to 2298;
-  signal slice2winner2_best_cost_1_0, slice2winner2_best_cost_1_1 : natural range 0 to 2301;
-  signal slice2winner2_best_cost_1_2, slice2winner2_best_cost_1_3 : natural range 0 to 2301;
-  signal slice2winner2_best_cost_1_4, slice2winner2_best_cost_1_5 : natural range 0 to 2301;
-  signal slice2winner2_best_cost_1_6 : natural range 0 to 2301;
-  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : natural range 0 to 3;
-  signal slice2winner2_best_index_0_1, slice2winner2_best_index_1_1 : natural range 0 to 7;
-  signal slice2winner2_best_index_0_2, slice2winner2_best_index_1_2 : natural range 0 to 11;
-  signal slice2winner2_best_index_0_3, slice2winner2_best_index_1_3 : natural range 0 to 15;
-  signal slice2winner2_best_index_0_4, slice2winner2_best_index_1_4 : natural range 0 to 19;
-  signal slice2winner2_best_index_0_5, slice2winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice2winner2_best_cost_0 : natural_2298_1d(0 to 6);
+  signal slice2winner2_best_cost_1 : natural_2301_1d(0 to 6);
+  signal slice2winner2_best_index_0 : natural_3_1d(0 to 1);  -- slice2winner2_best_index_#_0
+  signal slice2winner2_best_index_1 : natural_7_1d(0 to 1);  -- slice2winner2_best_index_#_1
+  signal slice2winner2_best_index_2 : natural_11_1d(0 to 1);  -- slice2winner2_best_index_#_2
+  signal slice2winner2_best_index_3 : natural_15_1d(0 to 1);  -- slice2winner2_best_index_#_3
+  signal slice2winner2_best_index_4 : natural_19_1d(0 to 1);  -- slice2winner2_best_index_#_4
+  signal slice2winner2_best_index_5 : natural_23_1d(0 to 1);  -- slice2winner2_best_index_#_5
   -- slice2winner3
-  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 2298;
-  signal slice2winner3_best_cost_0_2, slice2winner3_best_cost_0_3 : natural range 0 to 2298;
-  signal slice2winner3_best_cost_1_0, slice2winner3_best_cost_1_1 : natural range 0 to 2301;
-  signal slice2winner3_best_cost_1_2, slice2winner3_best_cost_1_3 : natural range 0 to 2301;
-  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : natural range 0 to 7;
-  signal slice2winner3_best_index_0_1, slice2winner3_best_index_1_1 : natural range 0 to 15;
-  signal slice2winner3_best_index_0_2, slice2winner3_best_index_1_2 : natural range 0 to 23;
+  signal slice2winner3_best_cost_0 : natural_2298_1d(0 to 3);
+  signal slice2winner3_best_cost_1 : natural_2301_1d(0 to 3);
+  signal slice2winner3_best_index_0 : natural_7_1d(0 to 1);  -- slice2winner3_best_index_#_0
+  signal slice2winner3_best_index_1 : natural_15_1d(0 to 1);  -- slice2winner3_best_index_#_1
+  signal slice2winner3_best_index_2 : natural_23_1d(0 to 1);  -- slice2winner3_best_index_#_2
   -- slice2winner4
-  signal slice2winner4_best_cost_0_0, slice2winner4_best_cost_0_1 : natural range 0 to 2298;
-  signal slice2winner4_best_cost_1_0, slice2winner4_best_cost_1_1 : natural range 0 to 2301;
-  signal slice2winner4_best_index_0_0, slice2winner4_best_index_1_0 : natural range 0 to 15;
-  signal slice2winner4_best_index_0_1, slice2winner4_best_index_1_1 : natural range 0 to 24;
+  signal slice2winner4_best_cost_0 : natural_2298_1d(0 to 1);
+  signal slice2winner4_best_cost_1 : natural_2301_1d(0 to 1);
+  signal slice2winner4_best_index_0 : natural_15_1d(0 to 1);  -- slice2winner4_best_index_#_0
+  signal slice2winner4_best_index_1 : natural_24_1d(0 to 1);  -- slice2winner4_best_index_#_1
   -- slice2winner5
   signal slice2winner5_best_cost_0_0 : natural range 0 to 2298;
   signal slice2winner5_best_cost_1_0 : natural range 0 to 2301;
-  signal slice2winner5_best_index_0_0, slice2winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice2winner5_best_index_0 : natural_24_1d(0 to 1);  -- slice2winner5_best_index_#_0
   -- slice2
   signal slice2_best_cost_0_0 : natural range 0 to 2298;
   signal slice2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 99;
+  signal slice2_best_index_0 : natural_99_1d(0 to 1);  -- slice2_best_index_#_0
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
   -- slice3shift
-  signal slice3shift_search_0_0, slice3shift_search_0_1, slice3shift_search_0_2 : natural range 0 to 255;
-  signal slice3shift_search_0_3, slice3shift_search_0_4, slice3shift_search_0_5 : natural range 0 to 255;
-  signal slice3shift_search_0_6, slice3shift_search_0_7, slice3shift_search_0_8 : natural range 0 to 255;
-  signal slice3shift_search_0_9, slice3shift_search_0_10, slice3shift_search_0_11 : natural range 0 to 255;
-  signal slice3shift_search_0_12, slice3shift_search_0_13, slice3shift_search_0_14 : natural range 0 to 255;
-  signal slice3shift_search_0_15, slice3shift_search_0_16, slice3shift_search_0_17 : natural range 0 to 255;
-  signal slice3shift_search_0_18, slice3shift_search_0_19, slice3shift_search_0_20 : natural range 0 to 255;
-  signal slice3shift_search_0_21, slice3shift_search_0_22, slice3shift_search_0_23 : natural range 0 to 255;
-  signal slice3shift_search_0_24, slice3shift_search_1_0, slice3shift_search_1_1 : natural range 0 to 255;
-  signal slice3shift_search_1_2, slice3shift_search_1_3, slice3shift_search_1_4 : natural range 0 to 255;
-  signal slice3shift_search_1_5, slice3shift_search_1_6, slice3shift_search_1_7 : natural range 0 to 255;
-  signal slice3shift_search_1_8, slice3shift_search_1_9, slice3shift_search_1_10 : natural range 0 to 255;
-  signal slice3shift_search_1_11, slice3shift_search_1_12, slice3shift_search_1_13 : natural range 0 to 255;
-  signal slice3shift_search_1_14, slice3shift_search_1_15, slice3shift_search_1_16 : natural range 0 to 255;
-  signal slice3shift_search_1_17, slice3shift_search_1_18, slice3shift_search_1_19 : natural range 0 to 255;
-  signal slice3shift_search_1_20, slice3shift_search_1_21, slice3shift_search_1_22 : natural range 0 to 255;
-  signal slice3shift_search_1_23, slice3shift_search_1_24, slice3shift_search_2_0 : natural range 0 to 255;
-  signal slice3shift_search_2_1, slice3shift_search_2_2, slice3shift_search_2_3 : natural range 0 to 255;
-  signal slice3shift_search_2_4, slice3shift_search_2_5, slice3shift_search_2_6 : natural range 0 to 255;
-  signal slice3shift_search_2_7, slice3shift_search_2_8, slice3shift_search_2_9 : natural range 0 to 255;
-  signal slice3shift_search_2_10, slice3shift_search_2_11, slice3shift_search_2_12 : natural range 0 to 255;
-  signal slice3shift_search_2_13, slice3shift_search_2_14, slice3shift_search_2_15 : natural range 0 to 255;
-  signal slice3shift_search_2_16, slice3shift_search_2_17, slice3shift_search_2_18 : natural range 0 to 255;
-  signal slice3shift_search_2_19, slice3shift_search_2_20, slice3shift_search_2_21 : natural range 0 to 255;
-  signal slice3shift_search_2_22, slice3shift_search_2_23, slice3shift_search_2_24 : natural range 0 to 255;
-  signal slice3shift_search_3_0, slice3shift_search_3_1, slice3shift_search_3_2 : natural range 0 to 255;
-  signal slice3shift_search_3_3, slice3shift_search_3_4, slice3shift_search_3_5 : natural range 0 to 255;
-  signal slice3shift_search_3_6, slice3shift_search_3_7, slice3shift_search_3_8 : natural range 0 to 255;
-  signal slice3shift_search_3_9, slice3shift_search_3_10, slice3shift_search_3_11 : natural range 0 to 255;
-  signal slice3shift_search_3_12, slice3shift_search_3_13, slice3shift_search_3_14 : natural range 0 to 255;
-  signal slice3shift_search_3_15, slice3shift_search_3_16, slice3shift_search_3_17 : natural range 0 to 255;
-  signal slice3shift_search_3_18, slice3shift_search_3_19, slice3shift_search_3_20 : natural range 0 to 255;
-  signal slice3shift_search_3_21, slice3shift_search_3_22, slice3shift_search_3_23 : natural range 0 to 255;
-  signal slice3shift_search_3_24, slice3shift_reference_0, slice3shift_reference_1 : natural range 0 to 255;
-  signal slice3shift_reference_2, slice3shift_reference_3 : natural range 0 to 255;
+  signal slice3shift_search : natural_255_2d(0 to 3, 0 to 24);
+  signal slice3shift_reference : natural_255_1d(0 to 3);
   -- slice3cost
   signal slice3cost_signs_difference_column, slice3cost_signs_write_column : natural range 0 to 511;
-  signal slice3cost_pair_0_0, slice3cost_pair_0_1, slice3cost_pair_0_2, slice3cost_pair_0_3 : natural range 0 to 511;
-  signal slice3cost_pair_0_4, slice3cost_pair_0_5, slice3cost_pair_0_6, slice3cost_pair_0_7 : natural range 0 to 511;
-  signal slice3cost_pair_0_8, slice3cost_pair_0_9, slice3cost_pair_0_10, slice3cost_pair_0_11 : natural range 0 to 511;
-  signal slice3cost_pair_0_12, slice3cost_pair_0_13, slice3cost_pair_0_14 : natural range 0 to 511;
-  signal slice3cost_pair_0_15, slice3cost_pair_0_16, slice3cost_pair_0_17 : natural range 0 to 511;
-  signal slice3cost_pair_0_18, slice3cost_pair_0_19, slice3cost_pair_0_20 : natural range 0 to 511;
-  signal slice3cost_pair_0_21, slice3cost_pair_0_22, slice3cost_pair_0_23 : natural range 0 to 511;
-  signal slice3cost_pair_0_24 : natural range 0 to 511;
-  signal slice3cost_signs_read_words_0, slice3cost_signs_read_words_1 : unsigned(24 downto 0);
-  signal slice3cost_signs_ready_words_0, slice3cost_signs_ready_words_1 : natural range 0 to 33554431;
-  signal slice3cost_signs_write_words_0, slice3cost_signs_write_words_1 : natural range 0 to 33554431;
-  signal slice3cost_difference_0_0, slice3cost_difference_0_1, slice3cost_difference_0_2 : natural range 0 to 255;
-  signal slice3cost_difference_0_3, slice3cost_difference_0_4, slice3cost_difference_0_5 : natural range 0 to 255;
-  signal slice3cost_difference_0_6, slice3cost_difference_0_7, slice3cost_difference_0_8 : natural range 0 to 255;
-  signal slice3cost_difference_0_9, slice3cost_difference_0_10, slice3cost_difference_0_11 : natural range 0 to 255;
-  signal slice3cost_difference_0_12, slice3cost_difference_0_13, slice3cost_difference_0_14 : natural range 0 to 255;
-  signal slice3cost_difference_0_15, slice3cost_difference_0_16, slice3cost_difference_0_17 : natural range 0 to 255;
-  signal slice3cost_difference_0_18, slice3cost_difference_0_19, slice3cost_difference_0_20 : natural range 0 to 255;
-  signal slice3cost_difference_0_21, slice3cost_difference_0_22, slice3cost_difference_0_23 : natural range 0 to 255;
-  signal slice3cost_difference_0_24, slice3cost_difference_1_0, slice3cost_difference_1_1 : natural range 0 to 255;
-  signal slice3cost_difference_1_2, slice3cost_difference_1_3, slice3cost_difference_1_4 : natural range 0 to 255;
-  signal slice3cost_difference_1_5, slice3cost_difference_1_6, slice3cost_difference_1_7 : natural range 0 to 255;
-  signal slice3cost_difference_1_8, slice3cost_difference_1_9, slice3cost_difference_1_10 : natural range 0 to 255;
-  signal slice3cost_difference_1_11, slice3cost_difference_1_12, slice3cost_difference_1_13 : natural range 0 to 255;
-  signal slice3cost_difference_1_14, slice3cost_difference_1_15, slice3cost_difference_1_16 : natural range 0 to 255;
-  signal slice3cost_difference_1_17, slice3cost_difference_1_18, slice3cost_difference_1_19 : natural range 0 to 255;
-  signal slice3cost_difference_1_20, slice3cost_difference_1_21, slice3cost_difference_1_22 : natural range 0 to 255;
-  signal slice3cost_difference_1_23, slice3cost_difference_1_24, slice3cost_single_0_0 : natural range 0 to 255;
-  signal slice3cost_single_0_1, slice3cost_single_0_2, slice3cost_single_0_3 : natural range 0 to 255;
-  signal slice3cost_single_0_4, slice3cost_single_0_5, slice3cost_single_0_6 : natural range 0 to 255;
-  signal slice3cost_single_0_7, slice3cost_single_0_8, slice3cost_single_0_9 : natural range 0 to 255;
-  signal slice3cost_single_0_10, slice3cost_single_0_11, slice3cost_single_0_12 : natural range 0 to 255;
-  signal slice3cost_single_0_13, slice3cost_single_0_14, slice3cost_single_0_15 : natural range 0 to 255;
-  signal slice3cost_single_0_16, slice3cost_single_0_17, slice3cost_single_0_18 : natural range 0 to 255;
-  signal slice3cost_single_0_19, slice3cost_single_0_20, slice3cost_single_0_21 : natural range 0 to 255;
-  signal slice3cost_single_0_22, slice3cost_single_0_23, slice3cost_single_0_24 : natural range 0 to 255;
-  signal slice3cost_single_3_0, slice3cost_single_3_1, slice3cost_single_3_2 : natural range 0 to 255;
-  signal slice3cost_single_3_3, slice3cost_single_3_4, slice3cost_single_3_5 : natural range 0 to 255;
-  signal slice3cost_single_3_6, slice3cost_single_3_7, slice3cost_single_3_8 : natural range 0 to 255;
-  signal slice3cost_single_3_9, slice3cost_single_3_10, slice3cost_single_3_11 : natural range 0 to 255;
-  signal slice3cost_single_3_12, slice3cost_single_3_13, slice3cost_single_3_14 : natural range 0 to 255;
-  signal slice3cost_single_3_15, slice3cost_single_3_16, slice3cost_single_3_17 : natural range 0 to 255;
-  signal slice3cost_single_3_18, slice3cost_single_3_19, slice3cost_single_3_20 : natural range 0 to 255;
-  signal slice3cost_single_3_21, slice3cost_single_3_22, slice3cost_single_3_23 : natural range 0 to 255;
-  signal slice3cost_single_3_24 : natural range 0 to 255;
-  signal slice3cost_difference_2_0, slice3cost_difference_2_1, slice3cost_difference_2_2 : integer range -255 to 255;
-  signal slice3cost_difference_2_3, slice3cost_difference_2_4, slice3cost_difference_2_5 : integer range -255 to 255;
-  signal slice3cost_difference_2_6, slice3cost_difference_2_7, slice3cost_difference_2_8 : integer range -255 to 255;
-  signal slice3cost_difference_2_9, slice3cost_difference_2_10, slice3cost_difference_2_11 : integer range -255 to 255;
-  signal slice3cost_difference_2_12, slice3cost_difference_2_13, slice3cost_difference_2_14 : integer range -255 to 255;
-  signal slice3cost_difference_2_15, slice3cost_difference_2_16, slice3cost_difference_2_17 : integer range -255 to 255;
-  signal slice3cost_difference_2_18, slice3cost_difference_2_19, slice3cost_difference_2_20 : integer range -255 to 255;
-  signal slice3cost_difference_2_21, slice3cost_difference_2_22, slice3cost_difference_2_23 : integer range -255 to 255;
-  signal slice3cost_difference_2_24, slice3cost_difference_3_0, slice3cost_difference_3_1 : integer range -255 to 255;
-  signal slice3cost_difference_3_2, slice3cost_difference_3_3, slice3cost_difference_3_4 : integer range -255 to 255;
-  signal slice3cost_difference_3_5, slice3cost_difference_3_6, slice3cost_difference_3_7 : integer range -255 to 255;
-  signal slice3cost_difference_3_8, slice3cost_difference_3_9, slice3cost_difference_3_10 : integer range -255 to 255;
-  signal slice3cost_difference_3_11, slice3cost_difference_3_12, slice3cost_difference_3_13 : integer range -255 to 255;
-  signal slice3cost_difference_3_14, slice3cost_difference_3_15, slice3cost_difference_3_16 : integer range -255 to 255;
-  signal slice3cost_difference_3_17, slice3cost_difference_3_18, slice3cost_difference_3_19 : integer range -255 to 255;
-  signal slice3cost_difference_3_20, slice3cost_difference_3_21, slice3cost_difference_3_22 : integer range -255 to 255;
-  signal slice3cost_difference_3_23, slice3cost_difference_3_24 : integer range -255 to 255;
-  signal slice3cost_newest_negative_0_0, slice3cost_newest_negative_0_1, slice3cost_newest_negative_0_2 : boolean;
-  signal slice3cost_newest_negative_0_3, slice3cost_newest_negative_0_4, slice3cost_newest_negative_0_5 : boolean;
-  signal slice3cost_newest_negative_0_6, slice3cost_newest_negative_0_7, slice3cost_newest_negative_0_8 : boolean;
-  signal slice3cost_newest_negative_0_9, slice3cost_newest_negative_0_10, slice3cost_newest_negative_0_11 : boolean;
-  signal slice3cost_newest_negative_0_12, slice3cost_newest_negative_0_13, slice3cost_newest_negative_0_14 : boolean;
-  signal slice3cost_newest_negative_0_15, slice3cost_newest_negative_0_16, slice3cost_newest_negative_0_17 : boolean;
-  signal slice3cost_newest_negative_0_18, slice3cost_newest_negative_0_19, slice3cost_newest_negative_0_20 : boolean;
-  signal slice3cost_newest_negative_0_21, slice3cost_newest_negative_0_22, slice3cost_newest_negative_0_23 : boolean;
-  signal slice3cost_newest_negative_0_24, slice3cost_newest_negative_1_0, slice3cost_newest_negative_1_1 : boolean;
-  signal slice3cost_newest_negative_1_2, slice3cost_newest_negative_1_3, slice3cost_newest_negative_1_4 : boolean;
-  signal slice3cost_newest_negative_1_5, slice3cost_newest_negative_1_6, slice3cost_newest_negative_1_7 : boolean;
-  signal slice3cost_newest_negative_1_8, slice3cost_newest_negative_1_9, slice3cost_newest_negative_1_10 : boolean;
-  signal slice3cost_newest_negative_1_11, slice3cost_newest_negative_1_12, slice3cost_newest_negative_1_13 : boolean;
-  signal slice3cost_newest_negative_1_14, slice3cost_newest_negative_1_15, slice3cost_newest_negative_1_16 : boolean;
-  signal slice3cost_newest_negative_1_17, slice3cost_newest_negative_1_18, slice3cost_newest_negative_1_19 : boolean;
-  signal slice3cost_newest_negative_1_20, slice3cost_newest_negative_1_21, slice3cost_newest_negative_1_22 : boolean;
-  signal slice3cost_newest_negative_1_23, slice3cost_newest_negative_1_24, slice3cost_single_negative_3_0 : boolean;
-  signal slice3cost_single_negative_3_1, slice3cost_single_negative_3_2, slice3cost_single_negative_3_3 : boolean;
-  signal slice3cost_single_negative_3_4, slice3cost_single_negative_3_5, slice3cost_single_negative_3_6 : boolean;
-  signal slice3cost_single_negative_3_7, slice3cost_single_negative_3_8, slice3cost_single_negative_3_9 : boolean;
-  signal slice3cost_single_negative_3_10, slice3cost_single_negative_3_11, slice3cost_single_negative_3_12 : boolean;
-  signal slice3cost_single_negative_3_13, slice3cost_single_negative_3_14, slice3cost_single_negative_3_15 : boolean;
-  signal slice3cost_single_negative_3_16, slice3cost_single_negative_3_17, slice3cost_single_negative_3_18 : boolean;
-  signal slice3cost_single_negative_3_19, slice3cost_single_negative_3_20, slice3cost_single_negative_3_21 : boolean;
-  signal slice3cost_single_negative_3_22, slice3cost_single_negative_3_23, slice3cost_single_negative_3_24 : boolean;
-  signal slice3cost_column_0_0, slice3cost_column_0_1, slice3cost_column_0_2 : natural range 0 to 766;
-  signal slice3cost_column_0_3, slice3cost_column_0_4, slice3cost_column_0_5 : natural range 0 to 766;
-  signal slice3cost_column_0_6, slice3cost_column_0_7, slice3cost_column_0_8 : natural range 0 to 766;
-  signal slice3cost_column_0_9, slice3cost_column_0_10, slice3cost_column_0_11 : natural range 0 to 766;
-  signal slice3cost_column_0_12, slice3cost_column_0_13, slice3cost_column_0_14 : natural range 0 to 766;
-  signal slice3cost_column_0_15, slice3cost_column_0_16, slice3cost_column_0_17 : natural range 0 to 766;
-  signal slice3cost_column_0_18, slice3cost_column_0_19, slice3cost_column_0_20 : natural range 0 to 766;
-  signal slice3cost_column_0_21, slice3cost_column_0_22, slice3cost_column_0_23 : natural range 0 to 766;
-  signal slice3cost_column_0_24 : natural range 0 to 766;
-  signal slice3cost_column_1_0, slice3cost_column_1_1, slice3cost_column_1_2 : natural range 0 to 767;
-  signal slice3cost_column_1_3, slice3cost_column_1_4, slice3cost_column_1_5 : natural range 0 to 767;
-  signal slice3cost_column_1_6, slice3cost_column_1_7, slice3cost_column_1_8 : natural range 0 to 767;
-  signal slice3cost_column_1_9, slice3cost_column_1_10, slice3cost_column_1_11 : natural range 0 to 767;
-  signal slice3cost_column_1_12, slice3cost_column_1_13, slice3cost_column_1_14 : natural range 0 to 767;
-  signal slice3cost_column_1_15, slice3cost_column_1_16, slice3cost_column_1_17 : natural range 0 to 767;
-  signal slice3cost_column_1_18, slice3cost_column_1_19, slice3cost_column_1_20 : natural range 0 to 767;
-  signal slice3cost_column_1_21, slice3cost_column_1_22, slice3cost_column_1_23 : natural range 0 to 767;
-  signal slice3cost_column_1_24 : natural range 0 to 767;
+  signal slice3cost_pair_0 : natural_511_1d(0 to 24);
+  signal slice3cost_signs_read_words : unsigned_25_1d(0 to 1);
+  signal slice3cost_signs_ready_words : natural_33554431_1d(0 to 1);
+  signal slice3cost_signs_write_words : natural_33554431_1d(0 to 1);
+  signal slice3cost_difference : natural_255_2d(0 to 1, 0 to 24);
+  signal slice3cost_single_0 : natural_255_1d(0 to 24);
+  signal slice3cost_single_3 : natural_255_1d(0 to 24);
+  signal slice3cost_differences : integer_minus_255_to_255_2d(2 to 3, 0 to 24);  -- slice3cost_difference_#_#
+  signal slice3cost_newest_negative : boolean_2d(0 to 1, 0 to 24);
+  signal slice3cost_single_negative_3 : boolean_1d(0 to 24);
+  signal slice3cost_column_0 : natural_766_1d(0 to 24);
+  signal slice3cost_column_1 : natural_767_1d(0 to 24);
   -- slice3window
-  signal slice3window_partial_0_0_0, slice3window_partial_0_0_1, slice3window_partial_0_0_2 : natural range 0 to 766;
-  signal slice3window_partial_0_0_3, slice3window_partial_0_0_4, slice3window_partial_0_0_5 : natural range 0 to 766;
-  signal slice3window_partial_0_0_6, slice3window_partial_0_0_7, slice3window_partial_0_0_8 : natural range 0 to 766;
-  signal slice3window_partial_0_0_9, slice3window_partial_0_0_10, slice3window_partial_0_0_11 : natural range 0 to 766;
-  signal slice3window_partial_0_0_12, slice3window_partial_0_0_13, slice3window_partial_0_0_14 : natural range 0 to 766;
-  signal slice3window_partial_0_0_15, slice3window_partial_0_0_16, slice3window_partial_0_0_17 : natural range 0 to 766;
-  signal slice3window_partial_0_0_18, slice3window_partial_0_0_19, slice3window_partial_0_0_20 : natural range 0 to 766;
-  signal slice3window_partial_0_0_21, slice3window_partial_0_0_22, slice3window_partial_0_0_23 : natural range 0 to 766;
-  signal slice3window_partial_0_0_24 : natural range 0 to 766;
-  signal slice3window_partial_0_1_0, slice3window_partial_0_1_1, slice3window_partial_0_1_2 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_3, slice3window_partial_0_1_4, slice3window_partial_0_1_5 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_6, slice3window_partial_0_1_7, slice3window_partial_0_1_8 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_9, slice3window_partial_0_1_10, slice3window_partial_0_1_11 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_12, slice3window_partial_0_1_13 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_14, slice3window_partial_0_1_15 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_16, slice3window_partial_0_1_17 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_18, slice3window_partial_0_1_19 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_20, slice3window_partial_0_1_21 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_22, slice3window_partial_0_1_23 : natural range 0 to 1532;
-  signal slice3window_partial_0_1_24 : natural range 0 to 1532;
-  signal slice3window_partial_1_0_0, slice3window_partial_1_0_1, slice3window_partial_1_0_2 : natural range 0 to 767;
-  signal slice3window_partial_1_0_3, slice3window_partial_1_0_4, slice3window_partial_1_0_5 : natural range 0 to 767;
-  signal slice3window_partial_1_0_6, slice3window_partial_1_0_7, slice3window_partial_1_0_8 : natural range 0 to 767;
-  signal slice3window_partial_1_0_9, slice3window_partial_1_0_10, slice3window_partial_1_0_11 : natural range 0 to 767;
-  signal slice3window_partial_1_0_12, slice3window_partial_1_0_13, slice3window_partial_1_0_14 : natural range 0 to 767;
-  signal slice3window_partial_1_0_15, slice3window_partial_1_0_16, slice3window_partial_1_0_17 : natural range 0 to 767;
-  signal slice3window_partial_1_0_18, slice3window_partial_1_0_19, slice3window_partial_1_0_20 : natural range 0 to 767;
-  signal slice3window_partial_1_0_21, slice3window_partial_1_0_22, slice3window_partial_1_0_23 : natural range 0 to 767;
-  signal slice3window_partial_1_0_24 : natural range 0 to 767;
-  signal slice3window_partial_1_1_0, slice3window_partial_1_1_1, slice3window_partial_1_1_2 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_3, slice3window_partial_1_1_4, slice3window_partial_1_1_5 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_6, slice3window_partial_1_1_7, slice3window_partial_1_1_8 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_9, slice3window_partial_1_1_10, slice3window_partial_1_1_11 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_12, slice3window_partial_1_1_13 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_14, slice3window_partial_1_1_15 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_16, slice3window_partial_1_1_17 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_18, slice3window_partial_1_1_19 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_20, slice3window_partial_1_1_21 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_22, slice3window_partial_1_1_23 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_24 : natural range 0 to 1534;
-  signal slice3window_sum_0_0, slice3window_sum_0_1, slice3window_sum_0_2 : natural range 0 to 2298;
-  signal slice3window_sum_0_3, slice3window_sum_0_4, slice3window_sum_0_5 : natural range 0 to 2298;
-  signal slice3window_sum_0_6, slice3window_sum_0_7, slice3window_sum_0_8 : natural range 0 to 2298;
-  signal slice3window_sum_0_9, slice3window_sum_0_10, slice3window_sum_0_11 : natural range 0 to 2298;
-  signal slice3window_sum_0_12, slice3window_sum_0_13, slice3window_sum_0_14 : natural range 0 to 2298;
-  signal slice3window_sum_0_15, slice3window_sum_0_16, slice3window_sum_0_17 : natural range 0 to 2298;
-  signal slice3window_sum_0_18, slice3window_sum_0_19, slice3window_sum_0_20 : natural range 0 to 2298;
-  signal slice3window_sum_0_21, slice3window_sum_0_22, slice3window_sum_0_23 : natural range 0 to 2298;
-  signal slice3window_sum_0_24 : natural range 0 to 2298;
-  signal slice3window_sum_1_0, slice3window_sum_1_1, slice3window_sum_1_2 : natural range 0 to 2301;
-  signal slice3window_sum_1_3, slice3window_sum_1_4, slice3window_sum_1_5 : natural range 0 to 2301;
-  signal slice3window_sum_1_6, slice3window_sum_1_7, slice3window_sum_1_8 : natural range 0 to 2301;
-  signal slice3window_sum_1_9, slice3window_sum_1_10, slice3window_sum_1_11 : natural range 0 to 2301;
-  signal slice3window_sum_1_12, slice3window_sum_1_13, slice3window_sum_1_14 : natural range 0 to 2301;
-  signal slice3window_sum_1_15, slice3window_sum_1_16, slice3window_sum_1_17 : natural range 0 to 2301;
-  signal slice3window_sum_1_18, slice3window_sum_1_19, slice3window_sum_1_20 : natural range 0 to 2301;
-  signal slice3window_sum_1_21, slice3window_sum_1_22, slice3window_sum_1_23 : natural range 0 to 2301;
-  signal slice3window_sum_1_24 : natural range 0 to 2301;
+  signal slice3window_partial_0_0 : natural_766_1d(0 to 24);
+  signal slice3window_partial_0_1 : natural_1532_1d(0 to 24);
+  signal slice3window_partial_1_0 : natural_767_1d(0 to 24);
+  signal slice3window_partial_1_1 : natural_1534_1d(0 to 24);
+  signal slice3window_sum_0 : natural_2298_1d(0 to 24);
+  signal slice3window_sum_1 : natural_2301_1d(0 to 24);
   -- slice3winner1
-  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_0_6, slice3winner1_best_cost_0_7 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_0_8, slice3winner1_best_cost_0_9 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_0_10, slice3winner1_best_cost_0_11 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_0_12 : natural range 0 to 2298;
-  signal slice3winner1_best_cost_1_0, slice3winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_2, slice3winner1_best_cost_1_3 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_4, slice3winner1_best_cost_1_5 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_6, slice3winner1_best_cost_1_7 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_8, slice3winner1_best_cost_1_9 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_10, slice3winner1_best_cost_1_11 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_12 : natural range 0 to 2301;
-  signal slice3winner1_best_index_0_0, slice3winner1_best_index_1_0 : boolean;
-  signal slice3winner1_best_index_0_1, slice3winner1_best_index_1_1 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_2, slice3winner1_best_index_1_2 : natural range 0 to 5;
-  signal slice3winner1_best_index_0_3, slice3winner1_best_index_1_3 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_4, slice3winner1_best_index_1_4 : natural range 0 to 9;
-  signal slice3winner1_best_index_0_5, slice3winner1_best_index_1_5 : natural range 0 to 11;
-  signal slice3winner1_best_index_0_6, slice3winner1_best_index_1_6 : natural range 0 to 13;
-  signal slice3winner1_best_index_0_7, slice3winner1_best_index_1_7 : natural range 0 to 15;
-  signal slice3winner1_best_index_0_8, slice3winner1_best_index_1_8 : natural range 0 to 17;
-  signal slice3winner1_best_index_0_9, slice3winner1_best_index_1_9 : natural range 0 to 19;
-  signal slice3winner1_best_index_0_10, slice3winner1_best_index_1_10 : natural range 0 to 21;
-  signal slice3winner1_best_index_0_11, slice3winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice3winner1_best_cost_0 : natural_2298_1d(0 to 12);
+  signal slice3winner1_best_cost_1 : natural_2301_1d(0 to 12);
+  signal slice3winner1_best_index_0 : boolean_1d(0 to 1);  -- slice3winner1_best_index_#_0
+  signal slice3winner1_best_index_1 : natural_3_1d(0 to 1);  -- slice3winner1_best_index_#_1
+  signal slice3winner1_best_index_2 : natural_5_1d(0 to 1);  -- slice3winner1_best_index_#_2
+  signal slice3winner1_best_index_3 : natural_7_1d(0 to 1);  -- slice3winner1_best_index_#_3
+  signal slice3winner1_best_index_4 : natural_9_1d(0 to 1);  -- slice3winner1_best_index_#_4
+  signal slice3winner1_best_index_5 : natural_11_1d(0 to 1);  -- slice3winner1_best_index_#_5
+  signal slice3winner1_best_index_6 : natural_13_1d(0 to 1);  -- slice3winner1_best_index_#_6
+  signal slice3winner1_best_index_7 : natural_15_1d(0 to 1);  -- slice3winner1_best_index_#_7
+  signal slice3winner1_best_index_8 : natural_17_1d(0 to 1);  -- slice3winner1_best_index_#_8
+  signal slice3winner1_best_index_9 : natural_19_1d(0 to 1);  -- slice3winner1_best_index_#_9
+  signal slice3winner1_best_index_10 : natural_21_1d(0 to 1);  -- slice3winner1_best_index_#_10
+  signal slice3winner1_best_index_11 : natural_23_1d(0 to 1);  -- slice3winner1_best_index_#_11
   -- slice3winner2
-  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 2298;
-  signal slice3winner2_best_cost_0_2, slice3winner2_best_cost_0_3 : natural range 0 to 2298;
-  signal slice3winner2_best_cost_0_4, slice3winner2_best_cost_0_5 : natural range 0 to 2298;
-  signal slice3winner2_best_cost_0_6 : natural range 0 to 2298;
-  signal slice3winner2_best_cost_1_0, slice3winner2_best_cost_1_1 : natural range 0 to 2301;
-  signal slice3winner2_best_cost_1_2, slice3winner2_best_cost_1_3 : natural range 0 to 2301;
-  signal slice3winner2_best_cost_1_4, slice3winner2_best_cost_1_5 : natural range 0 to 2301;
-  signal slice3winner2_best_cost_1_6 : natural range 0 to 2301;
-  signal slice3winner2_best_index_0_0, slice3winner2_best_index_1_0 : natural range 0 to 3;
-  signal slice3winner2_best_index_0_1, slice3winner2_best_index_1_1 : natural range 0 to 7;
-  signal slice3winner2_best_index_0_2, slice3winner2_best_index_1_2 : natural range 0 to 11;
-  signal slice3winner2_best_index_0_3, slice3winner2_best_index_1_3 : natural range 0 to 15;
-  signal slice3winner2_best_index_0_4, slice3winner2_best_index_1_4 : natural range 0 to 19;
-  signal slice3winner2_best_index_0_5, slice3winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice3winner2_best_cost_0 : natural_2298_1d(0 to 6);
+  signal slice3winner2_best_cost_1 : natural_2301_1d(0 to 6);
+  signal slice3winner2_best_index_0 : natural_3_1d(0 to 1);  -- slice3winner2_best_index_#_0
+  signal slice3winner2_best_index_1 : natural_7_1d(0 to 1);  -- slice3winner2_best_index_#_1
+  signal slice3winner2_best_index_2 : natural_11_1d(0 to 1);  -- slice3winner2_best_index_#_2
+  signal slice3winner2_best_index_3 : natural_15_1d(0 to 1);  -- slice3winner2_best_index_#_3
+  signal slice3winner2_best_index_4 : natural_19_1d(0 to 1);  -- slice3winner2_best_index_#_4
+  signal slice3winner2_best_index_5 : natural_23_1d(0 to 1);  -- slice3winner2_best_index_#_5
   -- slice3winner3
-  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 2298;
-  signal slice3winner3_best_cost_0_2, slice3winner3_best_cost_0_3 : natural range 0 to 2298;
-  signal slice3winner3_best_cost_1_0, slice3winner3_best_cost_1_1 : natural range 0 to 2301;
-  signal slice3winner3_best_cost_1_2, slice3winner3_best_cost_1_3 : natural range 0 to 2301;
-  signal slice3winner3_best_index_0_0, slice3winner3_best_index_1_0 : natural range 0 to 7;
-  signal slice3winner3_best_index_0_1, slice3winner3_best_index_1_1 : natural range 0 to 15;
-  signal slice3winner3_best_index_0_2, slice3winner3_best_index_1_2 : natural range 0 to 23;
+  signal slice3winner3_best_cost_0 : natural_2298_1d(0 to 3);
+  signal slice3winner3_best_cost_1 : natural_2301_1d(0 to 3);
+  signal slice3winner3_best_index_0 : natural_7_1d(0 to 1);  -- slice3winner3_best_index_#_0
+  signal slice3winner3_best_index_1 : natural_15_1d(0 to 1);  -- slice3winner3_best_index_#_1
+  signal slice3winner3_best_index_2 : natural_23_1d(0 to 1);  -- slice3winner3_best_index_#_2
   -- slice3winner4
-  signal slice3winner4_best_cost_0_0, slice3winner4_best_cost_0_1 : natural range 0 to 2298;
-  signal slice3winner4_best_cost_1_0, slice3winner4_best_cost_1_1 : natural range 0 to 2301;
-  signal slice3winner4_best_index_0_0, slice3winner4_best_index_1_0 : natural range 0 to 15;
-  signal slice3winner4_best_index_0_1, slice3winner4_best_index_1_1 : natural range 0 to 24;
+  signal slice3winner4_best_cost_0 : natural_2298_1d(0 to 1);
+  signal slice3winner4_best_cost_1 : natural_2301_1d(0 to 1);
+  signal slice3winner4_best_index_0 : natural_15_1d(0 to 1);  -- slice3winner4_best_index_#_0
+  signal slice3winner4_best_index_1 : natural_24_1d(0 to 1);  -- slice3winner4_best_index_#_1
   -- slice3winner5
   signal slice3winner5_best_cost_0_0 : natural range 0 to 2298;
   signal slice3winner5_best_cost_1_0 : natural range 0 to 2301;
-  signal slice3winner5_best_index_0_0, slice3winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice3winner5_best_index_0 : natural_24_1d(0 to 1);  -- slice3winner5_best_index_#_0
   -- slice3
-  signal slice3_best_index_0_0, slice3_best_index_1_0 : natural range 0 to 99;
+  signal slice3_best_index_0 : natural_99_1d(0 to 1);  -- slice3_best_index_#_0
   signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
-  signal slice3_best_tag_end_of_line : boolean;
-  signal slice3cost_signs_read_words_1_memory_read_enable : boolean;
+  signal slice3_best_tag_end_of_line, slice3cost_signs_read_words_1_memory_read_enable : boolean;
   signal slice3cost_signs_read_words_1_memory_read_address : unsigned(8 downto 0);
   signal slice3cost_signs_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
@@ -1261,8 +505,7 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address : unsigned(6 downto 0);
-  signal delay_delayed_0_memory_write_address : unsigned(6 downto 0);
+  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(6 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(15 downto 0);
 
 begin
@@ -1270,7 +513,7 @@ begin
   in_start_of_frame <= start_of_frame = '1';
   in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
-  disparity <= std_logic_vector(to_unsigned(slice3_best_index_1_0, 8) & to_unsigned(slice3_best_index_0_0, 8));
+  disparity <= std_logic_vector(unsigned'(to_unsigned(slice3_best_index_0(1), 8) & to_unsigned(slice3_best_index_0(0), 8)));
   pixel_valid <= std_logic_vector(to_unsigned(3, 2));
   disparity_valid <= as_bit(slice3_best_tag_valid and slice3_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice3_best_tag_start_of_frame and slice3_best_tag_valid and slice3_best_tag_output_column);
@@ -1279,89 +522,89 @@ begin
   slice3cost_signs_read_words_1_memory_read_enable <= true;
   slice3cost_signs_read_words_1_memory_read_address <= to_unsigned(slice0cost_signs_difference_column, 9);
   slice3cost_signs_read_words_1_memory_write_address <= to_unsigned(slice3cost_signs_write_column, 9);
-  slice3cost_signs_read_words_1_memory_write_data <= to_unsigned(slice3cost_signs_write_words_1, 25);
+  slice3cost_signs_read_words_1_memory_write_data <= to_unsigned(slice3cost_signs_write_words(1), 25);
   slice3cost_signs_read_words_1_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice3cost_signs_read_words_1_memory_read_enable,
-      read_address => slice3cost_signs_read_words_1_memory_read_address, read_data => slice3cost_signs_read_words_1,
+      read_address => slice3cost_signs_read_words_1_memory_read_address, read_data => slice3cost_signs_read_words(1),
       write_address => slice3cost_signs_read_words_1_memory_write_address, write_data => slice3cost_signs_read_words_1_memory_write_data);
 
   slice3cost_signs_read_words_0_memory_read_enable <= true;
   slice3cost_signs_read_words_0_memory_read_address <= to_unsigned(slice0cost_signs_difference_column, 9);
   slice3cost_signs_read_words_0_memory_write_address <= to_unsigned(slice3cost_signs_write_column, 9);
-  slice3cost_signs_read_words_0_memory_write_data <= to_unsigned(slice3cost_signs_write_words_0, 25);
+  slice3cost_signs_read_words_0_memory_write_data <= to_unsigned(slice3cost_signs_write_words(0), 25);
   slice3cost_signs_read_words_0_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice3cost_signs_read_words_0_memory_read_enable,
-      read_address => slice3cost_signs_read_words_0_memory_read_address, read_data => slice3cost_signs_read_words_0,
+      read_address => slice3cost_signs_read_words_0_memory_read_address, read_data => slice3cost_signs_read_words(0),
       write_address => slice3cost_signs_read_words_0_memory_write_address, write_data => slice3cost_signs_read_words_0_memory_write_data);
 
   slice2cost_signs_read_words_1_memory_read_enable <= true;
   slice2cost_signs_read_words_1_memory_read_address <= to_unsigned(slice0cost_signs_next_column, 9);
   slice2cost_signs_read_words_1_memory_write_address <= to_unsigned(slice3cost_signs_difference_column, 9);
-  slice2cost_signs_read_words_1_memory_write_data <= to_unsigned(slice2cost_signs_write_words_1, 25);
+  slice2cost_signs_read_words_1_memory_write_data <= to_unsigned(slice2cost_signs_write_words(1), 25);
   slice2cost_signs_read_words_1_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice2cost_signs_read_words_1_memory_read_enable,
-      read_address => slice2cost_signs_read_words_1_memory_read_address, read_data => slice2cost_signs_read_words_1,
+      read_address => slice2cost_signs_read_words_1_memory_read_address, read_data => slice2cost_signs_read_words(1),
       write_address => slice2cost_signs_read_words_1_memory_write_address, write_data => slice2cost_signs_read_words_1_memory_write_data);
 
   slice2cost_signs_read_words_0_memory_read_enable <= true;
   slice2cost_signs_read_words_0_memory_read_address <= to_unsigned(slice0cost_signs_next_column, 9);
   slice2cost_signs_read_words_0_memory_write_address <= to_unsigned(slice3cost_signs_difference_column, 9);
-  slice2cost_signs_read_words_0_memory_write_data <= to_unsigned(slice2cost_signs_write_words_0, 25);
+  slice2cost_signs_read_words_0_memory_write_data <= to_unsigned(slice2cost_signs_write_words(0), 25);
   slice2cost_signs_read_words_0_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice2cost_signs_read_words_0_memory_read_enable,
-      read_address => slice2cost_signs_read_words_0_memory_read_address, read_data => slice2cost_signs_read_words_0,
+      read_address => slice2cost_signs_read_words_0_memory_read_address, read_data => slice2cost_signs_read_words(0),
       write_address => slice2cost_signs_read_words_0_memory_write_address, write_data => slice2cost_signs_read_words_0_memory_write_data);
 
   slice1cost_signs_read_words_1_memory_read_enable <= true;
   slice1cost_signs_read_words_1_memory_read_address <= to_unsigned(rows_write_column, 9);
   slice1cost_signs_read_words_1_memory_write_address <= to_unsigned(slice1cost_signs_write_column, 9);
-  slice1cost_signs_read_words_1_memory_write_data <= to_unsigned(slice1cost_signs_write_words_1, 25);
+  slice1cost_signs_read_words_1_memory_write_data <= to_unsigned(slice1cost_signs_write_words(1), 25);
   slice1cost_signs_read_words_1_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice1cost_signs_read_words_1_memory_read_enable,
-      read_address => slice1cost_signs_read_words_1_memory_read_address, read_data => slice1cost_signs_read_words_1,
+      read_address => slice1cost_signs_read_words_1_memory_read_address, read_data => slice1cost_signs_read_words(1),
       write_address => slice1cost_signs_read_words_1_memory_write_address, write_data => slice1cost_signs_read_words_1_memory_write_data);
 
   slice1cost_signs_read_words_0_memory_read_enable <= true;
   slice1cost_signs_read_words_0_memory_read_address <= to_unsigned(rows_write_column, 9);
   slice1cost_signs_read_words_0_memory_write_address <= to_unsigned(slice1cost_signs_write_column, 9);
-  slice1cost_signs_read_words_0_memory_write_data <= to_unsigned(slice1cost_signs_write_words_0, 25);
+  slice1cost_signs_read_words_0_memory_write_data <= to_unsigned(slice1cost_signs_write_words(0), 25);
   slice1cost_signs_read_words_0_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice1cost_signs_read_words_0_memory_read_enable,
-      read_address => slice1cost_signs_read_words_0_memory_read_address, read_data => slice1cost_signs_read_words_0,
+      read_address => slice1cost_signs_read_words_0_memory_read_address, read_data => slice1cost_signs_read_words(0),
       write_address => slice1cost_signs_read_words_0_memory_write_address, write_data => slice1cost_signs_read_words_0_memory_write_data);
 
   slice0cost_signs_read_words_1_memory_read_enable <= true;
   slice0cost_signs_read_words_1_memory_read_address <= to_unsigned(rows_ready_column, 9);
   slice0cost_signs_read_words_1_memory_write_address <= to_unsigned(slice1cost_signs_difference_column, 9);
-  slice0cost_signs_read_words_1_memory_write_data <= to_unsigned(slice0cost_signs_write_words_1, 25);
+  slice0cost_signs_read_words_1_memory_write_data <= to_unsigned(slice0cost_signs_write_words(1), 25);
   slice0cost_signs_read_words_1_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice0cost_signs_read_words_1_memory_read_enable,
-      read_address => slice0cost_signs_read_words_1_memory_read_address, read_data => slice0cost_signs_read_words_1,
+      read_address => slice0cost_signs_read_words_1_memory_read_address, read_data => slice0cost_signs_read_words(1),
       write_address => slice0cost_signs_read_words_1_memory_write_address, write_data => slice0cost_signs_read_words_1_memory_write_data);
 
   slice0cost_signs_read_words_0_memory_read_enable <= true;
   slice0cost_signs_read_words_0_memory_read_address <= to_unsigned(rows_ready_column, 9);
   slice0cost_signs_read_words_0_memory_write_address <= to_unsigned(slice1cost_signs_difference_column, 9);
-  slice0cost_signs_read_words_0_memory_write_data <= to_unsigned(slice0cost_signs_write_words_0, 25);
+  slice0cost_signs_read_words_0_memory_write_data <= to_unsigned(slice0cost_signs_write_words(0), 25);
   slice0cost_signs_read_words_0_memory : entity work.line_memory
     generic map (depth => 320, width => 25, address_bits => 9)
     port map (
       clock => clock, read_enable => slice0cost_signs_read_words_0_memory_read_enable,
-      read_address => slice0cost_signs_read_words_0_memory_read_address, read_data => slice0cost_signs_read_words_0,
+      read_address => slice0cost_signs_read_words_0_memory_read_address, read_data => slice0cost_signs_read_words(0),
       write_address => slice0cost_signs_read_words_0_memory_write_address, write_data => slice0cost_signs_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_0_memory_read_enable <= true;
@@ -1398,545 +641,94 @@ begin
       write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
-    variable raster_place_next_frame_choice_2, delay_row_inside_0_value_2, delay_row_inside_0_choice : boolean;
-    variable delay_row_inside_1_value, delay_row_inside_1_choice, delay_tag_newest_inside_is_not_less : boolean;
-    variable delay_tag_newest_inside_is_less, slice0cost_difference_0_1_value : boolean;
-    variable slice0cost_difference_0_2_value, slice0cost_difference_0_3_value : boolean;
-    variable slice0cost_difference_0_4_value, slice0cost_difference_0_5_value : boolean;
-    variable slice0cost_difference_0_6_value, slice0cost_difference_0_7_value : boolean;
-    variable slice0cost_difference_0_8_value, slice0cost_difference_0_9_value : boolean;
-    variable slice0cost_difference_0_10_value, slice0cost_difference_0_11_value : boolean;
-    variable slice0cost_difference_0_12_value, slice0cost_difference_0_13_value : boolean;
-    variable slice0cost_difference_0_14_value, slice0cost_difference_0_15_value : boolean;
-    variable slice0cost_difference_0_16_value, slice0cost_difference_0_17_value : boolean;
-    variable slice0cost_difference_0_18_value, slice0cost_difference_0_19_value : boolean;
-    variable slice0cost_difference_0_20_value, slice0cost_difference_0_21_value : boolean;
-    variable slice0cost_difference_0_22_value, slice0cost_difference_0_23_value : boolean;
-    variable slice0cost_difference_1_1_value, slice0cost_difference_1_2_value : boolean;
-    variable slice0cost_difference_1_3_value, slice0cost_difference_1_4_value : boolean;
-    variable slice0cost_difference_1_5_value, slice0cost_difference_1_6_value : boolean;
-    variable slice0cost_difference_1_7_value, slice0cost_difference_1_8_value : boolean;
-    variable slice0cost_difference_1_9_value, slice0cost_difference_1_10_value : boolean;
-    variable slice0cost_difference_1_11_value, slice0cost_difference_1_12_value : boolean;
-    variable slice0cost_difference_1_13_value, slice0cost_difference_1_14_value : boolean;
-    variable slice0cost_difference_1_15_value, slice0cost_difference_1_16_value : boolean;
-    variable slice0cost_difference_1_17_value, slice0cost_difference_1_18_value : boolean;
-    variable slice0cost_difference_1_19_value, slice0cost_difference_1_20_value : boolean;
-    variable slice0cost_difference_1_21_value, slice0cost_difference_1_22_value : boolean;
-    variable slice0cost_difference_1_23_value, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
-    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
-    variable slice0winner1_best_cost_0_7_is_less, slice0winner1_best_cost_0_8_is_less : boolean;
-    variable slice0winner1_best_cost_0_9_is_less, slice0winner1_best_cost_0_10_is_less : boolean;
-    variable slice0winner1_best_cost_0_11_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
-    variable slice0winner1_best_cost_1_1_is_less, slice0winner1_best_cost_1_2_is_less : boolean;
-    variable slice0winner1_best_cost_1_3_is_less, slice0winner1_best_cost_1_4_is_less : boolean;
-    variable slice0winner1_best_cost_1_5_is_less, slice0winner1_best_cost_1_6_is_less : boolean;
-    variable slice0winner1_best_cost_1_7_is_less, slice0winner1_best_cost_1_8_is_less : boolean;
-    variable slice0winner1_best_cost_1_9_is_less, slice0winner1_best_cost_1_10_is_less : boolean;
-    variable slice0winner1_best_cost_1_11_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
-    variable slice0winner2_best_cost_0_3_is_less, slice0winner2_best_cost_0_4_is_less : boolean;
-    variable slice0winner2_best_cost_0_5_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
-    variable slice0winner2_best_cost_1_1_is_less, slice0winner2_best_cost_1_2_is_less : boolean;
-    variable slice0winner2_best_cost_1_3_is_less, slice0winner2_best_cost_1_4_is_less : boolean;
-    variable slice0winner2_best_cost_1_5_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice0winner3_best_cost_0_1_is_less, slice0winner3_best_cost_0_2_is_less : boolean;
-    variable slice0winner3_best_cost_1_0_is_less, slice0winner3_best_cost_1_1_is_less : boolean;
-    variable slice0winner3_best_cost_1_2_is_less, slice0winner4_best_cost_0_0_is_less : boolean;
-    variable slice0winner4_best_cost_0_1_is_less, slice0winner4_best_cost_1_0_is_less : boolean;
-    variable slice0winner4_best_cost_1_1_is_less, slice0winner5_best_cost_0_0_is_less : boolean;
-    variable slice0winner5_best_cost_1_0_is_less, slice1cost_difference_0_1_value : boolean;
-    variable slice1cost_difference_0_2_value, slice1cost_difference_0_3_value : boolean;
-    variable slice1cost_difference_0_4_value, slice1cost_difference_0_5_value : boolean;
-    variable slice1cost_difference_0_6_value, slice1cost_difference_0_7_value : boolean;
-    variable slice1cost_difference_0_8_value, slice1cost_difference_0_9_value : boolean;
-    variable slice1cost_difference_0_10_value, slice1cost_difference_0_11_value : boolean;
-    variable slice1cost_difference_0_12_value, slice1cost_difference_0_13_value : boolean;
-    variable slice1cost_difference_0_14_value, slice1cost_difference_0_15_value : boolean;
-    variable slice1cost_difference_0_16_value, slice1cost_difference_0_17_value : boolean;
-    variable slice1cost_difference_0_18_value, slice1cost_difference_0_19_value : boolean;
-    variable slice1cost_difference_0_20_value, slice1cost_difference_0_21_value : boolean;
-    variable slice1cost_difference_0_22_value, slice1cost_difference_0_23_value : boolean;
-    variable slice1cost_difference_1_1_value, slice1cost_difference_1_2_value : boolean;
-    variable slice1cost_difference_1_3_value, slice1cost_difference_1_4_value : boolean;
-    variable slice1cost_difference_1_5_value, slice1cost_difference_1_6_value : boolean;
-    variable slice1cost_difference_1_7_value, slice1cost_difference_1_8_value : boolean;
-    variable slice1cost_difference_1_9_value, slice1cost_difference_1_10_value : boolean;
-    variable slice1cost_difference_1_11_value, slice1cost_difference_1_12_value : boolean;
-    variable slice1cost_difference_1_13_value, slice1cost_difference_1_14_value : boolean;
-    variable slice1cost_difference_1_15_value, slice1cost_difference_1_16_value : boolean;
-    variable slice1cost_difference_1_17_value, slice1cost_difference_1_18_value : boolean;
-    variable slice1cost_difference_1_19_value, slice1cost_difference_1_20_value : boolean;
-    variable slice1cost_difference_1_21_value, slice1cost_difference_1_22_value : boolean;
-    variable slice1cost_difference_1_23_value, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
-    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
-    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
-    variable slice1winner1_best_cost_0_7_is_less, slice1winner1_best_cost_0_8_is_less : boolean;
-    variable slice1winner1_best_cost_0_9_is_less, slice1winner1_best_cost_0_10_is_less : boolean;
-    variable slice1winner1_best_cost_0_11_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
-    variable slice1winner1_best_cost_1_1_is_less, slice1winner1_best_cost_1_2_is_less : boolean;
-    variable slice1winner1_best_cost_1_3_is_less, slice1winner1_best_cost_1_4_is_less : boolean;
-    variable slice1winner1_best_cost_1_5_is_less, slice1winner1_best_cost_1_6_is_less : boolean;
-    variable slice1winner1_best_cost_1_7_is_less, slice1winner1_best_cost_1_8_is_less : boolean;
-    variable slice1winner1_best_cost_1_9_is_less, slice1winner1_best_cost_1_10_is_less : boolean;
-    variable slice1winner1_best_cost_1_11_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
-    variable slice1winner2_best_cost_0_3_is_less, slice1winner2_best_cost_0_4_is_less : boolean;
-    variable slice1winner2_best_cost_0_5_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
-    variable slice1winner2_best_cost_1_1_is_less, slice1winner2_best_cost_1_2_is_less : boolean;
-    variable slice1winner2_best_cost_1_3_is_less, slice1winner2_best_cost_1_4_is_less : boolean;
-    variable slice1winner2_best_cost_1_5_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
-    variable slice1winner3_best_cost_0_1_is_less, slice1winner3_best_cost_0_2_is_less : boolean;
-    variable slice1winner3_best_cost_1_0_is_less, slice1winner3_best_cost_1_1_is_less : boolean;
-    variable slice1winner3_best_cost_1_2_is_less, slice1winner4_best_cost_0_0_is_less : boolean;
-    variable slice1winner4_best_cost_0_1_is_less, slice1winner4_best_cost_1_0_is_less : boolean;
-    variable slice1winner4_best_cost_1_1_is_less, slice1winner5_best_cost_0_0_is_less : boolean;
-    variable slice1winner5_best_cost_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
-    variable slice2cost_difference_0_1_value, slice2cost_difference_0_2_value : boolean;
-    variable slice2cost_difference_0_3_value, slice2cost_difference_0_4_value : boolean;
-    variable slice2cost_difference_0_5_value, slice2cost_difference_0_6_value : boolean;
-    variable slice2cost_difference_0_7_value, slice2cost_difference_0_8_value : boolean;
-    variable slice2cost_difference_0_9_value, slice2cost_difference_0_10_value : boolean;
-    variable slice2cost_difference_0_11_value, slice2cost_difference_0_12_value : boolean;
-    variable slice2cost_difference_0_13_value, slice2cost_difference_0_14_value : boolean;
-    variable slice2cost_difference_0_15_value, slice2cost_difference_0_16_value : boolean;
-    variable slice2cost_difference_0_17_value, slice2cost_difference_0_18_value : boolean;
-    variable slice2cost_difference_0_19_value, slice2cost_difference_0_20_value : boolean;
-    variable slice2cost_difference_0_21_value, slice2cost_difference_0_22_value : boolean;
-    variable slice2cost_difference_0_23_value, slice2cost_difference_1_1_value : boolean;
-    variable slice2cost_difference_1_2_value, slice2cost_difference_1_3_value : boolean;
-    variable slice2cost_difference_1_4_value, slice2cost_difference_1_5_value : boolean;
-    variable slice2cost_difference_1_6_value, slice2cost_difference_1_7_value : boolean;
-    variable slice2cost_difference_1_8_value, slice2cost_difference_1_9_value : boolean;
-    variable slice2cost_difference_1_10_value, slice2cost_difference_1_11_value : boolean;
-    variable slice2cost_difference_1_12_value, slice2cost_difference_1_13_value : boolean;
-    variable slice2cost_difference_1_14_value, slice2cost_difference_1_15_value : boolean;
-    variable slice2cost_difference_1_16_value, slice2cost_difference_1_17_value : boolean;
-    variable slice2cost_difference_1_18_value, slice2cost_difference_1_19_value : boolean;
-    variable slice2cost_difference_1_20_value, slice2cost_difference_1_21_value : boolean;
-    variable slice2cost_difference_1_22_value, slice2cost_difference_1_23_value : boolean;
-    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_0_1_is_less : boolean;
-    variable slice2winner1_best_cost_0_2_is_less, slice2winner1_best_cost_0_3_is_less : boolean;
-    variable slice2winner1_best_cost_0_4_is_less, slice2winner1_best_cost_0_5_is_less : boolean;
-    variable slice2winner1_best_cost_0_6_is_less, slice2winner1_best_cost_0_7_is_less : boolean;
-    variable slice2winner1_best_cost_0_8_is_less, slice2winner1_best_cost_0_9_is_less : boolean;
-    variable slice2winner1_best_cost_0_10_is_less, slice2winner1_best_cost_0_11_is_less : boolean;
-    variable slice2winner1_best_cost_1_0_is_less, slice2winner1_best_cost_1_1_is_less : boolean;
-    variable slice2winner1_best_cost_1_2_is_less, slice2winner1_best_cost_1_3_is_less : boolean;
-    variable slice2winner1_best_cost_1_4_is_less, slice2winner1_best_cost_1_5_is_less : boolean;
-    variable slice2winner1_best_cost_1_6_is_less, slice2winner1_best_cost_1_7_is_less : boolean;
-    variable slice2winner1_best_cost_1_8_is_less, slice2winner1_best_cost_1_9_is_less : boolean;
-    variable slice2winner1_best_cost_1_10_is_less, slice2winner1_best_cost_1_11_is_less : boolean;
-    variable slice2winner2_best_cost_0_0_is_less, slice2winner2_best_cost_0_1_is_less : boolean;
-    variable slice2winner2_best_cost_0_2_is_less, slice2winner2_best_cost_0_3_is_less : boolean;
-    variable slice2winner2_best_cost_0_4_is_less, slice2winner2_best_cost_0_5_is_less : boolean;
-    variable slice2winner2_best_cost_1_0_is_less, slice2winner2_best_cost_1_1_is_less : boolean;
-    variable slice2winner2_best_cost_1_2_is_less, slice2winner2_best_cost_1_3_is_less : boolean;
-    variable slice2winner2_best_cost_1_4_is_less, slice2winner2_best_cost_1_5_is_less : boolean;
-    variable slice2winner3_best_cost_0_0_is_less, slice2winner3_best_cost_0_1_is_less : boolean;
-    variable slice2winner3_best_cost_0_2_is_less, slice2winner3_best_cost_1_0_is_less : boolean;
-    variable slice2winner3_best_cost_1_1_is_less, slice2winner3_best_cost_1_2_is_less : boolean;
-    variable slice2winner4_best_cost_0_0_is_less, slice2winner4_best_cost_0_1_is_less : boolean;
-    variable slice2winner4_best_cost_1_0_is_less, slice2winner4_best_cost_1_1_is_less : boolean;
-    variable slice2winner5_best_cost_0_0_is_less, slice2winner5_best_cost_1_0_is_less : boolean;
-    variable slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less, slice3cost_difference_0_1_value : boolean;
-    variable slice3cost_difference_0_2_value, slice3cost_difference_0_3_value : boolean;
-    variable slice3cost_difference_0_4_value, slice3cost_difference_0_5_value : boolean;
-    variable slice3cost_difference_0_6_value, slice3cost_difference_0_7_value : boolean;
-    variable slice3cost_difference_0_8_value, slice3cost_difference_0_9_value : boolean;
-    variable slice3cost_difference_0_10_value, slice3cost_difference_0_11_value : boolean;
-    variable slice3cost_difference_0_12_value, slice3cost_difference_0_13_value : boolean;
-    variable slice3cost_difference_0_14_value, slice3cost_difference_0_15_value : boolean;
-    variable slice3cost_difference_0_16_value, slice3cost_difference_0_17_value : boolean;
-    variable slice3cost_difference_0_18_value, slice3cost_difference_0_19_value : boolean;
-    variable slice3cost_difference_0_20_value, slice3cost_difference_0_21_value : boolean;
-    variable slice3cost_difference_0_22_value, slice3cost_difference_0_23_value : boolean;
-    variable slice3cost_difference_1_1_value, slice3cost_difference_1_2_value : boolean;
-    variable slice3cost_difference_1_3_value, slice3cost_difference_1_4_value : boolean;
-    variable slice3cost_difference_1_5_value, slice3cost_difference_1_6_value : boolean;
-    variable slice3cost_difference_1_7_value, slice3cost_difference_1_8_value : boolean;
-    variable slice3cost_difference_1_9_value, slice3cost_difference_1_10_value : boolean;
-    variable slice3cost_difference_1_11_value, slice3cost_difference_1_12_value : boolean;
-    variable slice3cost_difference_1_13_value, slice3cost_difference_1_14_value : boolean;
-    variable slice3cost_difference_1_15_value, slice3cost_difference_1_16_value : boolean;
-    variable slice3cost_difference_1_17_value, slice3cost_difference_1_18_value : boolean;
-    variable slice3cost_difference_1_19_value, slice3cost_difference_1_20_value : boolean;
-    variable slice3cost_difference_1_21_value, slice3cost_difference_1_22_value : boolean;
-    variable slice3cost_difference_1_23_value, slice3winner1_best_cost_0_0_is_less : boolean;
-    variable slice3winner1_best_cost_0_1_is_less, slice3winner1_best_cost_0_2_is_less : boolean;
-    variable slice3winner1_best_cost_0_3_is_less, slice3winner1_best_cost_0_4_is_less : boolean;
-    variable slice3winner1_best_cost_0_5_is_less, slice3winner1_best_cost_0_6_is_less : boolean;
-    variable slice3winner1_best_cost_0_7_is_less, slice3winner1_best_cost_0_8_is_less : boolean;
-    variable slice3winner1_best_cost_0_9_is_less, slice3winner1_best_cost_0_10_is_less : boolean;
-    variable slice3winner1_best_cost_0_11_is_less, slice3winner1_best_cost_1_0_is_less : boolean;
-    variable slice3winner1_best_cost_1_1_is_less, slice3winner1_best_cost_1_2_is_less : boolean;
-    variable slice3winner1_best_cost_1_3_is_less, slice3winner1_best_cost_1_4_is_less : boolean;
-    variable slice3winner1_best_cost_1_5_is_less, slice3winner1_best_cost_1_6_is_less : boolean;
-    variable slice3winner1_best_cost_1_7_is_less, slice3winner1_best_cost_1_8_is_less : boolean;
-    variable slice3winner1_best_cost_1_9_is_less, slice3winner1_best_cost_1_10_is_less : boolean;
-    variable slice3winner1_best_cost_1_11_is_less, slice3winner2_best_cost_0_0_is_less : boolean;
-    variable slice3winner2_best_cost_0_1_is_less, slice3winner2_best_cost_0_2_is_less : boolean;
-    variable slice3winner2_best_cost_0_3_is_less, slice3winner2_best_cost_0_4_is_less : boolean;
-    variable slice3winner2_best_cost_0_5_is_less, slice3winner2_best_cost_1_0_is_less : boolean;
-    variable slice3winner2_best_cost_1_1_is_less, slice3winner2_best_cost_1_2_is_less : boolean;
-    variable slice3winner2_best_cost_1_3_is_less, slice3winner2_best_cost_1_4_is_less : boolean;
-    variable slice3winner2_best_cost_1_5_is_less, slice3winner3_best_cost_0_0_is_less : boolean;
-    variable slice3winner3_best_cost_0_1_is_less, slice3winner3_best_cost_0_2_is_less : boolean;
-    variable slice3winner3_best_cost_1_0_is_less, slice3winner3_best_cost_1_1_is_less : boolean;
-    variable slice3winner3_best_cost_1_2_is_less, slice3winner4_best_cost_0_0_is_less : boolean;
-    variable slice3winner4_best_cost_0_1_is_less, slice3winner4_best_cost_1_0_is_less : boolean;
-    variable slice3winner4_best_cost_1_1_is_less, slice3winner5_best_cost_0_0_is_less : boolean;
-    variable slice3winner5_best_cost_1_0_is_less : boolean;
+    variable raster_place_group_is_equal : boolean;
+    variable raster_place_group_is_equals : boolean_1d(2 to 3);  -- raster_place_group_is_equal_#
+    variable raster_place_group_all, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, delay_row_inside_0_value_2 : boolean;
+    variable delay_row_inside_choice : boolean_1d(0 to 1);  -- delay_row_inside_#_choice
+    variable delay_row_inside_1_value, delay_tag_newest_inside_is_not_less, delay_tag_newest_inside_is_less : boolean;
+    variable slice0cost_difference_value : boolean_2d(0 to 1, 1 to 23);  -- slice0cost_difference_#_#_value
+    variable slice0winner1_best_cost_is_less : boolean_2d(0 to 1, 0 to 11);  -- slice0winner1_best_cost_#_#_is_less
+    variable slice0winner2_best_cost_is_less : boolean_2d(0 to 1, 0 to 5);  -- slice0winner2_best_cost_#_#_is_less
+    variable slice0winner3_best_cost_is_less : boolean_2d(0 to 1, 0 to 2);  -- slice0winner3_best_cost_#_#_is_less
+    variable slice0winner4_best_cost_is_less : boolean_2d(0 to 1, 0 to 1);  -- slice0winner4_best_cost_#_#_is_less
+    variable slice0winner5_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice0winner5_best_cost_#_0_is_less
+    variable slice1cost_difference_value : boolean_2d(0 to 1, 1 to 23);  -- slice1cost_difference_#_#_value
+    variable slice1winner1_best_cost_is_less : boolean_2d(0 to 1, 0 to 11);  -- slice1winner1_best_cost_#_#_is_less
+    variable slice1winner2_best_cost_is_less : boolean_2d(0 to 1, 0 to 5);  -- slice1winner2_best_cost_#_#_is_less
+    variable slice1winner3_best_cost_is_less : boolean_2d(0 to 1, 0 to 2);  -- slice1winner3_best_cost_#_#_is_less
+    variable slice1winner4_best_cost_is_less : boolean_2d(0 to 1, 0 to 1);  -- slice1winner4_best_cost_#_#_is_less
+    variable slice1winner5_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice1winner5_best_cost_#_0_is_less
+    variable slice1_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice1_best_cost_#_0_is_less
+    variable slice2cost_difference_value : boolean_2d(0 to 1, 1 to 23);  -- slice2cost_difference_#_#_value
+    variable slice2winner1_best_cost_is_less : boolean_2d(0 to 1, 0 to 11);  -- slice2winner1_best_cost_#_#_is_less
+    variable slice2winner2_best_cost_is_less : boolean_2d(0 to 1, 0 to 5);  -- slice2winner2_best_cost_#_#_is_less
+    variable slice2winner3_best_cost_is_less : boolean_2d(0 to 1, 0 to 2);  -- slice2winner3_best_cost_#_#_is_less
+    variable slice2winner4_best_cost_is_less : boolean_2d(0 to 1, 0 to 1);  -- slice2winner4_best_cost_#_#_is_less
+    variable slice2winner5_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice2winner5_best_cost_#_0_is_less
+    variable slice2_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice2_best_cost_#_0_is_less
+    variable slice3cost_difference_value : boolean_2d(0 to 1, 1 to 23);  -- slice3cost_difference_#_#_value
+    variable slice3winner1_best_cost_is_less : boolean_2d(0 to 1, 0 to 11);  -- slice3winner1_best_cost_#_#_is_less
+    variable slice3winner2_best_cost_is_less : boolean_2d(0 to 1, 0 to 5);  -- slice3winner2_best_cost_#_#_is_less
+    variable slice3winner3_best_cost_is_less : boolean_2d(0 to 1, 0 to 2);  -- slice3winner3_best_cost_#_#_is_less
+    variable slice3winner4_best_cost_is_less : boolean_2d(0 to 1, 0 to 1);  -- slice3winner4_best_cost_#_#_is_less
+    variable slice3winner5_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice3winner5_best_cost_#_0_is_less
     variable raster_place_group_choice, delay_row_inside_0_value : natural range 0 to 15;
-    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 127;
-    variable slice0cost_difference_0_0_choice, slice0cost_difference_0_0_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_1_choice, slice0cost_difference_0_1_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_2_choice, slice0cost_difference_0_2_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_3_choice, slice0cost_difference_0_3_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_4_choice, slice0cost_difference_0_4_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_5_choice, slice0cost_difference_0_5_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_6_choice, slice0cost_difference_0_6_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_7_choice, slice0cost_difference_0_7_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_8_choice, slice0cost_difference_0_8_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_9_choice, slice0cost_difference_0_9_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_10_choice, slice0cost_difference_0_10_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_11_choice, slice0cost_difference_0_11_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_12_choice, slice0cost_difference_0_12_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_13_choice, slice0cost_difference_0_13_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_14_choice, slice0cost_difference_0_14_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_15_choice, slice0cost_difference_0_15_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_16_choice, slice0cost_difference_0_16_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_17_choice, slice0cost_difference_0_17_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_18_choice, slice0cost_difference_0_18_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_19_choice, slice0cost_difference_0_19_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_20_choice, slice0cost_difference_0_20_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_21_choice, slice0cost_difference_0_21_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_22_choice, slice0cost_difference_0_22_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_23_choice, slice0cost_difference_0_23_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_0_24_choice, slice0cost_difference_0_24_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_0_choice, slice0cost_difference_1_0_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_1_choice, slice0cost_difference_1_1_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_2_choice, slice0cost_difference_1_2_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_3_choice, slice0cost_difference_1_3_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_4_choice, slice0cost_difference_1_4_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_5_choice, slice0cost_difference_1_5_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_6_choice, slice0cost_difference_1_6_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_7_choice, slice0cost_difference_1_7_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_8_choice, slice0cost_difference_1_8_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_9_choice, slice0cost_difference_1_9_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_10_choice, slice0cost_difference_1_10_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_11_choice, slice0cost_difference_1_11_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_12_choice, slice0cost_difference_1_12_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_13_choice, slice0cost_difference_1_13_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_14_choice, slice0cost_difference_1_14_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_15_choice, slice0cost_difference_1_15_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_16_choice, slice0cost_difference_1_16_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_17_choice, slice0cost_difference_1_17_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_18_choice, slice0cost_difference_1_18_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_19_choice, slice0cost_difference_1_19_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_20_choice, slice0cost_difference_1_20_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_21_choice, slice0cost_difference_1_21_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_22_choice, slice0cost_difference_1_22_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_23_choice, slice0cost_difference_1_23_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_1_24_choice, slice0cost_difference_1_24_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_0_choice, slice1cost_difference_0_0_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_1_choice, slice1cost_difference_0_1_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_2_choice, slice1cost_difference_0_2_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_3_choice, slice1cost_difference_0_3_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_4_choice, slice1cost_difference_0_4_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_5_choice, slice1cost_difference_0_5_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_6_choice, slice1cost_difference_0_6_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_7_choice, slice1cost_difference_0_7_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_8_choice, slice1cost_difference_0_8_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_9_choice, slice1cost_difference_0_9_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_10_choice, slice1cost_difference_0_10_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_11_choice, slice1cost_difference_0_11_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_12_choice, slice1cost_difference_0_12_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_13_choice, slice1cost_difference_0_13_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_14_choice, slice1cost_difference_0_14_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_15_choice, slice1cost_difference_0_15_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_16_choice, slice1cost_difference_0_16_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_17_choice, slice1cost_difference_0_17_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_18_choice, slice1cost_difference_0_18_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_19_choice, slice1cost_difference_0_19_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_20_choice, slice1cost_difference_0_20_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_21_choice, slice1cost_difference_0_21_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_22_choice, slice1cost_difference_0_22_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_23_choice, slice1cost_difference_0_23_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_0_24_choice, slice1cost_difference_0_24_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_0_choice, slice1cost_difference_1_0_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_1_choice, slice1cost_difference_1_1_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_2_choice, slice1cost_difference_1_2_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_3_choice, slice1cost_difference_1_3_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_4_choice, slice1cost_difference_1_4_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_5_choice, slice1cost_difference_1_5_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_6_choice, slice1cost_difference_1_6_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_7_choice, slice1cost_difference_1_7_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_8_choice, slice1cost_difference_1_8_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_9_choice, slice1cost_difference_1_9_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_10_choice, slice1cost_difference_1_10_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_11_choice, slice1cost_difference_1_11_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_12_choice, slice1cost_difference_1_12_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_13_choice, slice1cost_difference_1_13_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_14_choice, slice1cost_difference_1_14_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_15_choice, slice1cost_difference_1_15_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_16_choice, slice1cost_difference_1_16_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_17_choice, slice1cost_difference_1_17_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_18_choice, slice1cost_difference_1_18_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_19_choice, slice1cost_difference_1_19_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_20_choice, slice1cost_difference_1_20_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_21_choice, slice1cost_difference_1_21_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_22_choice, slice1cost_difference_1_22_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_23_choice, slice1cost_difference_1_23_choice_2 : natural range 0 to 255;
-    variable slice1cost_difference_1_24_choice, slice1cost_difference_1_24_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_0_choice, slice2cost_difference_0_0_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_1_choice, slice2cost_difference_0_1_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_2_choice, slice2cost_difference_0_2_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_3_choice, slice2cost_difference_0_3_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_4_choice, slice2cost_difference_0_4_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_5_choice, slice2cost_difference_0_5_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_6_choice, slice2cost_difference_0_6_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_7_choice, slice2cost_difference_0_7_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_8_choice, slice2cost_difference_0_8_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_9_choice, slice2cost_difference_0_9_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_10_choice, slice2cost_difference_0_10_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_11_choice, slice2cost_difference_0_11_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_12_choice, slice2cost_difference_0_12_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_13_choice, slice2cost_difference_0_13_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_14_choice, slice2cost_difference_0_14_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_15_choice, slice2cost_difference_0_15_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_16_choice, slice2cost_difference_0_16_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_17_choice, slice2cost_difference_0_17_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_18_choice, slice2cost_difference_0_18_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_19_choice, slice2cost_difference_0_19_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_20_choice, slice2cost_difference_0_20_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_21_choice, slice2cost_difference_0_21_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_22_choice, slice2cost_difference_0_22_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_23_choice, slice2cost_difference_0_23_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_0_24_choice, slice2cost_difference_0_24_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_0_choice, slice2cost_difference_1_0_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_1_choice, slice2cost_difference_1_1_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_2_choice, slice2cost_difference_1_2_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_3_choice, slice2cost_difference_1_3_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_4_choice, slice2cost_difference_1_4_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_5_choice, slice2cost_difference_1_5_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_6_choice, slice2cost_difference_1_6_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_7_choice, slice2cost_difference_1_7_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_8_choice, slice2cost_difference_1_8_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_9_choice, slice2cost_difference_1_9_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_10_choice, slice2cost_difference_1_10_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_11_choice, slice2cost_difference_1_11_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_12_choice, slice2cost_difference_1_12_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_13_choice, slice2cost_difference_1_13_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_14_choice, slice2cost_difference_1_14_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_15_choice, slice2cost_difference_1_15_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_16_choice, slice2cost_difference_1_16_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_17_choice, slice2cost_difference_1_17_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_18_choice, slice2cost_difference_1_18_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_19_choice, slice2cost_difference_1_19_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_20_choice, slice2cost_difference_1_20_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_21_choice, slice2cost_difference_1_21_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_22_choice, slice2cost_difference_1_22_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_23_choice, slice2cost_difference_1_23_choice_2 : natural range 0 to 255;
-    variable slice2cost_difference_1_24_choice, slice2cost_difference_1_24_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_0_choice, slice3cost_difference_0_0_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_1_choice, slice3cost_difference_0_1_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_2_choice, slice3cost_difference_0_2_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_3_choice, slice3cost_difference_0_3_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_4_choice, slice3cost_difference_0_4_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_5_choice, slice3cost_difference_0_5_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_6_choice, slice3cost_difference_0_6_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_7_choice, slice3cost_difference_0_7_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_8_choice, slice3cost_difference_0_8_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_9_choice, slice3cost_difference_0_9_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_10_choice, slice3cost_difference_0_10_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_11_choice, slice3cost_difference_0_11_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_12_choice, slice3cost_difference_0_12_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_13_choice, slice3cost_difference_0_13_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_14_choice, slice3cost_difference_0_14_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_15_choice, slice3cost_difference_0_15_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_16_choice, slice3cost_difference_0_16_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_17_choice, slice3cost_difference_0_17_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_18_choice, slice3cost_difference_0_18_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_19_choice, slice3cost_difference_0_19_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_20_choice, slice3cost_difference_0_20_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_21_choice, slice3cost_difference_0_21_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_22_choice, slice3cost_difference_0_22_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_23_choice, slice3cost_difference_0_23_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_0_24_choice, slice3cost_difference_0_24_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_0_choice, slice3cost_difference_1_0_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_1_choice, slice3cost_difference_1_1_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_2_choice, slice3cost_difference_1_2_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_3_choice, slice3cost_difference_1_3_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_4_choice, slice3cost_difference_1_4_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_5_choice, slice3cost_difference_1_5_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_6_choice, slice3cost_difference_1_6_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_7_choice, slice3cost_difference_1_7_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_8_choice, slice3cost_difference_1_8_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_9_choice, slice3cost_difference_1_9_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_10_choice, slice3cost_difference_1_10_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_11_choice, slice3cost_difference_1_11_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_12_choice, slice3cost_difference_1_12_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_13_choice, slice3cost_difference_1_13_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_14_choice, slice3cost_difference_1_14_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_15_choice, slice3cost_difference_1_15_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_16_choice, slice3cost_difference_1_16_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_17_choice, slice3cost_difference_1_17_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_18_choice, slice3cost_difference_1_18_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_19_choice, slice3cost_difference_1_19_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_20_choice, slice3cost_difference_1_20_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_21_choice, slice3cost_difference_1_21_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_22_choice, slice3cost_difference_1_22_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_23_choice, slice3cost_difference_1_23_choice_2 : natural range 0 to 255;
-    variable slice3cost_difference_1_24_choice, slice3cost_difference_1_24_choice_2 : natural range 0 to 255;
-    variable slice0cost_difference_2_0_difference, slice0cost_difference_2_1_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_2_difference, slice0cost_difference_2_3_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_4_difference, slice0cost_difference_2_5_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_6_difference, slice0cost_difference_2_7_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_8_difference, slice0cost_difference_2_9_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_10_difference, slice0cost_difference_2_11_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_12_difference, slice0cost_difference_2_13_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_14_difference, slice0cost_difference_2_15_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_16_difference, slice0cost_difference_2_17_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_18_difference, slice0cost_difference_2_19_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_20_difference, slice0cost_difference_2_21_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_22_difference, slice0cost_difference_2_23_difference : integer range -255 to 255;
-    variable slice0cost_difference_2_24_difference, slice0cost_difference_3_0_difference : integer range -255 to 255;
-    variable slice0cost_difference_3_1_difference, slice0cost_difference_3_2_difference : integer range -255 to 255;
-    variable slice0cost_difference_3_3_difference, slice0cost_difference_3_4_difference : integer range -255 to 255;
-    variable slice0cost_difference_3_5_difference, slice0cost_difference_3_6_difference : integer range -255 to 255;
-    variable slice0cost_difference_3_7_difference, slice0cost_difference_3_8_difference : integer range -255 to 255;
-    variable slice0cost_difference_3_9_difference, slice0cost_difference_3_10_difference : integer range -255 to 255;
-    variable slice0cost_difference_3_11_difference, slice0cost_difference_3_12_difference : integer range -255 to 255;
-    variable slice0cost_difference_3_13_difference, slice0cost_difference_3_14_difference : integer range -255 to 255;
-    variable slice0cost_difference_3_15_difference, slice0cost_difference_3_16_difference : integer range -255 to 255;
-    variable slice0cost_difference_3_17_difference, slice0cost_difference_3_18_difference : integer range -255 to 255;
-    variable slice0cost_difference_3_19_difference, slice0cost_difference_3_20_difference : integer range -255 to 255;
-    variable slice0cost_difference_3_21_difference, slice0cost_difference_3_22_difference : integer range -255 to 255;
-    variable slice0cost_difference_3_23_difference, slice0cost_difference_3_24_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_0_difference, slice1cost_difference_2_1_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_2_difference, slice1cost_difference_2_3_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_4_difference, slice1cost_difference_2_5_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_6_difference, slice1cost_difference_2_7_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_8_difference, slice1cost_difference_2_9_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_10_difference, slice1cost_difference_2_11_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_12_difference, slice1cost_difference_2_13_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_14_difference, slice1cost_difference_2_15_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_16_difference, slice1cost_difference_2_17_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_18_difference, slice1cost_difference_2_19_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_20_difference, slice1cost_difference_2_21_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_22_difference, slice1cost_difference_2_23_difference : integer range -255 to 255;
-    variable slice1cost_difference_2_24_difference, slice1cost_difference_3_0_difference : integer range -255 to 255;
-    variable slice1cost_difference_3_1_difference, slice1cost_difference_3_2_difference : integer range -255 to 255;
-    variable slice1cost_difference_3_3_difference, slice1cost_difference_3_4_difference : integer range -255 to 255;
-    variable slice1cost_difference_3_5_difference, slice1cost_difference_3_6_difference : integer range -255 to 255;
-    variable slice1cost_difference_3_7_difference, slice1cost_difference_3_8_difference : integer range -255 to 255;
-    variable slice1cost_difference_3_9_difference, slice1cost_difference_3_10_difference : integer range -255 to 255;
-    variable slice1cost_difference_3_11_difference, slice1cost_difference_3_12_difference : integer range -255 to 255;
-    variable slice1cost_difference_3_13_difference, slice1cost_difference_3_14_difference : integer range -255 to 255;
-    variable slice1cost_difference_3_15_difference, slice1cost_difference_3_16_difference : integer range -255 to 255;
-    variable slice1cost_difference_3_17_difference, slice1cost_difference_3_18_difference : integer range -255 to 255;
-    variable slice1cost_difference_3_19_difference, slice1cost_difference_3_20_difference : integer range -255 to 255;
-    variable slice1cost_difference_3_21_difference, slice1cost_difference_3_22_difference : integer range -255 to 255;
-    variable slice1cost_difference_3_23_difference, slice1cost_difference_3_24_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_0_difference, slice2cost_difference_2_1_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_2_difference, slice2cost_difference_2_3_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_4_difference, slice2cost_difference_2_5_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_6_difference, slice2cost_difference_2_7_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_8_difference, slice2cost_difference_2_9_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_10_difference, slice2cost_difference_2_11_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_12_difference, slice2cost_difference_2_13_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_14_difference, slice2cost_difference_2_15_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_16_difference, slice2cost_difference_2_17_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_18_difference, slice2cost_difference_2_19_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_20_difference, slice2cost_difference_2_21_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_22_difference, slice2cost_difference_2_23_difference : integer range -255 to 255;
-    variable slice2cost_difference_2_24_difference, slice2cost_difference_3_0_difference : integer range -255 to 255;
-    variable slice2cost_difference_3_1_difference, slice2cost_difference_3_2_difference : integer range -255 to 255;
-    variable slice2cost_difference_3_3_difference, slice2cost_difference_3_4_difference : integer range -255 to 255;
-    variable slice2cost_difference_3_5_difference, slice2cost_difference_3_6_difference : integer range -255 to 255;
-    variable slice2cost_difference_3_7_difference, slice2cost_difference_3_8_difference : integer range -255 to 255;
-    variable slice2cost_difference_3_9_difference, slice2cost_difference_3_10_difference : integer range -255 to 255;
-    variable slice2cost_difference_3_11_difference, slice2cost_difference_3_12_difference : integer range -255 to 255;
-    variable slice2cost_difference_3_13_difference, slice2cost_difference_3_14_difference : integer range -255 to 255;
-    variable slice2cost_difference_3_15_difference, slice2cost_difference_3_16_difference : integer range -255 to 255;
-    variable slice2cost_difference_3_17_difference, slice2cost_difference_3_18_difference : integer range -255 to 255;
-    variable slice2cost_difference_3_19_difference, slice2cost_difference_3_20_difference : integer range -255 to 255;
-    variable slice2cost_difference_3_21_difference, slice2cost_difference_3_22_difference : integer range -255 to 255;
-    variable slice2cost_difference_3_23_difference, slice2cost_difference_3_24_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_0_difference, slice3cost_difference_2_1_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_2_difference, slice3cost_difference_2_3_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_4_difference, slice3cost_difference_2_5_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_6_difference, slice3cost_difference_2_7_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_8_difference, slice3cost_difference_2_9_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_10_difference, slice3cost_difference_2_11_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_12_difference, slice3cost_difference_2_13_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_14_difference, slice3cost_difference_2_15_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_16_difference, slice3cost_difference_2_17_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_18_difference, slice3cost_difference_2_19_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_20_difference, slice3cost_difference_2_21_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_22_difference, slice3cost_difference_2_23_difference : integer range -255 to 255;
-    variable slice3cost_difference_2_24_difference, slice3cost_difference_3_0_difference : integer range -255 to 255;
-    variable slice3cost_difference_3_1_difference, slice3cost_difference_3_2_difference : integer range -255 to 255;
-    variable slice3cost_difference_3_3_difference, slice3cost_difference_3_4_difference : integer range -255 to 255;
-    variable slice3cost_difference_3_5_difference, slice3cost_difference_3_6_difference : integer range -255 to 255;
-    variable slice3cost_difference_3_7_difference, slice3cost_difference_3_8_difference : integer range -255 to 255;
-    variable slice3cost_difference_3_9_difference, slice3cost_difference_3_10_difference : integer range -255 to 255;
-    variable slice3cost_difference_3_11_difference, slice3cost_difference_3_12_difference : integer range -255 to 255;
-    variable slice3cost_difference_3_13_difference, slice3cost_difference_3_14_difference : integer range -255 to 255;
-    variable slice3cost_difference_3_15_difference, slice3cost_difference_3_16_difference : integer range -255 to 255;
-    variable slice3cost_difference_3_17_difference, slice3cost_difference_3_18_difference : integer range -255 to 255;
-    variable slice3cost_difference_3_19_difference, slice3cost_difference_3_20_difference : integer range -255 to 255;
-    variable slice3cost_difference_3_21_difference, slice3cost_difference_3_22_difference : integer range -255 to 255;
-    variable slice3cost_difference_3_23_difference, slice3cost_difference_3_24_difference : integer range -255 to 255;
+    variable raster_place_group_choices : natural_127_1d(3 to 4);  -- raster_place_group_choice_#
+    variable slice0cost_difference_choice : natural_255_2d(0 to 1, 0 to 24);  -- slice0cost_difference_#_#_choice
+    variable slice0cost_difference_choice_2 : natural_255_2d(0 to 1, 0 to 24);  -- slice0cost_difference_#_#_choice_2
+    variable slice1cost_difference_choice : natural_255_2d(0 to 1, 0 to 24);  -- slice1cost_difference_#_#_choice
+    variable slice1cost_difference_choice_2 : natural_255_2d(0 to 1, 0 to 24);  -- slice1cost_difference_#_#_choice_2
+    variable slice2cost_difference_choice : natural_255_2d(0 to 1, 0 to 24);  -- slice2cost_difference_#_#_choice
+    variable slice2cost_difference_choice_2 : natural_255_2d(0 to 1, 0 to 24);  -- slice2cost_difference_#_#_choice_2
+    variable slice3cost_difference_choice : natural_255_2d(0 to 1, 0 to 24);  -- slice3cost_difference_#_#_choice
+    variable slice3cost_difference_choice_2 : natural_255_2d(0 to 1, 0 to 24);  -- slice3cost_difference_#_#_choice_2
+    variable slice0cost_difference_difference : integer_minus_255_to_255_2d(2 to 3, 0 to 24);  -- slice0cost_difference_#_#_difference
+    variable slice1cost_difference_difference : integer_minus_255_to_255_2d(2 to 3, 0 to 24);  -- slice1cost_difference_#_#_difference
+    variable slice2cost_difference_difference : integer_minus_255_to_255_2d(2 to 3, 0 to 24);  -- slice2cost_difference_#_#_difference
+    variable slice3cost_difference_difference : integer_minus_255_to_255_2d(2 to 3, 0 to 24);  -- slice3cost_difference_#_#_difference
   begin
     if rising_edge(clock) then
       -- raster
       raster_place_group_is_equal := raster_place_column = 319;
-      raster_place_group_is_equal_2 := raster_place_group = 119;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_is_equals(2) := raster_place_group = 119;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equals(2);
       if raster_place_group_all then
         raster_place_group_choice := 15;
       else
         raster_place_group_choice := 0;
       end if;
-      raster_place_group_is_equal_3 := (raster_place_group / 2) = 60;
-      if raster_place_group_is_equal_3 then
-        raster_place_group_choice_2 := raster_place_group_is_equal and in_valid and (not ((raster_place_group mod 2) =
-          1));
+      raster_place_group_is_equals(3) := (raster_place_group / 2) = 60;
+      if raster_place_group_is_equals(3) then
+        raster_place_group_choice_2 := raster_place_group_is_equal and in_valid and (not is_set(raster_place_group, 0));
       else
         raster_place_group_choice_2 := raster_place_group_is_equal and in_valid;
       end if;
       if raster_place_next_frame and (raster_place_group = 120) then
-        raster_place_group_choice_3 := 1;
+        raster_place_group_choices(3) := 1;
       else
-        raster_place_group_choice_3 := (raster_place_group + 1) mod 128;
+        raster_place_group_choices(3) := (raster_place_group + 1) mod 128;
       end if;
       if raster_place_group_choice_2 then
-        raster_place_group_choice_4 := raster_place_group_choice_3;
+        raster_place_group_choices(4) := raster_place_group_choices(3);
       else
-        raster_place_group_choice_4 := raster_place_group;
+        raster_place_group_choices(4) := raster_place_group;
       end if;
-      raster_features_search_0 <= in_left_pixel mod 256;
-      raster_features_search_1 <= in_left_pixel / 256;
+      raster_features_search(0) <= in_left_pixel mod 256;
+      raster_features_search(1) <= in_left_pixel / 256;
       raster_features_reference <= in_right_pixel;
       raster_features_valid <= in_valid;
       if in_start_of_frame and in_valid then
         raster_place_group <= raster_place_group_choice * 8;
       else
-        raster_place_group <= raster_place_group_choice_4;
+        raster_place_group <= raster_place_group_choices(4);
       end if;
       if raster_place_group_is_equal then
-        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+        raster_place_next_frame_choice := raster_place_next_frame and is_set(raster_place_group, 0);
       else
         raster_place_next_frame_choice := raster_place_next_frame;
       end if;
-      if raster_place_group_is_equal_3 then
+      if raster_place_group_is_equals(3) then
         raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
       else
         raster_place_next_frame_choice_2 := raster_place_next_frame;
@@ -1950,7 +742,7 @@ begin
         if raster_place_next_frame_choice_2 then
           raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
         else
-          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equals(2) and
             in_start_of_frame;
         end if;
       end if;
@@ -1964,57 +756,56 @@ begin
         end if;
       end if;
       delay_row_inside_0_value := (raster_place_group / 2) mod 16;
-      delay_row_inside_0_value_2 := ((raster_place_group / 32) mod 2) = 1;
+      delay_row_inside_0_value_2 := is_set(raster_place_group, 5);
       if delay_row_inside_0_value = 0 then
-        delay_row_inside_0_choice := ((raster_place_group / 64) = 1) /= delay_row_inside_0_value_2;
+        delay_row_inside_choice(0) := is_set(raster_place_group, 6) /= delay_row_inside_0_value_2;
       else
-        delay_row_inside_0_choice := (not ((raster_place_group / 64) = 1)) or (not delay_row_inside_0_value_2);
+        delay_row_inside_choice(0) := (not is_set(raster_place_group, 6)) or (not delay_row_inside_0_value_2);
       end if;
-      delay_row_inside_1_value := ((raster_place_group / 8) mod 2) = 1;
+      delay_row_inside_1_value := is_set(raster_place_group, 3);
       if ((raster_place_group / 2) mod 4) = 0 then
-        delay_row_inside_1_choice := ((raster_place_group mod 2) = 1) and ((raster_place_group / 64) = 1) and
+        delay_row_inside_choice(1) := is_set(raster_place_group, 0) and is_set(raster_place_group, 6) and
           delay_row_inside_1_value;
       else
-        delay_row_inside_1_choice := ((raster_place_group / 64) = 1) and delay_row_inside_1_value;
+        delay_row_inside_choice(1) := is_set(raster_place_group, 6) and delay_row_inside_1_value;
       end if;
       delay_tag_newest_inside_is_not_less := raster_place_group >= 1;
       delay_tag_newest_inside_is_less := raster_place_group < 121;
-      delay_ahead_0 <= raster_features_search_0;
-      delay_ahead_1 <= raster_features_search_1;
+      delay_ahead(0) <= raster_features_search(0);
+      delay_ahead(1) <= raster_features_search(1);
       delay_column <= raster_place_column;
-      delay_row_inside_1 <= (not ((raster_place_group = 0) and ((raster_place_group / 2) = 0))) and ((not
-        delay_row_inside_1_choice) or (not delay_row_inside_0_value_2) or (not (((raster_place_group / 16) mod 2) =
-        1)));
+      delay_row_inside(1) <= (not ((raster_place_group = 0) and ((raster_place_group / 2) = 0))) and ((not
+        delay_row_inside_choice(1)) or (not delay_row_inside_0_value_2) or (not is_set(raster_place_group, 4)));
       delay_tag_valid <= raster_features_valid;
-      delay_tag_newest_inside <= (as_number(((not ((raster_place_group / 64) = 1)) or (not delay_row_inside_0_value_2)
-        or (not (((raster_place_group / 16) mod 2) = 1)) or (not delay_row_inside_1_value))) * 2) +
+      delay_tag_newest_inside <= (as_number(((not is_set(raster_place_group, 6)) or (not delay_row_inside_0_value_2) or
+        (not is_set(raster_place_group, 4)) or (not delay_row_inside_1_value))) * 2) +
         as_number((delay_tag_newest_inside_is_not_less and delay_tag_newest_inside_is_less));
       delay_tag_border_column <= raster_place_column < 99;
       delay_tag_output_column <= delay_tag_newest_inside_is_not_less and delay_tag_newest_inside_is_less and
         (raster_place_column >= 99) and (raster_place_column < 319);
       delay_tag_start_of_frame <= (raster_place_column = 99) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 318;
-      if ((((raster_place_group / 4) mod 2) = 1) or (((raster_place_group / 2) mod 2) = 1)) and (((raster_place_group /
-        8) mod 4) = 3) then
-        delay_row_inside_0 <= delay_row_inside_0_choice;
+      if (is_set(raster_place_group, 2) or is_set(raster_place_group, 1)) and (((raster_place_group / 8) mod 4) = 3)
+        then
+        delay_row_inside(0) <= delay_row_inside_choice(0);
       else
-        delay_row_inside_0 <= (delay_row_inside_0_value /= 0) or ((raster_place_group / 64) = 1) or
+        delay_row_inside(0) <= (delay_row_inside_0_value /= 0) or is_set(raster_place_group, 6) or
           delay_row_inside_0_value_2;
       end if;
       -- rows
-      rows_search_rows_read_newest_0 <= delay_ahead_0;
-      rows_search_rows_read_newest_1 <= delay_ahead_1;
+      rows_search_rows_read_newest(0) <= delay_ahead(0);
+      rows_search_rows_read_newest(1) <= delay_ahead(1);
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
-      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
-      rows_search_rows_ready_newest_1 <= rows_search_rows_read_newest_1;
-      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0(7 downto 0));
-      rows_reference_rows_read_newest_1 <= to_integer(delay_delayed_0(15 downto 8));
+      rows_search_rows_ready_newest(0) <= rows_search_rows_read_newest(0);
+      rows_search_rows_ready_newest(1) <= rows_search_rows_read_newest(1);
+      rows_reference_rows_read_newest(0) <= to_integer(delay_delayed_0(7 downto 0));
+      rows_reference_rows_read_newest(1) <= to_integer(delay_delayed_0(15 downto 8));
       rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
-      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
-      rows_reference_rows_ready_newest_1 <= rows_reference_rows_read_newest_1;
+      rows_reference_rows_ready_newest(0) <= rows_reference_rows_read_newest(0);
+      rows_reference_rows_ready_newest(1) <= rows_reference_rows_read_newest(1);
       rows_read_column <= delay_column;
-      rows_read_inside_0 <= delay_row_inside_0;
-      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside(0) <= delay_row_inside(0);
+      rows_read_inside(1) <= delay_row_inside(1);
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_newest_inside <= delay_tag_newest_inside;
       rows_read_tag_border_column <= delay_tag_border_column;
@@ -2022,8 +813,8 @@ begin
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside(0) <= rows_read_inside(0);
+      rows_ready_inside(1) <= rows_read_inside(1);
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_newest_inside <= rows_read_tag_newest_inside;
       rows_ready_tag_border_column <= rows_read_tag_border_column;
@@ -2031,147 +822,53 @@ begin
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
       rows_write_column <= rows_ready_column;
-      rows_search_2 <= rows_search_rows_ready_words_0 / 65536;
-      rows_search_3 <= rows_search_rows_ready_newest_0;
-      rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536;
-      rows_reference_3 <= rows_reference_rows_ready_newest_0;
+      rows_search(2) <= rows_search_rows_ready_words_0 / 65536;
+      rows_search(3) <= rows_search_rows_ready_newest(0);
+      rows_reference(2) <= rows_reference_rows_ready_words_0 / 65536;
+      rows_reference(3) <= rows_reference_rows_ready_newest(0);
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_newest_inside <= rows_ready_tag_newest_inside;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside_0 then
-        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
-        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      if rows_ready_inside(0) then
+        rows_search(0) <= rows_search_rows_ready_words_0 mod 256;
+        rows_reference(0) <= rows_reference_rows_ready_words_0 mod 256;
       else
-        rows_search_0 <= 0;
-        rows_reference_0 <= 0;
+        rows_search(0) <= 0;
+        rows_reference(0) <= 0;
       end if;
-      if rows_ready_inside_1 then
-        rows_search_1 <= (rows_search_rows_ready_words_0 / 256) mod 256;
-        rows_reference_1 <= (rows_reference_rows_ready_words_0 / 256) mod 256;
+      if rows_ready_inside(1) then
+        rows_search(1) <= (rows_search_rows_ready_words_0 / 256) mod 256;
+        rows_reference(1) <= (rows_reference_rows_ready_words_0 / 256) mod 256;
       else
-        rows_search_1 <= 0;
-        rows_reference_1 <= 0;
+        rows_search(1) <= 0;
+        rows_reference(1) <= 0;
       end if;
       if rows_ready_tag_valid then
-        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 65536) + (rows_search_rows_ready_newest_0 *
-          256) + (rows_search_rows_ready_newest_1 * 65536);
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 65536) + (rows_search_rows_ready_newest(0)
+          * 256) + (rows_search_rows_ready_newest(1) * 65536);
         rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 65536) +
-          (rows_reference_rows_ready_newest_0 * 256) + (rows_reference_rows_ready_newest_1 * 65536);
+          (rows_reference_rows_ready_newest(0) * 256) + (rows_reference_rows_ready_newest(1) * 65536);
       end if;
       -- slice0shift
       if rows_tag_valid then
-        slice0shift_search_0_0 <= slice0shift_search_0_1;
-        slice0shift_search_0_1 <= slice0shift_search_0_2;
-        slice0shift_search_0_2 <= slice0shift_search_0_3;
-        slice0shift_search_0_3 <= slice0shift_search_0_4;
-        slice0shift_search_0_4 <= slice0shift_search_0_5;
-        slice0shift_search_0_5 <= slice0shift_search_0_6;
-        slice0shift_search_0_6 <= slice0shift_search_0_7;
-        slice0shift_search_0_7 <= slice0shift_search_0_8;
-        slice0shift_search_0_8 <= slice0shift_search_0_9;
-        slice0shift_search_0_9 <= slice0shift_search_0_10;
-        slice0shift_search_0_10 <= slice0shift_search_0_11;
-        slice0shift_search_0_11 <= slice0shift_search_0_12;
-        slice0shift_search_0_12 <= slice0shift_search_0_13;
-        slice0shift_search_0_13 <= slice0shift_search_0_14;
-        slice0shift_search_0_14 <= slice0shift_search_0_15;
-        slice0shift_search_0_15 <= slice0shift_search_0_16;
-        slice0shift_search_0_16 <= slice0shift_search_0_17;
-        slice0shift_search_0_17 <= slice0shift_search_0_18;
-        slice0shift_search_0_18 <= slice0shift_search_0_19;
-        slice0shift_search_0_19 <= slice0shift_search_0_20;
-        slice0shift_search_0_20 <= slice0shift_search_0_21;
-        slice0shift_search_0_21 <= slice0shift_search_0_22;
-        slice0shift_search_0_22 <= slice0shift_search_0_23;
-        slice0shift_search_0_23 <= slice0shift_search_0_24;
-        slice0shift_search_0_24 <= rows_search_0;
-        slice0shift_search_1_0 <= slice0shift_search_1_1;
-        slice0shift_search_1_1 <= slice0shift_search_1_2;
-        slice0shift_search_1_2 <= slice0shift_search_1_3;
-        slice0shift_search_1_3 <= slice0shift_search_1_4;
-        slice0shift_search_1_4 <= slice0shift_search_1_5;
-        slice0shift_search_1_5 <= slice0shift_search_1_6;
-        slice0shift_search_1_6 <= slice0shift_search_1_7;
-        slice0shift_search_1_7 <= slice0shift_search_1_8;
-        slice0shift_search_1_8 <= slice0shift_search_1_9;
-        slice0shift_search_1_9 <= slice0shift_search_1_10;
-        slice0shift_search_1_10 <= slice0shift_search_1_11;
-        slice0shift_search_1_11 <= slice0shift_search_1_12;
-        slice0shift_search_1_12 <= slice0shift_search_1_13;
-        slice0shift_search_1_13 <= slice0shift_search_1_14;
-        slice0shift_search_1_14 <= slice0shift_search_1_15;
-        slice0shift_search_1_15 <= slice0shift_search_1_16;
-        slice0shift_search_1_16 <= slice0shift_search_1_17;
-        slice0shift_search_1_17 <= slice0shift_search_1_18;
-        slice0shift_search_1_18 <= slice0shift_search_1_19;
-        slice0shift_search_1_19 <= slice0shift_search_1_20;
-        slice0shift_search_1_20 <= slice0shift_search_1_21;
-        slice0shift_search_1_21 <= slice0shift_search_1_22;
-        slice0shift_search_1_22 <= slice0shift_search_1_23;
-        slice0shift_search_1_23 <= slice0shift_search_1_24;
-        slice0shift_search_1_24 <= rows_search_1;
-        slice0shift_search_2_0 <= slice0shift_search_2_1;
-        slice0shift_search_2_1 <= slice0shift_search_2_2;
-        slice0shift_search_2_2 <= slice0shift_search_2_3;
-        slice0shift_search_2_3 <= slice0shift_search_2_4;
-        slice0shift_search_2_4 <= slice0shift_search_2_5;
-        slice0shift_search_2_5 <= slice0shift_search_2_6;
-        slice0shift_search_2_6 <= slice0shift_search_2_7;
-        slice0shift_search_2_7 <= slice0shift_search_2_8;
-        slice0shift_search_2_8 <= slice0shift_search_2_9;
-        slice0shift_search_2_9 <= slice0shift_search_2_10;
-        slice0shift_search_2_10 <= slice0shift_search_2_11;
-        slice0shift_search_2_11 <= slice0shift_search_2_12;
-        slice0shift_search_2_12 <= slice0shift_search_2_13;
-        slice0shift_search_2_13 <= slice0shift_search_2_14;
-        slice0shift_search_2_14 <= slice0shift_search_2_15;
-        slice0shift_search_2_15 <= slice0shift_search_2_16;
-        slice0shift_search_2_16 <= slice0shift_search_2_17;
-        slice0shift_search_2_17 <= slice0shift_search_2_18;
-        slice0shift_search_2_18 <= slice0shift_search_2_19;
-        slice0shift_search_2_19 <= slice0shift_search_2_20;
-        slice0shift_search_2_20 <= slice0shift_search_2_21;
-        slice0shift_search_2_21 <= slice0shift_search_2_22;
-        slice0shift_search_2_22 <= slice0shift_search_2_23;
-        slice0shift_search_2_23 <= slice0shift_search_2_24;
-        slice0shift_search_2_24 <= rows_search_2;
-        slice0shift_search_3_0 <= slice0shift_search_3_1;
-        slice0shift_search_3_1 <= slice0shift_search_3_2;
-        slice0shift_search_3_2 <= slice0shift_search_3_3;
-        slice0shift_search_3_3 <= slice0shift_search_3_4;
-        slice0shift_search_3_4 <= slice0shift_search_3_5;
-        slice0shift_search_3_5 <= slice0shift_search_3_6;
-        slice0shift_search_3_6 <= slice0shift_search_3_7;
-        slice0shift_search_3_7 <= slice0shift_search_3_8;
-        slice0shift_search_3_8 <= slice0shift_search_3_9;
-        slice0shift_search_3_9 <= slice0shift_search_3_10;
-        slice0shift_search_3_10 <= slice0shift_search_3_11;
-        slice0shift_search_3_11 <= slice0shift_search_3_12;
-        slice0shift_search_3_12 <= slice0shift_search_3_13;
-        slice0shift_search_3_13 <= slice0shift_search_3_14;
-        slice0shift_search_3_14 <= slice0shift_search_3_15;
-        slice0shift_search_3_15 <= slice0shift_search_3_16;
-        slice0shift_search_3_16 <= slice0shift_search_3_17;
-        slice0shift_search_3_17 <= slice0shift_search_3_18;
-        slice0shift_search_3_18 <= slice0shift_search_3_19;
-        slice0shift_search_3_19 <= slice0shift_search_3_20;
-        slice0shift_search_3_20 <= slice0shift_search_3_21;
-        slice0shift_search_3_21 <= slice0shift_search_3_22;
-        slice0shift_search_3_22 <= slice0shift_search_3_23;
-        slice0shift_search_3_23 <= slice0shift_search_3_24;
-        slice0shift_search_3_24 <= rows_search_3;
+        for i in 0 to 3 loop
+          for j in 0 to 23 loop
+            slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
+          end loop;
+          slice0shift_search(i, 24) <= rows_search(i);
+        end loop;
       end if;
-      slice0shift_reference_0 <= rows_reference_0;
-      slice0shift_reference_1 <= rows_reference_1;
-      slice0shift_reference_2 <= rows_reference_2;
-      slice0shift_reference_3 <= rows_reference_3;
-      slice0shift_search_out_0 <= slice0shift_search_0_0;
-      slice0shift_search_out_1 <= slice0shift_search_1_0;
-      slice0shift_search_out_2 <= slice0shift_search_2_0;
-      slice0shift_search_out_3 <= slice0shift_search_3_0;
+      slice0shift_reference(0) <= rows_reference(0);
+      slice0shift_reference(1) <= rows_reference(1);
+      slice0shift_reference(2) <= rows_reference(2);
+      slice0shift_reference(3) <= rows_reference(3);
+      slice0shift_search_out(0) <= slice0shift_search(0, 0);
+      slice0shift_search_out(1) <= slice0shift_search(1, 0);
+      slice0shift_search_out(2) <= slice0shift_search(2, 0);
+      slice0shift_search_out(3) <= slice0shift_search(3, 0);
       slice0shift_tag_valid <= rows_tag_valid;
       slice0shift_tag_newest_inside <= rows_tag_newest_inside;
       slice0shift_tag_border_column <= rows_tag_border_column;
@@ -2182,838 +879,106 @@ begin
       if rows_ready_tag_valid then
         slice0cost_signs_column <= rows_ready_column;
       end if;
-      if (slice0cost_signs_ready_words_0 mod 2) = 1 then
-        slice0cost_difference_0_0_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_0_choice := slice0shift_search_0_0;
-      end if;
-      if (slice0cost_signs_ready_words_0 mod 2) = 1 then
-        slice0cost_difference_0_0_choice_2 := slice0shift_search_0_0;
-      else
-        slice0cost_difference_0_0_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_1_value := ((slice0cost_signs_ready_words_0 / 2) mod 2) = 1;
-      if slice0cost_difference_0_1_value then
-        slice0cost_difference_0_1_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_1_choice := slice0shift_search_0_1;
-      end if;
-      if slice0cost_difference_0_1_value then
-        slice0cost_difference_0_1_choice_2 := slice0shift_search_0_1;
-      else
-        slice0cost_difference_0_1_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_2_value := ((slice0cost_signs_ready_words_0 / 4) mod 2) = 1;
-      if slice0cost_difference_0_2_value then
-        slice0cost_difference_0_2_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_2_choice := slice0shift_search_0_2;
-      end if;
-      if slice0cost_difference_0_2_value then
-        slice0cost_difference_0_2_choice_2 := slice0shift_search_0_2;
-      else
-        slice0cost_difference_0_2_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_3_value := ((slice0cost_signs_ready_words_0 / 8) mod 2) = 1;
-      if slice0cost_difference_0_3_value then
-        slice0cost_difference_0_3_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_3_choice := slice0shift_search_0_3;
-      end if;
-      if slice0cost_difference_0_3_value then
-        slice0cost_difference_0_3_choice_2 := slice0shift_search_0_3;
-      else
-        slice0cost_difference_0_3_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_4_value := ((slice0cost_signs_ready_words_0 / 16) mod 2) = 1;
-      if slice0cost_difference_0_4_value then
-        slice0cost_difference_0_4_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_4_choice := slice0shift_search_0_4;
-      end if;
-      if slice0cost_difference_0_4_value then
-        slice0cost_difference_0_4_choice_2 := slice0shift_search_0_4;
-      else
-        slice0cost_difference_0_4_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_5_value := ((slice0cost_signs_ready_words_0 / 32) mod 2) = 1;
-      if slice0cost_difference_0_5_value then
-        slice0cost_difference_0_5_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_5_choice := slice0shift_search_0_5;
-      end if;
-      if slice0cost_difference_0_5_value then
-        slice0cost_difference_0_5_choice_2 := slice0shift_search_0_5;
-      else
-        slice0cost_difference_0_5_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_6_value := ((slice0cost_signs_ready_words_0 / 64) mod 2) = 1;
-      if slice0cost_difference_0_6_value then
-        slice0cost_difference_0_6_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_6_choice := slice0shift_search_0_6;
-      end if;
-      if slice0cost_difference_0_6_value then
-        slice0cost_difference_0_6_choice_2 := slice0shift_search_0_6;
-      else
-        slice0cost_difference_0_6_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_7_value := ((slice0cost_signs_ready_words_0 / 128) mod 2) = 1;
-      if slice0cost_difference_0_7_value then
-        slice0cost_difference_0_7_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_7_choice := slice0shift_search_0_7;
-      end if;
-      if slice0cost_difference_0_7_value then
-        slice0cost_difference_0_7_choice_2 := slice0shift_search_0_7;
-      else
-        slice0cost_difference_0_7_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_8_value := ((slice0cost_signs_ready_words_0 / 256) mod 2) = 1;
-      if slice0cost_difference_0_8_value then
-        slice0cost_difference_0_8_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_8_choice := slice0shift_search_0_8;
-      end if;
-      if slice0cost_difference_0_8_value then
-        slice0cost_difference_0_8_choice_2 := slice0shift_search_0_8;
-      else
-        slice0cost_difference_0_8_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_9_value := ((slice0cost_signs_ready_words_0 / 512) mod 2) = 1;
-      if slice0cost_difference_0_9_value then
-        slice0cost_difference_0_9_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_9_choice := slice0shift_search_0_9;
-      end if;
-      if slice0cost_difference_0_9_value then
-        slice0cost_difference_0_9_choice_2 := slice0shift_search_0_9;
-      else
-        slice0cost_difference_0_9_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_10_value := ((slice0cost_signs_ready_words_0 / 1024) mod 2) = 1;
-      if slice0cost_difference_0_10_value then
-        slice0cost_difference_0_10_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_10_choice := slice0shift_search_0_10;
-      end if;
-      if slice0cost_difference_0_10_value then
-        slice0cost_difference_0_10_choice_2 := slice0shift_search_0_10;
-      else
-        slice0cost_difference_0_10_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_11_value := ((slice0cost_signs_ready_words_0 / 2048) mod 2) = 1;
-      if slice0cost_difference_0_11_value then
-        slice0cost_difference_0_11_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_11_choice := slice0shift_search_0_11;
-      end if;
-      if slice0cost_difference_0_11_value then
-        slice0cost_difference_0_11_choice_2 := slice0shift_search_0_11;
-      else
-        slice0cost_difference_0_11_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_12_value := ((slice0cost_signs_ready_words_0 / 4096) mod 2) = 1;
-      if slice0cost_difference_0_12_value then
-        slice0cost_difference_0_12_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_12_choice := slice0shift_search_0_12;
-      end if;
-      if slice0cost_difference_0_12_value then
-        slice0cost_difference_0_12_choice_2 := slice0shift_search_0_12;
-      else
-        slice0cost_difference_0_12_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_13_value := ((slice0cost_signs_ready_words_0 / 8192) mod 2) = 1;
-      if slice0cost_difference_0_13_value then
-        slice0cost_difference_0_13_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_13_choice := slice0shift_search_0_13;
-      end if;
-      if slice0cost_difference_0_13_value then
-        slice0cost_difference_0_13_choice_2 := slice0shift_search_0_13;
-      else
-        slice0cost_difference_0_13_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_14_value := ((slice0cost_signs_ready_words_0 / 16384) mod 2) = 1;
-      if slice0cost_difference_0_14_value then
-        slice0cost_difference_0_14_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_14_choice := slice0shift_search_0_14;
-      end if;
-      if slice0cost_difference_0_14_value then
-        slice0cost_difference_0_14_choice_2 := slice0shift_search_0_14;
-      else
-        slice0cost_difference_0_14_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_15_value := ((slice0cost_signs_ready_words_0 / 32768) mod 2) = 1;
-      if slice0cost_difference_0_15_value then
-        slice0cost_difference_0_15_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_15_choice := slice0shift_search_0_15;
-      end if;
-      if slice0cost_difference_0_15_value then
-        slice0cost_difference_0_15_choice_2 := slice0shift_search_0_15;
-      else
-        slice0cost_difference_0_15_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_16_value := ((slice0cost_signs_ready_words_0 / 65536) mod 2) = 1;
-      if slice0cost_difference_0_16_value then
-        slice0cost_difference_0_16_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_16_choice := slice0shift_search_0_16;
-      end if;
-      if slice0cost_difference_0_16_value then
-        slice0cost_difference_0_16_choice_2 := slice0shift_search_0_16;
-      else
-        slice0cost_difference_0_16_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_17_value := ((slice0cost_signs_ready_words_0 / 131072) mod 2) = 1;
-      if slice0cost_difference_0_17_value then
-        slice0cost_difference_0_17_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_17_choice := slice0shift_search_0_17;
-      end if;
-      if slice0cost_difference_0_17_value then
-        slice0cost_difference_0_17_choice_2 := slice0shift_search_0_17;
-      else
-        slice0cost_difference_0_17_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_18_value := ((slice0cost_signs_ready_words_0 / 262144) mod 2) = 1;
-      if slice0cost_difference_0_18_value then
-        slice0cost_difference_0_18_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_18_choice := slice0shift_search_0_18;
-      end if;
-      if slice0cost_difference_0_18_value then
-        slice0cost_difference_0_18_choice_2 := slice0shift_search_0_18;
-      else
-        slice0cost_difference_0_18_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_19_value := ((slice0cost_signs_ready_words_0 / 524288) mod 2) = 1;
-      if slice0cost_difference_0_19_value then
-        slice0cost_difference_0_19_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_19_choice := slice0shift_search_0_19;
-      end if;
-      if slice0cost_difference_0_19_value then
-        slice0cost_difference_0_19_choice_2 := slice0shift_search_0_19;
-      else
-        slice0cost_difference_0_19_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_20_value := ((slice0cost_signs_ready_words_0 / 1048576) mod 2) = 1;
-      if slice0cost_difference_0_20_value then
-        slice0cost_difference_0_20_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_20_choice := slice0shift_search_0_20;
-      end if;
-      if slice0cost_difference_0_20_value then
-        slice0cost_difference_0_20_choice_2 := slice0shift_search_0_20;
-      else
-        slice0cost_difference_0_20_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_21_value := ((slice0cost_signs_ready_words_0 / 2097152) mod 2) = 1;
-      if slice0cost_difference_0_21_value then
-        slice0cost_difference_0_21_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_21_choice := slice0shift_search_0_21;
-      end if;
-      if slice0cost_difference_0_21_value then
-        slice0cost_difference_0_21_choice_2 := slice0shift_search_0_21;
-      else
-        slice0cost_difference_0_21_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_22_value := ((slice0cost_signs_ready_words_0 / 4194304) mod 2) = 1;
-      if slice0cost_difference_0_22_value then
-        slice0cost_difference_0_22_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_22_choice := slice0shift_search_0_22;
-      end if;
-      if slice0cost_difference_0_22_value then
-        slice0cost_difference_0_22_choice_2 := slice0shift_search_0_22;
-      else
-        slice0cost_difference_0_22_choice_2 := slice0shift_reference_0;
-      end if;
-      slice0cost_difference_0_23_value := ((slice0cost_signs_ready_words_0 / 8388608) mod 2) = 1;
-      if slice0cost_difference_0_23_value then
-        slice0cost_difference_0_23_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_23_choice := slice0shift_search_0_23;
-      end if;
-      if slice0cost_difference_0_23_value then
-        slice0cost_difference_0_23_choice_2 := slice0shift_search_0_23;
-      else
-        slice0cost_difference_0_23_choice_2 := slice0shift_reference_0;
-      end if;
-      if (slice0cost_signs_ready_words_0 / 16777216) = 1 then
-        slice0cost_difference_0_24_choice := slice0shift_reference_0;
-      else
-        slice0cost_difference_0_24_choice := slice0shift_search_0_24;
-      end if;
-      if (slice0cost_signs_ready_words_0 / 16777216) = 1 then
-        slice0cost_difference_0_24_choice_2 := slice0shift_search_0_24;
-      else
-        slice0cost_difference_0_24_choice_2 := slice0shift_reference_0;
-      end if;
-      if (slice0cost_signs_ready_words_1 mod 2) = 1 then
-        slice0cost_difference_1_0_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_0_choice := slice0shift_search_1_0;
-      end if;
-      if (slice0cost_signs_ready_words_1 mod 2) = 1 then
-        slice0cost_difference_1_0_choice_2 := slice0shift_search_1_0;
-      else
-        slice0cost_difference_1_0_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_1_value := ((slice0cost_signs_ready_words_1 / 2) mod 2) = 1;
-      if slice0cost_difference_1_1_value then
-        slice0cost_difference_1_1_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_1_choice := slice0shift_search_1_1;
-      end if;
-      if slice0cost_difference_1_1_value then
-        slice0cost_difference_1_1_choice_2 := slice0shift_search_1_1;
-      else
-        slice0cost_difference_1_1_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_2_value := ((slice0cost_signs_ready_words_1 / 4) mod 2) = 1;
-      if slice0cost_difference_1_2_value then
-        slice0cost_difference_1_2_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_2_choice := slice0shift_search_1_2;
-      end if;
-      if slice0cost_difference_1_2_value then
-        slice0cost_difference_1_2_choice_2 := slice0shift_search_1_2;
-      else
-        slice0cost_difference_1_2_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_3_value := ((slice0cost_signs_ready_words_1 / 8) mod 2) = 1;
-      if slice0cost_difference_1_3_value then
-        slice0cost_difference_1_3_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_3_choice := slice0shift_search_1_3;
-      end if;
-      if slice0cost_difference_1_3_value then
-        slice0cost_difference_1_3_choice_2 := slice0shift_search_1_3;
-      else
-        slice0cost_difference_1_3_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_4_value := ((slice0cost_signs_ready_words_1 / 16) mod 2) = 1;
-      if slice0cost_difference_1_4_value then
-        slice0cost_difference_1_4_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_4_choice := slice0shift_search_1_4;
-      end if;
-      if slice0cost_difference_1_4_value then
-        slice0cost_difference_1_4_choice_2 := slice0shift_search_1_4;
-      else
-        slice0cost_difference_1_4_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_5_value := ((slice0cost_signs_ready_words_1 / 32) mod 2) = 1;
-      if slice0cost_difference_1_5_value then
-        slice0cost_difference_1_5_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_5_choice := slice0shift_search_1_5;
-      end if;
-      if slice0cost_difference_1_5_value then
-        slice0cost_difference_1_5_choice_2 := slice0shift_search_1_5;
-      else
-        slice0cost_difference_1_5_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_6_value := ((slice0cost_signs_ready_words_1 / 64) mod 2) = 1;
-      if slice0cost_difference_1_6_value then
-        slice0cost_difference_1_6_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_6_choice := slice0shift_search_1_6;
-      end if;
-      if slice0cost_difference_1_6_value then
-        slice0cost_difference_1_6_choice_2 := slice0shift_search_1_6;
-      else
-        slice0cost_difference_1_6_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_7_value := ((slice0cost_signs_ready_words_1 / 128) mod 2) = 1;
-      if slice0cost_difference_1_7_value then
-        slice0cost_difference_1_7_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_7_choice := slice0shift_search_1_7;
-      end if;
-      if slice0cost_difference_1_7_value then
-        slice0cost_difference_1_7_choice_2 := slice0shift_search_1_7;
-      else
-        slice0cost_difference_1_7_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_8_value := ((slice0cost_signs_ready_words_1 / 256) mod 2) = 1;
-      if slice0cost_difference_1_8_value then
-        slice0cost_difference_1_8_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_8_choice := slice0shift_search_1_8;
-      end if;
-      if slice0cost_difference_1_8_value then
-        slice0cost_difference_1_8_choice_2 := slice0shift_search_1_8;
-      else
-        slice0cost_difference_1_8_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_9_value := ((slice0cost_signs_ready_words_1 / 512) mod 2) = 1;
-      if slice0cost_difference_1_9_value then
-        slice0cost_difference_1_9_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_9_choice := slice0shift_search_1_9;
-      end if;
-      if slice0cost_difference_1_9_value then
-        slice0cost_difference_1_9_choice_2 := slice0shift_search_1_9;
-      else
-        slice0cost_difference_1_9_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_10_value := ((slice0cost_signs_ready_words_1 / 1024) mod 2) = 1;
-      if slice0cost_difference_1_10_value then
-        slice0cost_difference_1_10_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_10_choice := slice0shift_search_1_10;
-      end if;
-      if slice0cost_difference_1_10_value then
-        slice0cost_difference_1_10_choice_2 := slice0shift_search_1_10;
-      else
-        slice0cost_difference_1_10_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_11_value := ((slice0cost_signs_ready_words_1 / 2048) mod 2) = 1;
-      if slice0cost_difference_1_11_value then
-        slice0cost_difference_1_11_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_11_choice := slice0shift_search_1_11;
-      end if;
-      if slice0cost_difference_1_11_value then
-        slice0cost_difference_1_11_choice_2 := slice0shift_search_1_11;
-      else
-        slice0cost_difference_1_11_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_12_value := ((slice0cost_signs_ready_words_1 / 4096) mod 2) = 1;
-      if slice0cost_difference_1_12_value then
-        slice0cost_difference_1_12_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_12_choice := slice0shift_search_1_12;
-      end if;
-      if slice0cost_difference_1_12_value then
-        slice0cost_difference_1_12_choice_2 := slice0shift_search_1_12;
-      else
-        slice0cost_difference_1_12_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_13_value := ((slice0cost_signs_ready_words_1 / 8192) mod 2) = 1;
-      if slice0cost_difference_1_13_value then
-        slice0cost_difference_1_13_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_13_choice := slice0shift_search_1_13;
-      end if;
-      if slice0cost_difference_1_13_value then
-        slice0cost_difference_1_13_choice_2 := slice0shift_search_1_13;
-      else
-        slice0cost_difference_1_13_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_14_value := ((slice0cost_signs_ready_words_1 / 16384) mod 2) = 1;
-      if slice0cost_difference_1_14_value then
-        slice0cost_difference_1_14_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_14_choice := slice0shift_search_1_14;
-      end if;
-      if slice0cost_difference_1_14_value then
-        slice0cost_difference_1_14_choice_2 := slice0shift_search_1_14;
-      else
-        slice0cost_difference_1_14_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_15_value := ((slice0cost_signs_ready_words_1 / 32768) mod 2) = 1;
-      if slice0cost_difference_1_15_value then
-        slice0cost_difference_1_15_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_15_choice := slice0shift_search_1_15;
-      end if;
-      if slice0cost_difference_1_15_value then
-        slice0cost_difference_1_15_choice_2 := slice0shift_search_1_15;
-      else
-        slice0cost_difference_1_15_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_16_value := ((slice0cost_signs_ready_words_1 / 65536) mod 2) = 1;
-      if slice0cost_difference_1_16_value then
-        slice0cost_difference_1_16_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_16_choice := slice0shift_search_1_16;
-      end if;
-      if slice0cost_difference_1_16_value then
-        slice0cost_difference_1_16_choice_2 := slice0shift_search_1_16;
-      else
-        slice0cost_difference_1_16_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_17_value := ((slice0cost_signs_ready_words_1 / 131072) mod 2) = 1;
-      if slice0cost_difference_1_17_value then
-        slice0cost_difference_1_17_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_17_choice := slice0shift_search_1_17;
-      end if;
-      if slice0cost_difference_1_17_value then
-        slice0cost_difference_1_17_choice_2 := slice0shift_search_1_17;
-      else
-        slice0cost_difference_1_17_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_18_value := ((slice0cost_signs_ready_words_1 / 262144) mod 2) = 1;
-      if slice0cost_difference_1_18_value then
-        slice0cost_difference_1_18_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_18_choice := slice0shift_search_1_18;
-      end if;
-      if slice0cost_difference_1_18_value then
-        slice0cost_difference_1_18_choice_2 := slice0shift_search_1_18;
-      else
-        slice0cost_difference_1_18_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_19_value := ((slice0cost_signs_ready_words_1 / 524288) mod 2) = 1;
-      if slice0cost_difference_1_19_value then
-        slice0cost_difference_1_19_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_19_choice := slice0shift_search_1_19;
-      end if;
-      if slice0cost_difference_1_19_value then
-        slice0cost_difference_1_19_choice_2 := slice0shift_search_1_19;
-      else
-        slice0cost_difference_1_19_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_20_value := ((slice0cost_signs_ready_words_1 / 1048576) mod 2) = 1;
-      if slice0cost_difference_1_20_value then
-        slice0cost_difference_1_20_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_20_choice := slice0shift_search_1_20;
-      end if;
-      if slice0cost_difference_1_20_value then
-        slice0cost_difference_1_20_choice_2 := slice0shift_search_1_20;
-      else
-        slice0cost_difference_1_20_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_21_value := ((slice0cost_signs_ready_words_1 / 2097152) mod 2) = 1;
-      if slice0cost_difference_1_21_value then
-        slice0cost_difference_1_21_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_21_choice := slice0shift_search_1_21;
-      end if;
-      if slice0cost_difference_1_21_value then
-        slice0cost_difference_1_21_choice_2 := slice0shift_search_1_21;
-      else
-        slice0cost_difference_1_21_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_22_value := ((slice0cost_signs_ready_words_1 / 4194304) mod 2) = 1;
-      if slice0cost_difference_1_22_value then
-        slice0cost_difference_1_22_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_22_choice := slice0shift_search_1_22;
-      end if;
-      if slice0cost_difference_1_22_value then
-        slice0cost_difference_1_22_choice_2 := slice0shift_search_1_22;
-      else
-        slice0cost_difference_1_22_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_1_23_value := ((slice0cost_signs_ready_words_1 / 8388608) mod 2) = 1;
-      if slice0cost_difference_1_23_value then
-        slice0cost_difference_1_23_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_23_choice := slice0shift_search_1_23;
-      end if;
-      if slice0cost_difference_1_23_value then
-        slice0cost_difference_1_23_choice_2 := slice0shift_search_1_23;
-      else
-        slice0cost_difference_1_23_choice_2 := slice0shift_reference_1;
-      end if;
-      if (slice0cost_signs_ready_words_1 / 16777216) = 1 then
-        slice0cost_difference_1_24_choice := slice0shift_reference_1;
-      else
-        slice0cost_difference_1_24_choice := slice0shift_search_1_24;
-      end if;
-      if (slice0cost_signs_ready_words_1 / 16777216) = 1 then
-        slice0cost_difference_1_24_choice_2 := slice0shift_search_1_24;
-      else
-        slice0cost_difference_1_24_choice_2 := slice0shift_reference_1;
-      end if;
-      slice0cost_difference_2_0_difference := slice0shift_search_2_0 - slice0shift_reference_2;
-      slice0cost_difference_2_1_difference := slice0shift_search_2_1 - slice0shift_reference_2;
-      slice0cost_difference_2_2_difference := slice0shift_search_2_2 - slice0shift_reference_2;
-      slice0cost_difference_2_3_difference := slice0shift_search_2_3 - slice0shift_reference_2;
-      slice0cost_difference_2_4_difference := slice0shift_search_2_4 - slice0shift_reference_2;
-      slice0cost_difference_2_5_difference := slice0shift_search_2_5 - slice0shift_reference_2;
-      slice0cost_difference_2_6_difference := slice0shift_search_2_6 - slice0shift_reference_2;
-      slice0cost_difference_2_7_difference := slice0shift_search_2_7 - slice0shift_reference_2;
-      slice0cost_difference_2_8_difference := slice0shift_search_2_8 - slice0shift_reference_2;
-      slice0cost_difference_2_9_difference := slice0shift_search_2_9 - slice0shift_reference_2;
-      slice0cost_difference_2_10_difference := slice0shift_search_2_10 - slice0shift_reference_2;
-      slice0cost_difference_2_11_difference := slice0shift_search_2_11 - slice0shift_reference_2;
-      slice0cost_difference_2_12_difference := slice0shift_search_2_12 - slice0shift_reference_2;
-      slice0cost_difference_2_13_difference := slice0shift_search_2_13 - slice0shift_reference_2;
-      slice0cost_difference_2_14_difference := slice0shift_search_2_14 - slice0shift_reference_2;
-      slice0cost_difference_2_15_difference := slice0shift_search_2_15 - slice0shift_reference_2;
-      slice0cost_difference_2_16_difference := slice0shift_search_2_16 - slice0shift_reference_2;
-      slice0cost_difference_2_17_difference := slice0shift_search_2_17 - slice0shift_reference_2;
-      slice0cost_difference_2_18_difference := slice0shift_search_2_18 - slice0shift_reference_2;
-      slice0cost_difference_2_19_difference := slice0shift_search_2_19 - slice0shift_reference_2;
-      slice0cost_difference_2_20_difference := slice0shift_search_2_20 - slice0shift_reference_2;
-      slice0cost_difference_2_21_difference := slice0shift_search_2_21 - slice0shift_reference_2;
-      slice0cost_difference_2_22_difference := slice0shift_search_2_22 - slice0shift_reference_2;
-      slice0cost_difference_2_23_difference := slice0shift_search_2_23 - slice0shift_reference_2;
-      slice0cost_difference_2_24_difference := slice0shift_search_2_24 - slice0shift_reference_2;
-      slice0cost_difference_3_0_difference := slice0shift_search_3_0 - slice0shift_reference_3;
-      slice0cost_difference_3_1_difference := slice0shift_search_3_1 - slice0shift_reference_3;
-      slice0cost_difference_3_2_difference := slice0shift_search_3_2 - slice0shift_reference_3;
-      slice0cost_difference_3_3_difference := slice0shift_search_3_3 - slice0shift_reference_3;
-      slice0cost_difference_3_4_difference := slice0shift_search_3_4 - slice0shift_reference_3;
-      slice0cost_difference_3_5_difference := slice0shift_search_3_5 - slice0shift_reference_3;
-      slice0cost_difference_3_6_difference := slice0shift_search_3_6 - slice0shift_reference_3;
-      slice0cost_difference_3_7_difference := slice0shift_search_3_7 - slice0shift_reference_3;
-      slice0cost_difference_3_8_difference := slice0shift_search_3_8 - slice0shift_reference_3;
-      slice0cost_difference_3_9_difference := slice0shift_search_3_9 - slice0shift_reference_3;
-      slice0cost_difference_3_10_difference := slice0shift_search_3_10 - slice0shift_reference_3;
-      slice0cost_difference_3_11_difference := slice0shift_search_3_11 - slice0shift_reference_3;
-      slice0cost_difference_3_12_difference := slice0shift_search_3_12 - slice0shift_reference_3;
-      slice0cost_difference_3_13_difference := slice0shift_search_3_13 - slice0shift_reference_3;
-      slice0cost_difference_3_14_difference := slice0shift_search_3_14 - slice0shift_reference_3;
-      slice0cost_difference_3_15_difference := slice0shift_search_3_15 - slice0shift_reference_3;
-      slice0cost_difference_3_16_difference := slice0shift_search_3_16 - slice0shift_reference_3;
-      slice0cost_difference_3_17_difference := slice0shift_search_3_17 - slice0shift_reference_3;
-      slice0cost_difference_3_18_difference := slice0shift_search_3_18 - slice0shift_reference_3;
-      slice0cost_difference_3_19_difference := slice0shift_search_3_19 - slice0shift_reference_3;
-      slice0cost_difference_3_20_difference := slice0shift_search_3_20 - slice0shift_reference_3;
-      slice0cost_difference_3_21_difference := slice0shift_search_3_21 - slice0shift_reference_3;
-      slice0cost_difference_3_22_difference := slice0shift_search_3_22 - slice0shift_reference_3;
-      slice0cost_difference_3_23_difference := slice0shift_search_3_23 - slice0shift_reference_3;
-      slice0cost_difference_3_24_difference := slice0shift_search_3_24 - slice0shift_reference_3;
+      if is_set(slice0cost_signs_ready_words(0), 0) then
+        slice0cost_difference_choice(0, 0) := slice0shift_reference(0);
+      else
+        slice0cost_difference_choice(0, 0) := slice0shift_search(0, 0);
+      end if;
+      if is_set(slice0cost_signs_ready_words(0), 0) then
+        slice0cost_difference_choice_2(0, 0) := slice0shift_search(0, 0);
+      else
+        slice0cost_difference_choice_2(0, 0) := slice0shift_reference(0);
+      end if;
+      for i in 1 to 23 loop
+        slice0cost_difference_value(0, i) := is_set(slice0cost_signs_ready_words(0), i);
+        if slice0cost_difference_value(0, i) then
+          slice0cost_difference_choice(0, i) := slice0shift_reference(0);
+        else
+          slice0cost_difference_choice(0, i) := slice0shift_search(0, i);
+        end if;
+        if slice0cost_difference_value(0, i) then
+          slice0cost_difference_choice_2(0, i) := slice0shift_search(0, i);
+        else
+          slice0cost_difference_choice_2(0, i) := slice0shift_reference(0);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if is_set(slice0cost_signs_ready_words(i), 24 - 24 * i) then
+          slice0cost_difference_choice(i, 24 - 24 * i) := slice0shift_reference(i);
+        else
+          slice0cost_difference_choice(i, 24 - 24 * i) := slice0shift_search(i, 24 - 24 * i);
+        end if;
+        if is_set(slice0cost_signs_ready_words(i), 24 - 24 * i) then
+          slice0cost_difference_choice_2(i, 24 - 24 * i) := slice0shift_search(i, 24 - 24 * i);
+        else
+          slice0cost_difference_choice_2(i, 24 - 24 * i) := slice0shift_reference(i);
+        end if;
+      end loop;
+      for i in 1 to 23 loop
+        slice0cost_difference_value(1, i) := is_set(slice0cost_signs_ready_words(1), i);
+        if slice0cost_difference_value(1, i) then
+          slice0cost_difference_choice(1, i) := slice0shift_reference(1);
+        else
+          slice0cost_difference_choice(1, i) := slice0shift_search(1, i);
+        end if;
+        if slice0cost_difference_value(1, i) then
+          slice0cost_difference_choice_2(1, i) := slice0shift_search(1, i);
+        else
+          slice0cost_difference_choice_2(1, i) := slice0shift_reference(1);
+        end if;
+      end loop;
+      if is_set(slice0cost_signs_ready_words(1), 24) then
+        slice0cost_difference_choice(1, 24) := slice0shift_reference(1);
+      else
+        slice0cost_difference_choice(1, 24) := slice0shift_search(1, 24);
+      end if;
+      if is_set(slice0cost_signs_ready_words(1), 24) then
+        slice0cost_difference_choice_2(1, 24) := slice0shift_search(1, 24);
+      else
+        slice0cost_difference_choice_2(1, 24) := slice0shift_reference(1);
+      end if;
+      for i in 0 to 24 loop
+        slice0cost_difference_difference(2, i) := slice0shift_search(2, i) - slice0shift_reference(2);
+      end loop;
+      for i in 0 to 24 loop
+        slice0cost_difference_difference(3, i) := slice0shift_search(3, i) - slice0shift_reference(3);
+      end loop;
       slice0cost_signs_next_column <= rows_write_column;
       slice0cost_signs_difference_column <= slice0cost_signs_next_column;
-      slice0cost_signs_ready_words_0 <= to_integer(slice0cost_signs_read_words_0);
-      slice0cost_signs_ready_words_1 <= to_integer(slice0cost_signs_read_words_1);
+      slice0cost_signs_ready_words(0) <= to_integer(slice0cost_signs_read_words(0));
+      slice0cost_signs_ready_words(1) <= to_integer(slice0cost_signs_read_words(1));
       slice0cost_signs_write_column <= slice0cost_signs_difference_column;
-      slice0cost_difference_0_0 <= (slice0cost_difference_0_0_choice - slice0cost_difference_0_0_choice_2) mod 256;
-      slice0cost_difference_0_1 <= (slice0cost_difference_0_1_choice - slice0cost_difference_0_1_choice_2) mod 256;
-      slice0cost_difference_0_2 <= (slice0cost_difference_0_2_choice - slice0cost_difference_0_2_choice_2) mod 256;
-      slice0cost_difference_0_3 <= (slice0cost_difference_0_3_choice - slice0cost_difference_0_3_choice_2) mod 256;
-      slice0cost_difference_0_4 <= (slice0cost_difference_0_4_choice - slice0cost_difference_0_4_choice_2) mod 256;
-      slice0cost_difference_0_5 <= (slice0cost_difference_0_5_choice - slice0cost_difference_0_5_choice_2) mod 256;
-      slice0cost_difference_0_6 <= (slice0cost_difference_0_6_choice - slice0cost_difference_0_6_choice_2) mod 256;
-      slice0cost_difference_0_7 <= (slice0cost_difference_0_7_choice - slice0cost_difference_0_7_choice_2) mod 256;
-      slice0cost_difference_0_8 <= (slice0cost_difference_0_8_choice - slice0cost_difference_0_8_choice_2) mod 256;
-      slice0cost_difference_0_9 <= (slice0cost_difference_0_9_choice - slice0cost_difference_0_9_choice_2) mod 256;
-      slice0cost_difference_0_10 <= (slice0cost_difference_0_10_choice - slice0cost_difference_0_10_choice_2) mod 256;
-      slice0cost_difference_0_11 <= (slice0cost_difference_0_11_choice - slice0cost_difference_0_11_choice_2) mod 256;
-      slice0cost_difference_0_12 <= (slice0cost_difference_0_12_choice - slice0cost_difference_0_12_choice_2) mod 256;
-      slice0cost_difference_0_13 <= (slice0cost_difference_0_13_choice - slice0cost_difference_0_13_choice_2) mod 256;
-      slice0cost_difference_0_14 <= (slice0cost_difference_0_14_choice - slice0cost_difference_0_14_choice_2) mod 256;
-      slice0cost_difference_0_15 <= (slice0cost_difference_0_15_choice - slice0cost_difference_0_15_choice_2) mod 256;
-      slice0cost_difference_0_16 <= (slice0cost_difference_0_16_choice - slice0cost_difference_0_16_choice_2) mod 256;
-      slice0cost_difference_0_17 <= (slice0cost_difference_0_17_choice - slice0cost_difference_0_17_choice_2) mod 256;
-      slice0cost_difference_0_18 <= (slice0cost_difference_0_18_choice - slice0cost_difference_0_18_choice_2) mod 256;
-      slice0cost_difference_0_19 <= (slice0cost_difference_0_19_choice - slice0cost_difference_0_19_choice_2) mod 256;
-      slice0cost_difference_0_20 <= (slice0cost_difference_0_20_choice - slice0cost_difference_0_20_choice_2) mod 256;
-      slice0cost_difference_0_21 <= (slice0cost_difference_0_21_choice - slice0cost_difference_0_21_choice_2) mod 256;
-      slice0cost_difference_0_22 <= (slice0cost_difference_0_22_choice - slice0cost_difference_0_22_choice_2) mod 256;
-      slice0cost_difference_0_23 <= (slice0cost_difference_0_23_choice - slice0cost_difference_0_23_choice_2) mod 256;
-      slice0cost_difference_0_24 <= (slice0cost_difference_0_24_choice - slice0cost_difference_0_24_choice_2) mod 256;
-      slice0cost_difference_1_0 <= (slice0cost_difference_1_0_choice - slice0cost_difference_1_0_choice_2) mod 256;
-      slice0cost_difference_1_1 <= (slice0cost_difference_1_1_choice - slice0cost_difference_1_1_choice_2) mod 256;
-      slice0cost_difference_1_2 <= (slice0cost_difference_1_2_choice - slice0cost_difference_1_2_choice_2) mod 256;
-      slice0cost_difference_1_3 <= (slice0cost_difference_1_3_choice - slice0cost_difference_1_3_choice_2) mod 256;
-      slice0cost_difference_1_4 <= (slice0cost_difference_1_4_choice - slice0cost_difference_1_4_choice_2) mod 256;
-      slice0cost_difference_1_5 <= (slice0cost_difference_1_5_choice - slice0cost_difference_1_5_choice_2) mod 256;
-      slice0cost_difference_1_6 <= (slice0cost_difference_1_6_choice - slice0cost_difference_1_6_choice_2) mod 256;
-      slice0cost_difference_1_7 <= (slice0cost_difference_1_7_choice - slice0cost_difference_1_7_choice_2) mod 256;
-      slice0cost_difference_1_8 <= (slice0cost_difference_1_8_choice - slice0cost_difference_1_8_choice_2) mod 256;
-      slice0cost_difference_1_9 <= (slice0cost_difference_1_9_choice - slice0cost_difference_1_9_choice_2) mod 256;
-      slice0cost_difference_1_10 <= (slice0cost_difference_1_10_choice - slice0cost_difference_1_10_choice_2) mod 256;
-      slice0cost_difference_1_11 <= (slice0cost_difference_1_11_choice - slice0cost_difference_1_11_choice_2) mod 256;
-      slice0cost_difference_1_12 <= (slice0cost_difference_1_12_choice - slice0cost_difference_1_12_choice_2) mod 256;
-      slice0cost_difference_1_13 <= (slice0cost_difference_1_13_choice - slice0cost_difference_1_13_choice_2) mod 256;
-      slice0cost_difference_1_14 <= (slice0cost_difference_1_14_choice - slice0cost_difference_1_14_choice_2) mod 256;
-      slice0cost_difference_1_15 <= (slice0cost_difference_1_15_choice - slice0cost_difference_1_15_choice_2) mod 256;
-      slice0cost_difference_1_16 <= (slice0cost_difference_1_16_choice - slice0cost_difference_1_16_choice_2) mod 256;
-      slice0cost_difference_1_17 <= (slice0cost_difference_1_17_choice - slice0cost_difference_1_17_choice_2) mod 256;
-      slice0cost_difference_1_18 <= (slice0cost_difference_1_18_choice - slice0cost_difference_1_18_choice_2) mod 256;
-      slice0cost_difference_1_19 <= (slice0cost_difference_1_19_choice - slice0cost_difference_1_19_choice_2) mod 256;
-      slice0cost_difference_1_20 <= (slice0cost_difference_1_20_choice - slice0cost_difference_1_20_choice_2) mod 256;
-      slice0cost_difference_1_21 <= (slice0cost_difference_1_21_choice - slice0cost_difference_1_21_choice_2) mod 256;
-      slice0cost_difference_1_22 <= (slice0cost_difference_1_22_choice - slice0cost_difference_1_22_choice_2) mod 256;
-      slice0cost_difference_1_23 <= (slice0cost_difference_1_23_choice - slice0cost_difference_1_23_choice_2) mod 256;
-      slice0cost_difference_1_24 <= (slice0cost_difference_1_24_choice - slice0cost_difference_1_24_choice_2) mod 256;
-      slice0cost_newest_negative_0_0 <= slice0cost_difference_2_0_difference < 0;
-      slice0cost_newest_negative_0_1 <= slice0cost_difference_2_1_difference < 0;
-      slice0cost_newest_negative_0_2 <= slice0cost_difference_2_2_difference < 0;
-      slice0cost_newest_negative_0_3 <= slice0cost_difference_2_3_difference < 0;
-      slice0cost_newest_negative_0_4 <= slice0cost_difference_2_4_difference < 0;
-      slice0cost_newest_negative_0_5 <= slice0cost_difference_2_5_difference < 0;
-      slice0cost_newest_negative_0_6 <= slice0cost_difference_2_6_difference < 0;
-      slice0cost_newest_negative_0_7 <= slice0cost_difference_2_7_difference < 0;
-      slice0cost_newest_negative_0_8 <= slice0cost_difference_2_8_difference < 0;
-      slice0cost_newest_negative_0_9 <= slice0cost_difference_2_9_difference < 0;
-      slice0cost_newest_negative_0_10 <= slice0cost_difference_2_10_difference < 0;
-      slice0cost_newest_negative_0_11 <= slice0cost_difference_2_11_difference < 0;
-      slice0cost_newest_negative_0_12 <= slice0cost_difference_2_12_difference < 0;
-      slice0cost_newest_negative_0_13 <= slice0cost_difference_2_13_difference < 0;
-      slice0cost_newest_negative_0_14 <= slice0cost_difference_2_14_difference < 0;
-      slice0cost_newest_negative_0_15 <= slice0cost_difference_2_15_difference < 0;
-      slice0cost_newest_negative_0_16 <= slice0cost_difference_2_16_difference < 0;
-      slice0cost_newest_negative_0_17 <= slice0cost_difference_2_17_difference < 0;
-      slice0cost_newest_negative_0_18 <= slice0cost_difference_2_18_difference < 0;
-      slice0cost_newest_negative_0_19 <= slice0cost_difference_2_19_difference < 0;
-      slice0cost_newest_negative_0_20 <= slice0cost_difference_2_20_difference < 0;
-      slice0cost_newest_negative_0_21 <= slice0cost_difference_2_21_difference < 0;
-      slice0cost_newest_negative_0_22 <= slice0cost_difference_2_22_difference < 0;
-      slice0cost_newest_negative_0_23 <= slice0cost_difference_2_23_difference < 0;
-      slice0cost_newest_negative_0_24 <= slice0cost_difference_2_24_difference < 0;
-      slice0cost_newest_negative_1_0 <= slice0cost_difference_3_0_difference < 0;
-      slice0cost_newest_negative_1_1 <= slice0cost_difference_3_1_difference < 0;
-      slice0cost_newest_negative_1_2 <= slice0cost_difference_3_2_difference < 0;
-      slice0cost_newest_negative_1_3 <= slice0cost_difference_3_3_difference < 0;
-      slice0cost_newest_negative_1_4 <= slice0cost_difference_3_4_difference < 0;
-      slice0cost_newest_negative_1_5 <= slice0cost_difference_3_5_difference < 0;
-      slice0cost_newest_negative_1_6 <= slice0cost_difference_3_6_difference < 0;
-      slice0cost_newest_negative_1_7 <= slice0cost_difference_3_7_difference < 0;
-      slice0cost_newest_negative_1_8 <= slice0cost_difference_3_8_difference < 0;
-      slice0cost_newest_negative_1_9 <= slice0cost_difference_3_9_difference < 0;
-      slice0cost_newest_negative_1_10 <= slice0cost_difference_3_10_difference < 0;
-      slice0cost_newest_negative_1_11 <= slice0cost_difference_3_11_difference < 0;
-      slice0cost_newest_negative_1_12 <= slice0cost_difference_3_12_difference < 0;
-      slice0cost_newest_negative_1_13 <= slice0cost_difference_3_13_difference < 0;
-      slice0cost_newest_negative_1_14 <= slice0cost_difference_3_14_difference < 0;
-      slice0cost_newest_negative_1_15 <= slice0cost_difference_3_15_difference < 0;
-      slice0cost_newest_negative_1_16 <= slice0cost_difference_3_16_difference < 0;
-      slice0cost_newest_negative_1_17 <= slice0cost_difference_3_17_difference < 0;
-      slice0cost_newest_negative_1_18 <= slice0cost_difference_3_18_difference < 0;
-      slice0cost_newest_negative_1_19 <= slice0cost_difference_3_19_difference < 0;
-      slice0cost_newest_negative_1_20 <= slice0cost_difference_3_20_difference < 0;
-      slice0cost_newest_negative_1_21 <= slice0cost_difference_3_21_difference < 0;
-      slice0cost_newest_negative_1_22 <= slice0cost_difference_3_22_difference < 0;
-      slice0cost_newest_negative_1_23 <= slice0cost_difference_3_23_difference < 0;
-      slice0cost_newest_negative_1_24 <= slice0cost_difference_3_24_difference < 0;
+      for i in 0 to 1 loop
+        for j in 0 to 24 loop
+          slice0cost_difference(i, j) <= (slice0cost_difference_choice(i, j) - slice0cost_difference_choice_2(i, j))
+            mod 256;
+        end loop;
+      end loop;
+      for i in 0 to 24 loop
+        slice0cost_newest_negative(0, i) <= slice0cost_difference_difference(2, i) < 0;
+      end loop;
+      for i in 0 to 24 loop
+        slice0cost_newest_negative(1, i) <= slice0cost_difference_difference(3, i) < 0;
+      end loop;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_newest_inside <= slice0shift_tag_newest_inside;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= as_number((slice0cost_difference_2_0 < 0)) + slice0cost_difference_1_0 +
-        folded(slice0cost_difference_2_0);
-      slice0cost_pair_0_1 <= as_number((slice0cost_difference_2_1 < 0)) + slice0cost_difference_1_1 +
-        folded(slice0cost_difference_2_1);
-      slice0cost_pair_0_2 <= as_number((slice0cost_difference_2_2 < 0)) + slice0cost_difference_1_2 +
-        folded(slice0cost_difference_2_2);
-      slice0cost_pair_0_3 <= as_number((slice0cost_difference_2_3 < 0)) + slice0cost_difference_1_3 +
-        folded(slice0cost_difference_2_3);
-      slice0cost_pair_0_4 <= as_number((slice0cost_difference_2_4 < 0)) + slice0cost_difference_1_4 +
-        folded(slice0cost_difference_2_4);
-      slice0cost_pair_0_5 <= as_number((slice0cost_difference_2_5 < 0)) + slice0cost_difference_1_5 +
-        folded(slice0cost_difference_2_5);
-      slice0cost_pair_0_6 <= as_number((slice0cost_difference_2_6 < 0)) + slice0cost_difference_1_6 +
-        folded(slice0cost_difference_2_6);
-      slice0cost_pair_0_7 <= as_number((slice0cost_difference_2_7 < 0)) + slice0cost_difference_1_7 +
-        folded(slice0cost_difference_2_7);
-      slice0cost_pair_0_8 <= as_number((slice0cost_difference_2_8 < 0)) + slice0cost_difference_1_8 +
-        folded(slice0cost_difference_2_8);
-      slice0cost_pair_0_9 <= as_number((slice0cost_difference_2_9 < 0)) + slice0cost_difference_1_9 +
-        folded(slice0cost_difference_2_9);
-      slice0cost_pair_0_10 <= as_number((slice0cost_difference_2_10 < 0)) + slice0cost_difference_1_10 +
-        folded(slice0cost_difference_2_10);
-      slice0cost_pair_0_11 <= as_number((slice0cost_difference_2_11 < 0)) + slice0cost_difference_1_11 +
-        folded(slice0cost_difference_2_11);
-      slice0cost_pair_0_12 <= as_number((slice0cost_difference_2_12 < 0)) + slice0cost_difference_1_12 +
-        folded(slice0cost_difference_2_12);
-      slice0cost_pair_0_13 <= as_number((slice0cost_difference_2_13 < 0)) + slice0cost_difference_1_13 +
-        folded(slice0cost_difference_2_13);
-      slice0cost_pair_0_14 <= as_number((slice0cost_difference_2_14 < 0)) + slice0cost_difference_1_14 +
-        folded(slice0cost_difference_2_14);
-      slice0cost_pair_0_15 <= as_number((slice0cost_difference_2_15 < 0)) + slice0cost_difference_1_15 +
-        folded(slice0cost_difference_2_15);
-      slice0cost_pair_0_16 <= as_number((slice0cost_difference_2_16 < 0)) + slice0cost_difference_1_16 +
-        folded(slice0cost_difference_2_16);
-      slice0cost_pair_0_17 <= as_number((slice0cost_difference_2_17 < 0)) + slice0cost_difference_1_17 +
-        folded(slice0cost_difference_2_17);
-      slice0cost_pair_0_18 <= as_number((slice0cost_difference_2_18 < 0)) + slice0cost_difference_1_18 +
-        folded(slice0cost_difference_2_18);
-      slice0cost_pair_0_19 <= as_number((slice0cost_difference_2_19 < 0)) + slice0cost_difference_1_19 +
-        folded(slice0cost_difference_2_19);
-      slice0cost_pair_0_20 <= as_number((slice0cost_difference_2_20 < 0)) + slice0cost_difference_1_20 +
-        folded(slice0cost_difference_2_20);
-      slice0cost_pair_0_21 <= as_number((slice0cost_difference_2_21 < 0)) + slice0cost_difference_1_21 +
-        folded(slice0cost_difference_2_21);
-      slice0cost_pair_0_22 <= as_number((slice0cost_difference_2_22 < 0)) + slice0cost_difference_1_22 +
-        folded(slice0cost_difference_2_22);
-      slice0cost_pair_0_23 <= as_number((slice0cost_difference_2_23 < 0)) + slice0cost_difference_1_23 +
-        folded(slice0cost_difference_2_23);
-      slice0cost_pair_0_24 <= as_number((slice0cost_difference_2_24 < 0)) + slice0cost_difference_1_24 +
-        folded(slice0cost_difference_2_24);
-      slice0cost_single_0_0 <= slice0cost_difference_0_0;
-      slice0cost_single_0_1 <= slice0cost_difference_0_1;
-      slice0cost_single_0_2 <= slice0cost_difference_0_2;
-      slice0cost_single_0_3 <= slice0cost_difference_0_3;
-      slice0cost_single_0_4 <= slice0cost_difference_0_4;
-      slice0cost_single_0_5 <= slice0cost_difference_0_5;
-      slice0cost_single_0_6 <= slice0cost_difference_0_6;
-      slice0cost_single_0_7 <= slice0cost_difference_0_7;
-      slice0cost_single_0_8 <= slice0cost_difference_0_8;
-      slice0cost_single_0_9 <= slice0cost_difference_0_9;
-      slice0cost_single_0_10 <= slice0cost_difference_0_10;
-      slice0cost_single_0_11 <= slice0cost_difference_0_11;
-      slice0cost_single_0_12 <= slice0cost_difference_0_12;
-      slice0cost_single_0_13 <= slice0cost_difference_0_13;
-      slice0cost_single_0_14 <= slice0cost_difference_0_14;
-      slice0cost_single_0_15 <= slice0cost_difference_0_15;
-      slice0cost_single_0_16 <= slice0cost_difference_0_16;
-      slice0cost_single_0_17 <= slice0cost_difference_0_17;
-      slice0cost_single_0_18 <= slice0cost_difference_0_18;
-      slice0cost_single_0_19 <= slice0cost_difference_0_19;
-      slice0cost_single_0_20 <= slice0cost_difference_0_20;
-      slice0cost_single_0_21 <= slice0cost_difference_0_21;
-      slice0cost_single_0_22 <= slice0cost_difference_0_22;
-      slice0cost_single_0_23 <= slice0cost_difference_0_23;
-      slice0cost_single_0_24 <= slice0cost_difference_0_24;
-      slice0cost_single_3_0 <= folded(slice0cost_difference_3_0);
-      slice0cost_single_3_1 <= folded(slice0cost_difference_3_1);
-      slice0cost_single_3_2 <= folded(slice0cost_difference_3_2);
-      slice0cost_single_3_3 <= folded(slice0cost_difference_3_3);
-      slice0cost_single_3_4 <= folded(slice0cost_difference_3_4);
-      slice0cost_single_3_5 <= folded(slice0cost_difference_3_5);
-      slice0cost_single_3_6 <= folded(slice0cost_difference_3_6);
-      slice0cost_single_3_7 <= folded(slice0cost_difference_3_7);
-      slice0cost_single_3_8 <= folded(slice0cost_difference_3_8);
-      slice0cost_single_3_9 <= folded(slice0cost_difference_3_9);
-      slice0cost_single_3_10 <= folded(slice0cost_difference_3_10);
-      slice0cost_single_3_11 <= folded(slice0cost_difference_3_11);
-      slice0cost_single_3_12 <= folded(slice0cost_difference_3_12);
-      slice0cost_single_3_13 <= folded(slice0cost_difference_3_13);
-      slice0cost_single_3_14 <= folded(slice0cost_difference_3_14);
-      slice0cost_single_3_15 <= folded(slice0cost_difference_3_15);
-      slice0cost_single_3_16 <= folded(slice0cost_difference_3_16);
-      slice0cost_single_3_17 <= folded(slice0cost_difference_3_17);
-      slice0cost_single_3_18 <= folded(slice0cost_difference_3_18);
-      slice0cost_single_3_19 <= folded(slice0cost_difference_3_19);
-      slice0cost_single_3_20 <= folded(slice0cost_difference_3_20);
-      slice0cost_single_3_21 <= folded(slice0cost_difference_3_21);
-      slice0cost_single_3_22 <= folded(slice0cost_difference_3_22);
-      slice0cost_single_3_23 <= folded(slice0cost_difference_3_23);
-      slice0cost_single_3_24 <= folded(slice0cost_difference_3_24);
-      slice0cost_single_negative_3_0 <= slice0cost_difference_3_0 < 0;
-      slice0cost_single_negative_3_1 <= slice0cost_difference_3_1 < 0;
-      slice0cost_single_negative_3_2 <= slice0cost_difference_3_2 < 0;
-      slice0cost_single_negative_3_3 <= slice0cost_difference_3_3 < 0;
-      slice0cost_single_negative_3_4 <= slice0cost_difference_3_4 < 0;
-      slice0cost_single_negative_3_5 <= slice0cost_difference_3_5 < 0;
-      slice0cost_single_negative_3_6 <= slice0cost_difference_3_6 < 0;
-      slice0cost_single_negative_3_7 <= slice0cost_difference_3_7 < 0;
-      slice0cost_single_negative_3_8 <= slice0cost_difference_3_8 < 0;
-      slice0cost_single_negative_3_9 <= slice0cost_difference_3_9 < 0;
-      slice0cost_single_negative_3_10 <= slice0cost_difference_3_10 < 0;
-      slice0cost_single_negative_3_11 <= slice0cost_difference_3_11 < 0;
-      slice0cost_single_negative_3_12 <= slice0cost_difference_3_12 < 0;
-      slice0cost_single_negative_3_13 <= slice0cost_difference_3_13 < 0;
-      slice0cost_single_negative_3_14 <= slice0cost_difference_3_14 < 0;
-      slice0cost_single_negative_3_15 <= slice0cost_difference_3_15 < 0;
-      slice0cost_single_negative_3_16 <= slice0cost_difference_3_16 < 0;
-      slice0cost_single_negative_3_17 <= slice0cost_difference_3_17 < 0;
-      slice0cost_single_negative_3_18 <= slice0cost_difference_3_18 < 0;
-      slice0cost_single_negative_3_19 <= slice0cost_difference_3_19 < 0;
-      slice0cost_single_negative_3_20 <= slice0cost_difference_3_20 < 0;
-      slice0cost_single_negative_3_21 <= slice0cost_difference_3_21 < 0;
-      slice0cost_single_negative_3_22 <= slice0cost_difference_3_22 < 0;
-      slice0cost_single_negative_3_23 <= slice0cost_difference_3_23 < 0;
-      slice0cost_single_negative_3_24 <= slice0cost_difference_3_24 < 0;
+      for i in 0 to 24 loop
+        slice0cost_pair_0(i) <= as_number((slice0cost_differences(2, i) < 0)) + slice0cost_difference(1, i) +
+          folded(slice0cost_differences(2, i));
+      end loop;
+      for i in 0 to 24 loop
+        slice0cost_single_0(i) <= slice0cost_difference(0, i);
+      end loop;
+      for i in 0 to 24 loop
+        slice0cost_single_3(i) <= folded(slice0cost_differences(3, i));
+      end loop;
+      for i in 0 to 24 loop
+        slice0cost_single_negative_3(i) <= slice0cost_differences(3, i) < 0;
+      end loop;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_newest_inside <= slice0cost_difference_tag_newest_inside;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
@@ -3026,728 +991,356 @@ begin
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
-      if (slice0shift_tag_newest_inside mod 2) = 1 then
-        slice0cost_difference_2_0 <= slice0cost_difference_2_0_difference;
-        slice0cost_difference_2_1 <= slice0cost_difference_2_1_difference;
-        slice0cost_difference_2_2 <= slice0cost_difference_2_2_difference;
-        slice0cost_difference_2_3 <= slice0cost_difference_2_3_difference;
-        slice0cost_difference_2_4 <= slice0cost_difference_2_4_difference;
-        slice0cost_difference_2_5 <= slice0cost_difference_2_5_difference;
-        slice0cost_difference_2_6 <= slice0cost_difference_2_6_difference;
-        slice0cost_difference_2_7 <= slice0cost_difference_2_7_difference;
-        slice0cost_difference_2_8 <= slice0cost_difference_2_8_difference;
-        slice0cost_difference_2_9 <= slice0cost_difference_2_9_difference;
-        slice0cost_difference_2_10 <= slice0cost_difference_2_10_difference;
-        slice0cost_difference_2_11 <= slice0cost_difference_2_11_difference;
-        slice0cost_difference_2_12 <= slice0cost_difference_2_12_difference;
-        slice0cost_difference_2_13 <= slice0cost_difference_2_13_difference;
-        slice0cost_difference_2_14 <= slice0cost_difference_2_14_difference;
-        slice0cost_difference_2_15 <= slice0cost_difference_2_15_difference;
-        slice0cost_difference_2_16 <= slice0cost_difference_2_16_difference;
-        slice0cost_difference_2_17 <= slice0cost_difference_2_17_difference;
-        slice0cost_difference_2_18 <= slice0cost_difference_2_18_difference;
-        slice0cost_difference_2_19 <= slice0cost_difference_2_19_difference;
-        slice0cost_difference_2_20 <= slice0cost_difference_2_20_difference;
-        slice0cost_difference_2_21 <= slice0cost_difference_2_21_difference;
-        slice0cost_difference_2_22 <= slice0cost_difference_2_22_difference;
-        slice0cost_difference_2_23 <= slice0cost_difference_2_23_difference;
-        slice0cost_difference_2_24 <= slice0cost_difference_2_24_difference;
-      else
-        slice0cost_difference_2_0 <= 0;
-        slice0cost_difference_2_1 <= 0;
-        slice0cost_difference_2_2 <= 0;
-        slice0cost_difference_2_3 <= 0;
-        slice0cost_difference_2_4 <= 0;
-        slice0cost_difference_2_5 <= 0;
-        slice0cost_difference_2_6 <= 0;
-        slice0cost_difference_2_7 <= 0;
-        slice0cost_difference_2_8 <= 0;
-        slice0cost_difference_2_9 <= 0;
-        slice0cost_difference_2_10 <= 0;
-        slice0cost_difference_2_11 <= 0;
-        slice0cost_difference_2_12 <= 0;
-        slice0cost_difference_2_13 <= 0;
-        slice0cost_difference_2_14 <= 0;
-        slice0cost_difference_2_15 <= 0;
-        slice0cost_difference_2_16 <= 0;
-        slice0cost_difference_2_17 <= 0;
-        slice0cost_difference_2_18 <= 0;
-        slice0cost_difference_2_19 <= 0;
-        slice0cost_difference_2_20 <= 0;
-        slice0cost_difference_2_21 <= 0;
-        slice0cost_difference_2_22 <= 0;
-        slice0cost_difference_2_23 <= 0;
-        slice0cost_difference_2_24 <= 0;
-      end if;
-      if (slice0shift_tag_newest_inside / 2) = 1 then
-        slice0cost_difference_3_0 <= slice0cost_difference_3_0_difference;
-        slice0cost_difference_3_1 <= slice0cost_difference_3_1_difference;
-        slice0cost_difference_3_2 <= slice0cost_difference_3_2_difference;
-        slice0cost_difference_3_3 <= slice0cost_difference_3_3_difference;
-        slice0cost_difference_3_4 <= slice0cost_difference_3_4_difference;
-        slice0cost_difference_3_5 <= slice0cost_difference_3_5_difference;
-        slice0cost_difference_3_6 <= slice0cost_difference_3_6_difference;
-        slice0cost_difference_3_7 <= slice0cost_difference_3_7_difference;
-        slice0cost_difference_3_8 <= slice0cost_difference_3_8_difference;
-        slice0cost_difference_3_9 <= slice0cost_difference_3_9_difference;
-        slice0cost_difference_3_10 <= slice0cost_difference_3_10_difference;
-        slice0cost_difference_3_11 <= slice0cost_difference_3_11_difference;
-        slice0cost_difference_3_12 <= slice0cost_difference_3_12_difference;
-        slice0cost_difference_3_13 <= slice0cost_difference_3_13_difference;
-        slice0cost_difference_3_14 <= slice0cost_difference_3_14_difference;
-        slice0cost_difference_3_15 <= slice0cost_difference_3_15_difference;
-        slice0cost_difference_3_16 <= slice0cost_difference_3_16_difference;
-        slice0cost_difference_3_17 <= slice0cost_difference_3_17_difference;
-        slice0cost_difference_3_18 <= slice0cost_difference_3_18_difference;
-        slice0cost_difference_3_19 <= slice0cost_difference_3_19_difference;
-        slice0cost_difference_3_20 <= slice0cost_difference_3_20_difference;
-        slice0cost_difference_3_21 <= slice0cost_difference_3_21_difference;
-        slice0cost_difference_3_22 <= slice0cost_difference_3_22_difference;
-        slice0cost_difference_3_23 <= slice0cost_difference_3_23_difference;
-        slice0cost_difference_3_24 <= slice0cost_difference_3_24_difference;
-      else
-        slice0cost_difference_3_0 <= 0;
-        slice0cost_difference_3_1 <= 0;
-        slice0cost_difference_3_2 <= 0;
-        slice0cost_difference_3_3 <= 0;
-        slice0cost_difference_3_4 <= 0;
-        slice0cost_difference_3_5 <= 0;
-        slice0cost_difference_3_6 <= 0;
-        slice0cost_difference_3_7 <= 0;
-        slice0cost_difference_3_8 <= 0;
-        slice0cost_difference_3_9 <= 0;
-        slice0cost_difference_3_10 <= 0;
-        slice0cost_difference_3_11 <= 0;
-        slice0cost_difference_3_12 <= 0;
-        slice0cost_difference_3_13 <= 0;
-        slice0cost_difference_3_14 <= 0;
-        slice0cost_difference_3_15 <= 0;
-        slice0cost_difference_3_16 <= 0;
-        slice0cost_difference_3_17 <= 0;
-        slice0cost_difference_3_18 <= 0;
-        slice0cost_difference_3_19 <= 0;
-        slice0cost_difference_3_20 <= 0;
-        slice0cost_difference_3_21 <= 0;
-        slice0cost_difference_3_22 <= 0;
-        slice0cost_difference_3_23 <= 0;
-        slice0cost_difference_3_24 <= 0;
-      end if;
+      for i in 0 to 1 loop
+        if is_set(slice0shift_tag_newest_inside, i) then
+          for j in 0 to 24 loop
+            slice0cost_differences(i + 2, j) <= slice0cost_difference_difference(i + 2, j);
+          end loop;
+        else
+          for j in 0 to 24 loop
+            slice0cost_differences(i + 2, j) <= 0;
+          end loop;
+        end if;
+      end loop;
       if slice0cost_pair_tag_border_column then
-        slice0cost_column_0_0 <= 0;
-        slice0cost_column_0_1 <= 0;
-        slice0cost_column_0_2 <= 0;
-        slice0cost_column_0_3 <= 0;
-        slice0cost_column_0_4 <= 0;
-        slice0cost_column_0_5 <= 0;
-        slice0cost_column_0_6 <= 0;
-        slice0cost_column_0_7 <= 0;
-        slice0cost_column_0_8 <= 0;
-        slice0cost_column_0_9 <= 0;
-        slice0cost_column_0_10 <= 0;
-        slice0cost_column_0_11 <= 0;
-        slice0cost_column_0_12 <= 0;
-        slice0cost_column_0_13 <= 0;
-        slice0cost_column_0_14 <= 0;
-        slice0cost_column_0_15 <= 0;
-        slice0cost_column_0_16 <= 0;
-        slice0cost_column_0_17 <= 0;
-        slice0cost_column_0_18 <= 0;
-        slice0cost_column_0_19 <= 0;
-        slice0cost_column_0_20 <= 0;
-        slice0cost_column_0_21 <= 0;
-        slice0cost_column_0_22 <= 0;
-        slice0cost_column_0_23 <= 0;
-        slice0cost_column_0_24 <= 0;
-        slice0cost_column_1_0 <= 0;
-        slice0cost_column_1_1 <= 0;
-        slice0cost_column_1_2 <= 0;
-        slice0cost_column_1_3 <= 0;
-        slice0cost_column_1_4 <= 0;
-        slice0cost_column_1_5 <= 0;
-        slice0cost_column_1_6 <= 0;
-        slice0cost_column_1_7 <= 0;
-        slice0cost_column_1_8 <= 0;
-        slice0cost_column_1_9 <= 0;
-        slice0cost_column_1_10 <= 0;
-        slice0cost_column_1_11 <= 0;
-        slice0cost_column_1_12 <= 0;
-        slice0cost_column_1_13 <= 0;
-        slice0cost_column_1_14 <= 0;
-        slice0cost_column_1_15 <= 0;
-        slice0cost_column_1_16 <= 0;
-        slice0cost_column_1_17 <= 0;
-        slice0cost_column_1_18 <= 0;
-        slice0cost_column_1_19 <= 0;
-        slice0cost_column_1_20 <= 0;
-        slice0cost_column_1_21 <= 0;
-        slice0cost_column_1_22 <= 0;
-        slice0cost_column_1_23 <= 0;
-        slice0cost_column_1_24 <= 0;
+        for i in 0 to 24 loop
+          slice0cost_column_0(i) <= 0;
+        end loop;
+        for i in 0 to 24 loop
+          slice0cost_column_1(i) <= 0;
+        end loop;
       else
-        slice0cost_column_0_0 <= slice0cost_pair_0_0 + slice0cost_single_0_0;
-        slice0cost_column_0_1 <= slice0cost_pair_0_1 + slice0cost_single_0_1;
-        slice0cost_column_0_2 <= slice0cost_pair_0_2 + slice0cost_single_0_2;
-        slice0cost_column_0_3 <= slice0cost_pair_0_3 + slice0cost_single_0_3;
-        slice0cost_column_0_4 <= slice0cost_pair_0_4 + slice0cost_single_0_4;
-        slice0cost_column_0_5 <= slice0cost_pair_0_5 + slice0cost_single_0_5;
-        slice0cost_column_0_6 <= slice0cost_pair_0_6 + slice0cost_single_0_6;
-        slice0cost_column_0_7 <= slice0cost_pair_0_7 + slice0cost_single_0_7;
-        slice0cost_column_0_8 <= slice0cost_pair_0_8 + slice0cost_single_0_8;
-        slice0cost_column_0_9 <= slice0cost_pair_0_9 + slice0cost_single_0_9;
-        slice0cost_column_0_10 <= slice0cost_pair_0_10 + slice0cost_single_0_10;
-        slice0cost_column_0_11 <= slice0cost_pair_0_11 + slice0cost_single_0_11;
-        slice0cost_column_0_12 <= slice0cost_pair_0_12 + slice0cost_single_0_12;
-        slice0cost_column_0_13 <= slice0cost_pair_0_13 + slice0cost_single_0_13;
-        slice0cost_column_0_14 <= slice0cost_pair_0_14 + slice0cost_single_0_14;
-        slice0cost_column_0_15 <= slice0cost_pair_0_15 + slice0cost_single_0_15;
-        slice0cost_column_0_16 <= slice0cost_pair_0_16 + slice0cost_single_0_16;
-        slice0cost_column_0_17 <= slice0cost_pair_0_17 + slice0cost_single_0_17;
-        slice0cost_column_0_18 <= slice0cost_pair_0_18 + slice0cost_single_0_18;
-        slice0cost_column_0_19 <= slice0cost_pair_0_19 + slice0cost_single_0_19;
-        slice0cost_column_0_20 <= slice0cost_pair_0_20 + slice0cost_single_0_20;
-        slice0cost_column_0_21 <= slice0cost_pair_0_21 + slice0cost_single_0_21;
-        slice0cost_column_0_22 <= slice0cost_pair_0_22 + slice0cost_single_0_22;
-        slice0cost_column_0_23 <= slice0cost_pair_0_23 + slice0cost_single_0_23;
-        slice0cost_column_0_24 <= slice0cost_pair_0_24 + slice0cost_single_0_24;
-        slice0cost_column_1_0 <= as_number(slice0cost_single_negative_3_0) + slice0cost_pair_0_0 +
-          slice0cost_single_3_0;
-        slice0cost_column_1_1 <= as_number(slice0cost_single_negative_3_1) + slice0cost_pair_0_1 +
-          slice0cost_single_3_1;
-        slice0cost_column_1_2 <= as_number(slice0cost_single_negative_3_2) + slice0cost_pair_0_2 +
-          slice0cost_single_3_2;
-        slice0cost_column_1_3 <= as_number(slice0cost_single_negative_3_3) + slice0cost_pair_0_3 +
-          slice0cost_single_3_3;
-        slice0cost_column_1_4 <= as_number(slice0cost_single_negative_3_4) + slice0cost_pair_0_4 +
-          slice0cost_single_3_4;
-        slice0cost_column_1_5 <= as_number(slice0cost_single_negative_3_5) + slice0cost_pair_0_5 +
-          slice0cost_single_3_5;
-        slice0cost_column_1_6 <= as_number(slice0cost_single_negative_3_6) + slice0cost_pair_0_6 +
-          slice0cost_single_3_6;
-        slice0cost_column_1_7 <= as_number(slice0cost_single_negative_3_7) + slice0cost_pair_0_7 +
-          slice0cost_single_3_7;
-        slice0cost_column_1_8 <= as_number(slice0cost_single_negative_3_8) + slice0cost_pair_0_8 +
-          slice0cost_single_3_8;
-        slice0cost_column_1_9 <= as_number(slice0cost_single_negative_3_9) + slice0cost_pair_0_9 +
-          slice0cost_single_3_9;
-        slice0cost_column_1_10 <= as_number(slice0cost_single_negative_3_10) + slice0cost_pair_0_10 +
-          slice0cost_single_3_10;
-        slice0cost_column_1_11 <= as_number(slice0cost_single_negative_3_11) + slice0cost_pair_0_11 +
-          slice0cost_single_3_11;
-        slice0cost_column_1_12 <= as_number(slice0cost_single_negative_3_12) + slice0cost_pair_0_12 +
-          slice0cost_single_3_12;
-        slice0cost_column_1_13 <= as_number(slice0cost_single_negative_3_13) + slice0cost_pair_0_13 +
-          slice0cost_single_3_13;
-        slice0cost_column_1_14 <= as_number(slice0cost_single_negative_3_14) + slice0cost_pair_0_14 +
-          slice0cost_single_3_14;
-        slice0cost_column_1_15 <= as_number(slice0cost_single_negative_3_15) + slice0cost_pair_0_15 +
-          slice0cost_single_3_15;
-        slice0cost_column_1_16 <= as_number(slice0cost_single_negative_3_16) + slice0cost_pair_0_16 +
-          slice0cost_single_3_16;
-        slice0cost_column_1_17 <= as_number(slice0cost_single_negative_3_17) + slice0cost_pair_0_17 +
-          slice0cost_single_3_17;
-        slice0cost_column_1_18 <= as_number(slice0cost_single_negative_3_18) + slice0cost_pair_0_18 +
-          slice0cost_single_3_18;
-        slice0cost_column_1_19 <= as_number(slice0cost_single_negative_3_19) + slice0cost_pair_0_19 +
-          slice0cost_single_3_19;
-        slice0cost_column_1_20 <= as_number(slice0cost_single_negative_3_20) + slice0cost_pair_0_20 +
-          slice0cost_single_3_20;
-        slice0cost_column_1_21 <= as_number(slice0cost_single_negative_3_21) + slice0cost_pair_0_21 +
-          slice0cost_single_3_21;
-        slice0cost_column_1_22 <= as_number(slice0cost_single_negative_3_22) + slice0cost_pair_0_22 +
-          slice0cost_single_3_22;
-        slice0cost_column_1_23 <= as_number(slice0cost_single_negative_3_23) + slice0cost_pair_0_23 +
-          slice0cost_single_3_23;
-        slice0cost_column_1_24 <= as_number(slice0cost_single_negative_3_24) + slice0cost_pair_0_24 +
-          slice0cost_single_3_24;
+        for i in 0 to 24 loop
+          slice0cost_column_0(i) <= slice0cost_pair_0(i) + slice0cost_single_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice0cost_column_1(i) <= as_number(slice0cost_single_negative_3(i)) + slice0cost_pair_0(i) +
+            slice0cost_single_3(i);
+        end loop;
       end if;
       if slice0cost_difference_tag_valid then
-        slice0cost_signs_write_words_0 <= (as_number(slice0cost_newest_negative_0_23) * 8388608) +
-          (as_number(slice0cost_newest_negative_0_24) * 16777216) + (as_number(slice0cost_newest_negative_0_22) *
-          4194304) + (as_number(slice0cost_newest_negative_0_21) * 2097152) +
-          (as_number(slice0cost_newest_negative_0_20) * 1048576) + (as_number(slice0cost_newest_negative_0_19) *
-          524288) + (as_number(slice0cost_newest_negative_0_18) * 262144) + (as_number(slice0cost_newest_negative_0_17)
-          * 131072) + (as_number(slice0cost_newest_negative_0_16) * 65536) +
-          (as_number(slice0cost_newest_negative_0_15) * 32768) + (as_number(slice0cost_newest_negative_0_14) * 16384) +
-          (as_number(slice0cost_newest_negative_0_13) * 8192) + (as_number(slice0cost_newest_negative_0_12) * 4096) +
-          (as_number(slice0cost_newest_negative_0_11) * 2048) + (as_number(slice0cost_newest_negative_0_10) * 1024) +
-          (as_number(slice0cost_newest_negative_0_9) * 512) + (as_number(slice0cost_newest_negative_0_8) * 256) +
-          (as_number(slice0cost_newest_negative_0_6) * 64) + (as_number(slice0cost_newest_negative_0_7) * 128) +
-          (as_number(slice0cost_newest_negative_0_5) * 32) + (as_number(slice0cost_newest_negative_0_4) * 16) +
-          (as_number(slice0cost_newest_negative_0_3) * 8) + (as_number(slice0cost_newest_negative_0_2) * 4) +
-          as_number(slice0cost_newest_negative_0_0) + (as_number(slice0cost_newest_negative_0_1) * 2);
-        slice0cost_signs_write_words_1 <= (as_number(slice0cost_newest_negative_1_23) * 8388608) +
-          (as_number(slice0cost_newest_negative_1_24) * 16777216) + (as_number(slice0cost_newest_negative_1_22) *
-          4194304) + (as_number(slice0cost_newest_negative_1_21) * 2097152) +
-          (as_number(slice0cost_newest_negative_1_20) * 1048576) + (as_number(slice0cost_newest_negative_1_19) *
-          524288) + (as_number(slice0cost_newest_negative_1_18) * 262144) + (as_number(slice0cost_newest_negative_1_17)
-          * 131072) + (as_number(slice0cost_newest_negative_1_16) * 65536) +
-          (as_number(slice0cost_newest_negative_1_15) * 32768) + (as_number(slice0cost_newest_negative_1_14) * 16384) +
-          (as_number(slice0cost_newest_negative_1_13) * 8192) + (as_number(slice0cost_newest_negative_1_12) * 4096) +
-          (as_number(slice0cost_newest_negative_1_11) * 2048) + (as_number(slice0cost_newest_negative_1_10) * 1024) +
-          (as_number(slice0cost_newest_negative_1_9) * 512) + (as_number(slice0cost_newest_negative_1_8) * 256) +
-          (as_number(slice0cost_newest_negative_1_6) * 64) + (as_number(slice0cost_newest_negative_1_7) * 128) +
-          (as_number(slice0cost_newest_negative_1_5) * 32) + (as_number(slice0cost_newest_negative_1_4) * 16) +
-          (as_number(slice0cost_newest_negative_1_3) * 8) + (as_number(slice0cost_newest_negative_1_2) * 4) +
-          as_number(slice0cost_newest_negative_1_0) + (as_number(slice0cost_newest_negative_1_1) * 2);
+        for i in 0 to 1 loop
+          slice0cost_signs_write_words(i) <= (as_number(slice0cost_newest_negative(i, 23)) * 8388608) +
+            (as_number(slice0cost_newest_negative(i, 24)) * 16777216) + (as_number(slice0cost_newest_negative(i, 22)) *
+            4194304) + (as_number(slice0cost_newest_negative(i, 21)) * 2097152) +
+            (as_number(slice0cost_newest_negative(i, 20)) * 1048576) + (as_number(slice0cost_newest_negative(i, 19)) *
+            524288) + (as_number(slice0cost_newest_negative(i, 18)) * 262144) +
+            (as_number(slice0cost_newest_negative(i, 17)) * 131072) + (as_number(slice0cost_newest_negative(i, 16)) *
+            65536) + (as_number(slice0cost_newest_negative(i, 15)) * 32768) + (as_number(slice0cost_newest_negative(i,
+            14)) * 16384) + (as_number(slice0cost_newest_negative(i, 13)) * 8192) +
+            (as_number(slice0cost_newest_negative(i, 12)) * 4096) + (as_number(slice0cost_newest_negative(i, 11)) *
+            2048) + (as_number(slice0cost_newest_negative(i, 10)) * 1024) + (as_number(slice0cost_newest_negative(i,
+            9)) * 512) + (as_number(slice0cost_newest_negative(i, 8)) * 256) + (as_number(slice0cost_newest_negative(i,
+            6)) * 64) + (as_number(slice0cost_newest_negative(i, 7)) * 128) + (as_number(slice0cost_newest_negative(i,
+            5)) * 32) + (as_number(slice0cost_newest_negative(i, 4)) * 16) + (as_number(slice0cost_newest_negative(i,
+            3)) * 8) + (as_number(slice0cost_newest_negative(i, 2)) * 4) + as_number(slice0cost_newest_negative(i, 0))
+            + (as_number(slice0cost_newest_negative(i, 1)) * 2);
+        end loop;
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
-        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
-        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
-        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
-        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
-        slice0window_partial_0_0_5 <= slice0cost_column_0_5;
-        slice0window_partial_0_0_6 <= slice0cost_column_0_6;
-        slice0window_partial_0_0_7 <= slice0cost_column_0_7;
-        slice0window_partial_0_0_8 <= slice0cost_column_0_8;
-        slice0window_partial_0_0_9 <= slice0cost_column_0_9;
-        slice0window_partial_0_0_10 <= slice0cost_column_0_10;
-        slice0window_partial_0_0_11 <= slice0cost_column_0_11;
-        slice0window_partial_0_0_12 <= slice0cost_column_0_12;
-        slice0window_partial_0_0_13 <= slice0cost_column_0_13;
-        slice0window_partial_0_0_14 <= slice0cost_column_0_14;
-        slice0window_partial_0_0_15 <= slice0cost_column_0_15;
-        slice0window_partial_0_0_16 <= slice0cost_column_0_16;
-        slice0window_partial_0_0_17 <= slice0cost_column_0_17;
-        slice0window_partial_0_0_18 <= slice0cost_column_0_18;
-        slice0window_partial_0_0_19 <= slice0cost_column_0_19;
-        slice0window_partial_0_0_20 <= slice0cost_column_0_20;
-        slice0window_partial_0_0_21 <= slice0cost_column_0_21;
-        slice0window_partial_0_0_22 <= slice0cost_column_0_22;
-        slice0window_partial_0_0_23 <= slice0cost_column_0_23;
-        slice0window_partial_0_0_24 <= slice0cost_column_0_24;
-        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
-        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
-        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
-        slice0window_partial_0_1_3 <= slice0cost_column_0_3 + slice0window_partial_0_0_3;
-        slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
-        slice0window_partial_0_1_5 <= slice0cost_column_0_5 + slice0window_partial_0_0_5;
-        slice0window_partial_0_1_6 <= slice0cost_column_0_6 + slice0window_partial_0_0_6;
-        slice0window_partial_0_1_7 <= slice0cost_column_0_7 + slice0window_partial_0_0_7;
-        slice0window_partial_0_1_8 <= slice0cost_column_0_8 + slice0window_partial_0_0_8;
-        slice0window_partial_0_1_9 <= slice0cost_column_0_9 + slice0window_partial_0_0_9;
-        slice0window_partial_0_1_10 <= slice0cost_column_0_10 + slice0window_partial_0_0_10;
-        slice0window_partial_0_1_11 <= slice0cost_column_0_11 + slice0window_partial_0_0_11;
-        slice0window_partial_0_1_12 <= slice0cost_column_0_12 + slice0window_partial_0_0_12;
-        slice0window_partial_0_1_13 <= slice0cost_column_0_13 + slice0window_partial_0_0_13;
-        slice0window_partial_0_1_14 <= slice0cost_column_0_14 + slice0window_partial_0_0_14;
-        slice0window_partial_0_1_15 <= slice0cost_column_0_15 + slice0window_partial_0_0_15;
-        slice0window_partial_0_1_16 <= slice0cost_column_0_16 + slice0window_partial_0_0_16;
-        slice0window_partial_0_1_17 <= slice0cost_column_0_17 + slice0window_partial_0_0_17;
-        slice0window_partial_0_1_18 <= slice0cost_column_0_18 + slice0window_partial_0_0_18;
-        slice0window_partial_0_1_19 <= slice0cost_column_0_19 + slice0window_partial_0_0_19;
-        slice0window_partial_0_1_20 <= slice0cost_column_0_20 + slice0window_partial_0_0_20;
-        slice0window_partial_0_1_21 <= slice0cost_column_0_21 + slice0window_partial_0_0_21;
-        slice0window_partial_0_1_22 <= slice0cost_column_0_22 + slice0window_partial_0_0_22;
-        slice0window_partial_0_1_23 <= slice0cost_column_0_23 + slice0window_partial_0_0_23;
-        slice0window_partial_0_1_24 <= slice0cost_column_0_24 + slice0window_partial_0_0_24;
-        slice0window_partial_1_0_0 <= slice0cost_column_1_0;
-        slice0window_partial_1_0_1 <= slice0cost_column_1_1;
-        slice0window_partial_1_0_2 <= slice0cost_column_1_2;
-        slice0window_partial_1_0_3 <= slice0cost_column_1_3;
-        slice0window_partial_1_0_4 <= slice0cost_column_1_4;
-        slice0window_partial_1_0_5 <= slice0cost_column_1_5;
-        slice0window_partial_1_0_6 <= slice0cost_column_1_6;
-        slice0window_partial_1_0_7 <= slice0cost_column_1_7;
-        slice0window_partial_1_0_8 <= slice0cost_column_1_8;
-        slice0window_partial_1_0_9 <= slice0cost_column_1_9;
-        slice0window_partial_1_0_10 <= slice0cost_column_1_10;
-        slice0window_partial_1_0_11 <= slice0cost_column_1_11;
-        slice0window_partial_1_0_12 <= slice0cost_column_1_12;
-        slice0window_partial_1_0_13 <= slice0cost_column_1_13;
-        slice0window_partial_1_0_14 <= slice0cost_column_1_14;
-        slice0window_partial_1_0_15 <= slice0cost_column_1_15;
-        slice0window_partial_1_0_16 <= slice0cost_column_1_16;
-        slice0window_partial_1_0_17 <= slice0cost_column_1_17;
-        slice0window_partial_1_0_18 <= slice0cost_column_1_18;
-        slice0window_partial_1_0_19 <= slice0cost_column_1_19;
-        slice0window_partial_1_0_20 <= slice0cost_column_1_20;
-        slice0window_partial_1_0_21 <= slice0cost_column_1_21;
-        slice0window_partial_1_0_22 <= slice0cost_column_1_22;
-        slice0window_partial_1_0_23 <= slice0cost_column_1_23;
-        slice0window_partial_1_0_24 <= slice0cost_column_1_24;
-        slice0window_partial_1_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_0_0;
-        slice0window_partial_1_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_0_1;
-        slice0window_partial_1_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_0_2;
-        slice0window_partial_1_1_3 <= slice0cost_column_1_3 + slice0window_partial_1_0_3;
-        slice0window_partial_1_1_4 <= slice0cost_column_1_4 + slice0window_partial_1_0_4;
-        slice0window_partial_1_1_5 <= slice0cost_column_1_5 + slice0window_partial_1_0_5;
-        slice0window_partial_1_1_6 <= slice0cost_column_1_6 + slice0window_partial_1_0_6;
-        slice0window_partial_1_1_7 <= slice0cost_column_1_7 + slice0window_partial_1_0_7;
-        slice0window_partial_1_1_8 <= slice0cost_column_1_8 + slice0window_partial_1_0_8;
-        slice0window_partial_1_1_9 <= slice0cost_column_1_9 + slice0window_partial_1_0_9;
-        slice0window_partial_1_1_10 <= slice0cost_column_1_10 + slice0window_partial_1_0_10;
-        slice0window_partial_1_1_11 <= slice0cost_column_1_11 + slice0window_partial_1_0_11;
-        slice0window_partial_1_1_12 <= slice0cost_column_1_12 + slice0window_partial_1_0_12;
-        slice0window_partial_1_1_13 <= slice0cost_column_1_13 + slice0window_partial_1_0_13;
-        slice0window_partial_1_1_14 <= slice0cost_column_1_14 + slice0window_partial_1_0_14;
-        slice0window_partial_1_1_15 <= slice0cost_column_1_15 + slice0window_partial_1_0_15;
-        slice0window_partial_1_1_16 <= slice0cost_column_1_16 + slice0window_partial_1_0_16;
-        slice0window_partial_1_1_17 <= slice0cost_column_1_17 + slice0window_partial_1_0_17;
-        slice0window_partial_1_1_18 <= slice0cost_column_1_18 + slice0window_partial_1_0_18;
-        slice0window_partial_1_1_19 <= slice0cost_column_1_19 + slice0window_partial_1_0_19;
-        slice0window_partial_1_1_20 <= slice0cost_column_1_20 + slice0window_partial_1_0_20;
-        slice0window_partial_1_1_21 <= slice0cost_column_1_21 + slice0window_partial_1_0_21;
-        slice0window_partial_1_1_22 <= slice0cost_column_1_22 + slice0window_partial_1_0_22;
-        slice0window_partial_1_1_23 <= slice0cost_column_1_23 + slice0window_partial_1_0_23;
-        slice0window_partial_1_1_24 <= slice0cost_column_1_24 + slice0window_partial_1_0_24;
+        for i in 0 to 24 loop
+          slice0window_partial_0_0(i) <= slice0cost_column_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice0window_partial_0_1(i) <= slice0cost_column_0(i) + slice0window_partial_0_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice0window_partial_1_0(i) <= slice0cost_column_1(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice0window_partial_1_1(i) <= slice0cost_column_1(i) + slice0window_partial_1_0(i);
+        end loop;
       end if;
       slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
       slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
       slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
-      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
-      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
-      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
-      slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_1_3;
-      slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
-      slice0window_sum_0_5 <= slice0cost_column_0_5 + slice0window_partial_0_1_5;
-      slice0window_sum_0_6 <= slice0cost_column_0_6 + slice0window_partial_0_1_6;
-      slice0window_sum_0_7 <= slice0cost_column_0_7 + slice0window_partial_0_1_7;
-      slice0window_sum_0_8 <= slice0cost_column_0_8 + slice0window_partial_0_1_8;
-      slice0window_sum_0_9 <= slice0cost_column_0_9 + slice0window_partial_0_1_9;
-      slice0window_sum_0_10 <= slice0cost_column_0_10 + slice0window_partial_0_1_10;
-      slice0window_sum_0_11 <= slice0cost_column_0_11 + slice0window_partial_0_1_11;
-      slice0window_sum_0_12 <= slice0cost_column_0_12 + slice0window_partial_0_1_12;
-      slice0window_sum_0_13 <= slice0cost_column_0_13 + slice0window_partial_0_1_13;
-      slice0window_sum_0_14 <= slice0cost_column_0_14 + slice0window_partial_0_1_14;
-      slice0window_sum_0_15 <= slice0cost_column_0_15 + slice0window_partial_0_1_15;
-      slice0window_sum_0_16 <= slice0cost_column_0_16 + slice0window_partial_0_1_16;
-      slice0window_sum_0_17 <= slice0cost_column_0_17 + slice0window_partial_0_1_17;
-      slice0window_sum_0_18 <= slice0cost_column_0_18 + slice0window_partial_0_1_18;
-      slice0window_sum_0_19 <= slice0cost_column_0_19 + slice0window_partial_0_1_19;
-      slice0window_sum_0_20 <= slice0cost_column_0_20 + slice0window_partial_0_1_20;
-      slice0window_sum_0_21 <= slice0cost_column_0_21 + slice0window_partial_0_1_21;
-      slice0window_sum_0_22 <= slice0cost_column_0_22 + slice0window_partial_0_1_22;
-      slice0window_sum_0_23 <= slice0cost_column_0_23 + slice0window_partial_0_1_23;
-      slice0window_sum_0_24 <= slice0cost_column_0_24 + slice0window_partial_0_1_24;
-      slice0window_sum_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_1_0;
-      slice0window_sum_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_1_1;
-      slice0window_sum_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_1_2;
-      slice0window_sum_1_3 <= slice0cost_column_1_3 + slice0window_partial_1_1_3;
-      slice0window_sum_1_4 <= slice0cost_column_1_4 + slice0window_partial_1_1_4;
-      slice0window_sum_1_5 <= slice0cost_column_1_5 + slice0window_partial_1_1_5;
-      slice0window_sum_1_6 <= slice0cost_column_1_6 + slice0window_partial_1_1_6;
-      slice0window_sum_1_7 <= slice0cost_column_1_7 + slice0window_partial_1_1_7;
-      slice0window_sum_1_8 <= slice0cost_column_1_8 + slice0window_partial_1_1_8;
-      slice0window_sum_1_9 <= slice0cost_column_1_9 + slice0window_partial_1_1_9;
-      slice0window_sum_1_10 <= slice0cost_column_1_10 + slice0window_partial_1_1_10;
-      slice0window_sum_1_11 <= slice0cost_column_1_11 + slice0window_partial_1_1_11;
-      slice0window_sum_1_12 <= slice0cost_column_1_12 + slice0window_partial_1_1_12;
-      slice0window_sum_1_13 <= slice0cost_column_1_13 + slice0window_partial_1_1_13;
-      slice0window_sum_1_14 <= slice0cost_column_1_14 + slice0window_partial_1_1_14;
-      slice0window_sum_1_15 <= slice0cost_column_1_15 + slice0window_partial_1_1_15;
-      slice0window_sum_1_16 <= slice0cost_column_1_16 + slice0window_partial_1_1_16;
-      slice0window_sum_1_17 <= slice0cost_column_1_17 + slice0window_partial_1_1_17;
-      slice0window_sum_1_18 <= slice0cost_column_1_18 + slice0window_partial_1_1_18;
-      slice0window_sum_1_19 <= slice0cost_column_1_19 + slice0window_partial_1_1_19;
-      slice0window_sum_1_20 <= slice0cost_column_1_20 + slice0window_partial_1_1_20;
-      slice0window_sum_1_21 <= slice0cost_column_1_21 + slice0window_partial_1_1_21;
-      slice0window_sum_1_22 <= slice0cost_column_1_22 + slice0window_partial_1_1_22;
-      slice0window_sum_1_23 <= slice0cost_column_1_23 + slice0window_partial_1_1_23;
-      slice0window_sum_1_24 <= slice0cost_column_1_24 + slice0window_partial_1_1_24;
+      for i in 0 to 24 loop
+        slice0window_sum_0(i) <= slice0cost_column_0(i) + slice0window_partial_0_1(i);
+      end loop;
+      for i in 0 to 24 loop
+        slice0window_sum_1(i) <= slice0cost_column_1(i) + slice0window_partial_1_1(i);
+      end loop;
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_output_column <= slice0window_centre_output_column_0;
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
-      slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_best_cost_0_8_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
-      slice0winner1_best_cost_0_9_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
-      slice0winner1_best_cost_0_10_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
-      slice0winner1_best_cost_0_11_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
-      slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
-      slice0winner1_best_cost_1_1_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
-      slice0winner1_best_cost_1_2_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
-      slice0winner1_best_cost_1_3_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
-      slice0winner1_best_cost_1_4_is_less := (slice0window_sum_1_9 - slice0window_sum_1_8) < 0;
-      slice0winner1_best_cost_1_5_is_less := (slice0window_sum_1_11 - slice0window_sum_1_10) < 0;
-      slice0winner1_best_cost_1_6_is_less := (slice0window_sum_1_13 - slice0window_sum_1_12) < 0;
-      slice0winner1_best_cost_1_7_is_less := (slice0window_sum_1_15 - slice0window_sum_1_14) < 0;
-      slice0winner1_best_cost_1_8_is_less := (slice0window_sum_1_17 - slice0window_sum_1_16) < 0;
-      slice0winner1_best_cost_1_9_is_less := (slice0window_sum_1_19 - slice0window_sum_1_18) < 0;
-      slice0winner1_best_cost_1_10_is_less := (slice0window_sum_1_21 - slice0window_sum_1_20) < 0;
-      slice0winner1_best_cost_1_11_is_less := (slice0window_sum_1_23 - slice0window_sum_1_22) < 0;
-      slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
-      slice0winner1_best_cost_1_12 <= slice0window_sum_1_24;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      for i in 0 to 11 loop
+        slice0winner1_best_cost_is_less(0, i) := (slice0window_sum_0(2 * i + 1) - slice0window_sum_0(2 * i)) < 0;
+      end loop;
+      for i in 0 to 11 loop
+        slice0winner1_best_cost_is_less(1, i) := (slice0window_sum_1(2 * i + 1) - slice0window_sum_1(2 * i)) < 0;
+      end loop;
+      slice0winner1_best_cost_0(12) <= slice0window_sum_0(24);
+      slice0winner1_best_cost_1(12) <= slice0window_sum_1(24);
+      slice0winner1_best_index_0(0) <= slice0winner1_best_cost_is_less(0, 0);
       slice0winner1_best_index_0_12 <= 24;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
+      slice0winner1_best_index_0(1) <= slice0winner1_best_cost_is_less(1, 0);
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_output_column <= slice0window_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
-      if slice0winner1_best_cost_0_0_is_less then
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      if slice0winner1_best_cost_is_less(0, 0) then
+        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
       else
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
       end if;
-      if slice0winner1_best_cost_0_1_is_less then
-        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
-        slice0winner1_best_index_0_1 <= 3;
+      if slice0winner1_best_cost_is_less(0, 1) then
+        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
+        slice0winner1_best_index_1(0) <= 3;
       else
-        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-        slice0winner1_best_index_0_1 <= 2;
+        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
+        slice0winner1_best_index_1(0) <= 2;
       end if;
-      if slice0winner1_best_cost_0_2_is_less then
-        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
-        slice0winner1_best_index_0_2 <= 5;
+      if slice0winner1_best_cost_is_less(0, 2) then
+        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
+        slice0winner1_best_index_2(0) <= 5;
       else
-        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
-        slice0winner1_best_index_0_2 <= 4;
+        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
+        slice0winner1_best_index_2(0) <= 4;
       end if;
-      if slice0winner1_best_cost_0_3_is_less then
-        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
-        slice0winner1_best_index_0_3 <= 7;
+      if slice0winner1_best_cost_is_less(0, 3) then
+        slice0winner1_best_cost_0(3) <= slice0window_sum_0(7);
+        slice0winner1_best_index_3(0) <= 7;
       else
-        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
-        slice0winner1_best_index_0_3 <= 6;
+        slice0winner1_best_cost_0(3) <= slice0window_sum_0(6);
+        slice0winner1_best_index_3(0) <= 6;
       end if;
-      if slice0winner1_best_cost_0_4_is_less then
-        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
-        slice0winner1_best_index_0_4 <= 9;
+      if slice0winner1_best_cost_is_less(0, 4) then
+        slice0winner1_best_cost_0(4) <= slice0window_sum_0(9);
+        slice0winner1_best_index_4(0) <= 9;
       else
-        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
-        slice0winner1_best_index_0_4 <= 8;
+        slice0winner1_best_cost_0(4) <= slice0window_sum_0(8);
+        slice0winner1_best_index_4(0) <= 8;
       end if;
-      if slice0winner1_best_cost_0_5_is_less then
-        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
-        slice0winner1_best_index_0_5 <= 11;
+      if slice0winner1_best_cost_is_less(0, 5) then
+        slice0winner1_best_cost_0(5) <= slice0window_sum_0(11);
+        slice0winner1_best_index_5(0) <= 11;
       else
-        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
-        slice0winner1_best_index_0_5 <= 10;
+        slice0winner1_best_cost_0(5) <= slice0window_sum_0(10);
+        slice0winner1_best_index_5(0) <= 10;
       end if;
-      if slice0winner1_best_cost_0_6_is_less then
-        slice0winner1_best_cost_0_6 <= slice0window_sum_0_13;
-        slice0winner1_best_index_0_6 <= 13;
+      if slice0winner1_best_cost_is_less(0, 6) then
+        slice0winner1_best_cost_0(6) <= slice0window_sum_0(13);
+        slice0winner1_best_index_6(0) <= 13;
       else
-        slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
-        slice0winner1_best_index_0_6 <= 12;
+        slice0winner1_best_cost_0(6) <= slice0window_sum_0(12);
+        slice0winner1_best_index_6(0) <= 12;
       end if;
-      if slice0winner1_best_cost_0_7_is_less then
-        slice0winner1_best_cost_0_7 <= slice0window_sum_0_15;
-        slice0winner1_best_index_0_7 <= 15;
+      if slice0winner1_best_cost_is_less(0, 7) then
+        slice0winner1_best_cost_0(7) <= slice0window_sum_0(15);
+        slice0winner1_best_index_7(0) <= 15;
       else
-        slice0winner1_best_cost_0_7 <= slice0window_sum_0_14;
-        slice0winner1_best_index_0_7 <= 14;
+        slice0winner1_best_cost_0(7) <= slice0window_sum_0(14);
+        slice0winner1_best_index_7(0) <= 14;
       end if;
-      if slice0winner1_best_cost_0_8_is_less then
-        slice0winner1_best_cost_0_8 <= slice0window_sum_0_17;
-        slice0winner1_best_index_0_8 <= 17;
+      if slice0winner1_best_cost_is_less(0, 8) then
+        slice0winner1_best_cost_0(8) <= slice0window_sum_0(17);
+        slice0winner1_best_index_8(0) <= 17;
       else
-        slice0winner1_best_cost_0_8 <= slice0window_sum_0_16;
-        slice0winner1_best_index_0_8 <= 16;
+        slice0winner1_best_cost_0(8) <= slice0window_sum_0(16);
+        slice0winner1_best_index_8(0) <= 16;
       end if;
-      if slice0winner1_best_cost_0_9_is_less then
-        slice0winner1_best_cost_0_9 <= slice0window_sum_0_19;
-        slice0winner1_best_index_0_9 <= 19;
+      if slice0winner1_best_cost_is_less(0, 9) then
+        slice0winner1_best_cost_0(9) <= slice0window_sum_0(19);
+        slice0winner1_best_index_9(0) <= 19;
       else
-        slice0winner1_best_cost_0_9 <= slice0window_sum_0_18;
-        slice0winner1_best_index_0_9 <= 18;
+        slice0winner1_best_cost_0(9) <= slice0window_sum_0(18);
+        slice0winner1_best_index_9(0) <= 18;
       end if;
-      if slice0winner1_best_cost_0_10_is_less then
-        slice0winner1_best_cost_0_10 <= slice0window_sum_0_21;
-        slice0winner1_best_index_0_10 <= 21;
+      if slice0winner1_best_cost_is_less(0, 10) then
+        slice0winner1_best_cost_0(10) <= slice0window_sum_0(21);
+        slice0winner1_best_index_10(0) <= 21;
       else
-        slice0winner1_best_cost_0_10 <= slice0window_sum_0_20;
-        slice0winner1_best_index_0_10 <= 20;
+        slice0winner1_best_cost_0(10) <= slice0window_sum_0(20);
+        slice0winner1_best_index_10(0) <= 20;
       end if;
-      if slice0winner1_best_cost_0_11_is_less then
-        slice0winner1_best_cost_0_11 <= slice0window_sum_0_23;
-        slice0winner1_best_index_0_11 <= 23;
+      if slice0winner1_best_cost_is_less(0, 11) then
+        slice0winner1_best_cost_0(11) <= slice0window_sum_0(23);
+        slice0winner1_best_index_11(0) <= 23;
       else
-        slice0winner1_best_cost_0_11 <= slice0window_sum_0_22;
-        slice0winner1_best_index_0_11 <= 22;
+        slice0winner1_best_cost_0(11) <= slice0window_sum_0(22);
+        slice0winner1_best_index_11(0) <= 22;
       end if;
-      if slice0winner1_best_cost_1_0_is_less then
-        slice0winner1_best_cost_1_0 <= slice0window_sum_1_1;
+      if slice0winner1_best_cost_is_less(1, 0) then
+        slice0winner1_best_cost_1(0) <= slice0window_sum_1(1);
       else
-        slice0winner1_best_cost_1_0 <= slice0window_sum_1_0;
+        slice0winner1_best_cost_1(0) <= slice0window_sum_1(0);
       end if;
-      if slice0winner1_best_cost_1_1_is_less then
-        slice0winner1_best_cost_1_1 <= slice0window_sum_1_3;
-        slice0winner1_best_index_1_1 <= 3;
+      if slice0winner1_best_cost_is_less(1, 1) then
+        slice0winner1_best_cost_1(1) <= slice0window_sum_1(3);
+        slice0winner1_best_index_1(1) <= 3;
       else
-        slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-        slice0winner1_best_index_1_1 <= 2;
+        slice0winner1_best_cost_1(1) <= slice0window_sum_1(2);
+        slice0winner1_best_index_1(1) <= 2;
       end if;
-      if slice0winner1_best_cost_1_2_is_less then
-        slice0winner1_best_cost_1_2 <= slice0window_sum_1_5;
-        slice0winner1_best_index_1_2 <= 5;
+      if slice0winner1_best_cost_is_less(1, 2) then
+        slice0winner1_best_cost_1(2) <= slice0window_sum_1(5);
+        slice0winner1_best_index_2(1) <= 5;
       else
-        slice0winner1_best_cost_1_2 <= slice0window_sum_1_4;
-        slice0winner1_best_index_1_2 <= 4;
+        slice0winner1_best_cost_1(2) <= slice0window_sum_1(4);
+        slice0winner1_best_index_2(1) <= 4;
       end if;
-      if slice0winner1_best_cost_1_3_is_less then
-        slice0winner1_best_cost_1_3 <= slice0window_sum_1_7;
-        slice0winner1_best_index_1_3 <= 7;
+      if slice0winner1_best_cost_is_less(1, 3) then
+        slice0winner1_best_cost_1(3) <= slice0window_sum_1(7);
+        slice0winner1_best_index_3(1) <= 7;
       else
-        slice0winner1_best_cost_1_3 <= slice0window_sum_1_6;
-        slice0winner1_best_index_1_3 <= 6;
+        slice0winner1_best_cost_1(3) <= slice0window_sum_1(6);
+        slice0winner1_best_index_3(1) <= 6;
       end if;
-      if slice0winner1_best_cost_1_4_is_less then
-        slice0winner1_best_cost_1_4 <= slice0window_sum_1_9;
-        slice0winner1_best_index_1_4 <= 9;
+      if slice0winner1_best_cost_is_less(1, 4) then
+        slice0winner1_best_cost_1(4) <= slice0window_sum_1(9);
+        slice0winner1_best_index_4(1) <= 9;
       else
-        slice0winner1_best_cost_1_4 <= slice0window_sum_1_8;
-        slice0winner1_best_index_1_4 <= 8;
+        slice0winner1_best_cost_1(4) <= slice0window_sum_1(8);
+        slice0winner1_best_index_4(1) <= 8;
       end if;
-      if slice0winner1_best_cost_1_5_is_less then
-        slice0winner1_best_cost_1_5 <= slice0window_sum_1_11;
-        slice0winner1_best_index_1_5 <= 11;
+      if slice0winner1_best_cost_is_less(1, 5) then
+        slice0winner1_best_cost_1(5) <= slice0window_sum_1(11);
+        slice0winner1_best_index_5(1) <= 11;
       else
-        slice0winner1_best_cost_1_5 <= slice0window_sum_1_10;
-        slice0winner1_best_index_1_5 <= 10;
+        slice0winner1_best_cost_1(5) <= slice0window_sum_1(10);
+        slice0winner1_best_index_5(1) <= 10;
       end if;
-      if slice0winner1_best_cost_1_6_is_less then
-        slice0winner1_best_cost_1_6 <= slice0window_sum_1_13;
-        slice0winner1_best_index_1_6 <= 13;
+      if slice0winner1_best_cost_is_less(1, 6) then
+        slice0winner1_best_cost_1(6) <= slice0window_sum_1(13);
+        slice0winner1_best_index_6(1) <= 13;
       else
-        slice0winner1_best_cost_1_6 <= slice0window_sum_1_12;
-        slice0winner1_best_index_1_6 <= 12;
+        slice0winner1_best_cost_1(6) <= slice0window_sum_1(12);
+        slice0winner1_best_index_6(1) <= 12;
       end if;
-      if slice0winner1_best_cost_1_7_is_less then
-        slice0winner1_best_cost_1_7 <= slice0window_sum_1_15;
-        slice0winner1_best_index_1_7 <= 15;
+      if slice0winner1_best_cost_is_less(1, 7) then
+        slice0winner1_best_cost_1(7) <= slice0window_sum_1(15);
+        slice0winner1_best_index_7(1) <= 15;
       else
-        slice0winner1_best_cost_1_7 <= slice0window_sum_1_14;
-        slice0winner1_best_index_1_7 <= 14;
+        slice0winner1_best_cost_1(7) <= slice0window_sum_1(14);
+        slice0winner1_best_index_7(1) <= 14;
       end if;
-      if slice0winner1_best_cost_1_8_is_less then
-        slice0winner1_best_cost_1_8 <= slice0window_sum_1_17;
-        slice0winner1_best_index_1_8 <= 17;
+      if slice0winner1_best_cost_is_less(1, 8) then
+        slice0winner1_best_cost_1(8) <= slice0window_sum_1(17);
+        slice0winner1_best_index_8(1) <= 17;
       else
-        slice0winner1_best_cost_1_8 <= slice0window_sum_1_16;
-        slice0winner1_best_index_1_8 <= 16;
+        slice0winner1_best_cost_1(8) <= slice0window_sum_1(16);
+        slice0winner1_best_index_8(1) <= 16;
       end if;
-      if slice0winner1_best_cost_1_9_is_less then
-        slice0winner1_best_cost_1_9 <= slice0window_sum_1_19;
-        slice0winner1_best_index_1_9 <= 19;
+      if slice0winner1_best_cost_is_less(1, 9) then
+        slice0winner1_best_cost_1(9) <= slice0window_sum_1(19);
+        slice0winner1_best_index_9(1) <= 19;
       else
-        slice0winner1_best_cost_1_9 <= slice0window_sum_1_18;
-        slice0winner1_best_index_1_9 <= 18;
+        slice0winner1_best_cost_1(9) <= slice0window_sum_1(18);
+        slice0winner1_best_index_9(1) <= 18;
       end if;
-      if slice0winner1_best_cost_1_10_is_less then
-        slice0winner1_best_cost_1_10 <= slice0window_sum_1_21;
-        slice0winner1_best_index_1_10 <= 21;
+      if slice0winner1_best_cost_is_less(1, 10) then
+        slice0winner1_best_cost_1(10) <= slice0window_sum_1(21);
+        slice0winner1_best_index_10(1) <= 21;
       else
-        slice0winner1_best_cost_1_10 <= slice0window_sum_1_20;
-        slice0winner1_best_index_1_10 <= 20;
+        slice0winner1_best_cost_1(10) <= slice0window_sum_1(20);
+        slice0winner1_best_index_10(1) <= 20;
       end if;
-      if slice0winner1_best_cost_1_11_is_less then
-        slice0winner1_best_cost_1_11 <= slice0window_sum_1_23;
-        slice0winner1_best_index_1_11 <= 23;
+      if slice0winner1_best_cost_is_less(1, 11) then
+        slice0winner1_best_cost_1(11) <= slice0window_sum_1(23);
+        slice0winner1_best_index_11(1) <= 23;
       else
-        slice0winner1_best_cost_1_11 <= slice0window_sum_1_22;
-        slice0winner1_best_index_1_11 <= 22;
+        slice0winner1_best_cost_1(11) <= slice0window_sum_1(22);
+        slice0winner1_best_index_11(1) <= 22;
       end if;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
-      slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
-      slice0winner2_best_cost_0_4_is_less := (slice0winner1_best_cost_0_9 - slice0winner1_best_cost_0_8) < 0;
-      slice0winner2_best_cost_0_5_is_less := (slice0winner1_best_cost_0_11 - slice0winner1_best_cost_0_10) < 0;
-      slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
-      slice0winner2_best_cost_1_1_is_less := (slice0winner1_best_cost_1_3 - slice0winner1_best_cost_1_2) < 0;
-      slice0winner2_best_cost_1_2_is_less := (slice0winner1_best_cost_1_5 - slice0winner1_best_cost_1_4) < 0;
-      slice0winner2_best_cost_1_3_is_less := (slice0winner1_best_cost_1_7 - slice0winner1_best_cost_1_6) < 0;
-      slice0winner2_best_cost_1_4_is_less := (slice0winner1_best_cost_1_9 - slice0winner1_best_cost_1_8) < 0;
-      slice0winner2_best_cost_1_5_is_less := (slice0winner1_best_cost_1_11 - slice0winner1_best_cost_1_10) < 0;
-      slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
-      slice0winner2_best_cost_1_6 <= slice0winner1_best_cost_1_12;
+      for i in 0 to 5 loop
+        slice0winner2_best_cost_is_less(0, i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      for i in 0 to 5 loop
+        slice0winner2_best_cost_is_less(1, i) := (slice0winner1_best_cost_1(2 * i + 1) - slice0winner1_best_cost_1(2 *
+          i)) < 0;
+      end loop;
+      slice0winner2_best_cost_0(6) <= slice0winner1_best_cost_0(12);
+      slice0winner2_best_cost_1(6) <= slice0winner1_best_cost_1(12);
       slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      if slice0winner2_best_cost_0_0_is_less then
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
-        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      if slice0winner2_best_cost_is_less(0, 0) then
+        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
+        slice0winner2_best_index_0(0) <= slice0winner1_best_index_1(0);
       else
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
-        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
+        slice0winner2_best_index_0(0) <= as_number(slice0winner1_best_index_0(0));
       end if;
-      if slice0winner2_best_cost_0_1_is_less then
-        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+      if slice0winner2_best_cost_is_less(0, 1) then
+        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
+        slice0winner2_best_index_1(0) <= slice0winner1_best_index_3(0);
       else
-        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
+        slice0winner2_best_index_1(0) <= slice0winner1_best_index_2(0);
       end if;
-      if slice0winner2_best_cost_0_2_is_less then
-        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
+      if slice0winner2_best_cost_is_less(0, 2) then
+        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(5);
+        slice0winner2_best_index_2(0) <= slice0winner1_best_index_5(0);
       else
-        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
+        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(4);
+        slice0winner2_best_index_2(0) <= slice0winner1_best_index_4(0);
       end if;
-      if slice0winner2_best_cost_0_3_is_less then
-        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7;
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
+      if slice0winner2_best_cost_is_less(0, 3) then
+        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(7);
+        slice0winner2_best_index_3(0) <= slice0winner1_best_index_7(0);
       else
-        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
+        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(6);
+        slice0winner2_best_index_3(0) <= slice0winner1_best_index_6(0);
       end if;
-      if slice0winner2_best_cost_0_4_is_less then
-        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9;
-        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9;
+      if slice0winner2_best_cost_is_less(0, 4) then
+        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(9);
+        slice0winner2_best_index_4(0) <= slice0winner1_best_index_9(0);
       else
-        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_8;
-        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
+        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(8);
+        slice0winner2_best_index_4(0) <= slice0winner1_best_index_8(0);
       end if;
-      if slice0winner2_best_cost_0_5_is_less then
-        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11;
-        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11;
+      if slice0winner2_best_cost_is_less(0, 5) then
+        slice0winner2_best_cost_0(5) <= slice0winner1_best_cost_0(11);
+        slice0winner2_best_index_5(0) <= slice0winner1_best_index_11(0);
       else
-        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_10;
-        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_10;
+        slice0winner2_best_cost_0(5) <= slice0winner1_best_cost_0(10);
+        slice0winner2_best_index_5(0) <= slice0winner1_best_index_10(0);
       end if;
-      if slice0winner2_best_cost_1_0_is_less then
-        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1;
-        slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1;
+      if slice0winner2_best_cost_is_less(1, 0) then
+        slice0winner2_best_cost_1(0) <= slice0winner1_best_cost_1(1);
+        slice0winner2_best_index_0(1) <= slice0winner1_best_index_1(1);
       else
-        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_0;
-        slice0winner2_best_index_1_0 <= as_number(slice0winner1_best_index_1_0);
+        slice0winner2_best_cost_1(0) <= slice0winner1_best_cost_1(0);
+        slice0winner2_best_index_0(1) <= as_number(slice0winner1_best_index_0(1));
       end if;
-      if slice0winner2_best_cost_1_1_is_less then
-        slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3;
-        slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3;
+      if slice0winner2_best_cost_is_less(1, 1) then
+        slice0winner2_best_cost_1(1) <= slice0winner1_best_cost_1(3);
+        slice0winner2_best_index_1(1) <= slice0winner1_best_index_3(1);
       else
-        slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_2;
-        slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_2;
+        slice0winner2_best_cost_1(1) <= slice0winner1_best_cost_1(2);
+        slice0winner2_best_index_1(1) <= slice0winner1_best_index_2(1);
       end if;
-      if slice0winner2_best_cost_1_2_is_less then
-        slice0winner2_best_cost_1_2 <= slice0winner1_best_cost_1_5;
-        slice0winner2_best_index_1_2 <= slice0winner1_best_index_1_5;
+      if slice0winner2_best_cost_is_less(1, 2) then
+        slice0winner2_best_cost_1(2) <= slice0winner1_best_cost_1(5);
+        slice0winner2_best_index_2(1) <= slice0winner1_best_index_5(1);
       else
-        slice0winner2_best_cost_1_2 <= slice0winner1_best_cost_1_4;
-        slice0winner2_best_index_1_2 <= slice0winner1_best_index_1_4;
+        slice0winner2_best_cost_1(2) <= slice0winner1_best_cost_1(4);
+        slice0winner2_best_index_2(1) <= slice0winner1_best_index_4(1);
       end if;
-      if slice0winner2_best_cost_1_3_is_less then
-        slice0winner2_best_cost_1_3 <= slice0winner1_best_cost_1_7;
-        slice0winner2_best_index_1_3 <= slice0winner1_best_index_1_7;
+      if slice0winner2_best_cost_is_less(1, 3) then
+        slice0winner2_best_cost_1(3) <= slice0winner1_best_cost_1(7);
+        slice0winner2_best_index_3(1) <= slice0winner1_best_index_7(1);
       else
-        slice0winner2_best_cost_1_3 <= slice0winner1_best_cost_1_6;
-        slice0winner2_best_index_1_3 <= slice0winner1_best_index_1_6;
+        slice0winner2_best_cost_1(3) <= slice0winner1_best_cost_1(6);
+        slice0winner2_best_index_3(1) <= slice0winner1_best_index_6(1);
       end if;
-      if slice0winner2_best_cost_1_4_is_less then
-        slice0winner2_best_cost_1_4 <= slice0winner1_best_cost_1_9;
-        slice0winner2_best_index_1_4 <= slice0winner1_best_index_1_9;
+      if slice0winner2_best_cost_is_less(1, 4) then
+        slice0winner2_best_cost_1(4) <= slice0winner1_best_cost_1(9);
+        slice0winner2_best_index_4(1) <= slice0winner1_best_index_9(1);
       else
-        slice0winner2_best_cost_1_4 <= slice0winner1_best_cost_1_8;
-        slice0winner2_best_index_1_4 <= slice0winner1_best_index_1_8;
+        slice0winner2_best_cost_1(4) <= slice0winner1_best_cost_1(8);
+        slice0winner2_best_index_4(1) <= slice0winner1_best_index_8(1);
       end if;
-      if slice0winner2_best_cost_1_5_is_less then
-        slice0winner2_best_cost_1_5 <= slice0winner1_best_cost_1_11;
-        slice0winner2_best_index_1_5 <= slice0winner1_best_index_1_11;
+      if slice0winner2_best_cost_is_less(1, 5) then
+        slice0winner2_best_cost_1(5) <= slice0winner1_best_cost_1(11);
+        slice0winner2_best_index_5(1) <= slice0winner1_best_index_11(1);
       else
-        slice0winner2_best_cost_1_5 <= slice0winner1_best_cost_1_10;
-        slice0winner2_best_index_1_5 <= slice0winner1_best_index_1_10;
+        slice0winner2_best_cost_1(5) <= slice0winner1_best_cost_1(10);
+        slice0winner2_best_index_5(1) <= slice0winner1_best_index_10(1);
       end if;
       if slice0winner2_tag_valid then
         slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
@@ -3755,5412 +1348,1828 @@ begin
         slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       end if;
       -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
-      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
-      slice0winner3_best_cost_0_2_is_less := (slice0winner2_best_cost_0_5 - slice0winner2_best_cost_0_4) < 0;
-      slice0winner3_best_cost_1_0_is_less := (slice0winner2_best_cost_1_1 - slice0winner2_best_cost_1_0) < 0;
-      slice0winner3_best_cost_1_1_is_less := (slice0winner2_best_cost_1_3 - slice0winner2_best_cost_1_2) < 0;
-      slice0winner3_best_cost_1_2_is_less := (slice0winner2_best_cost_1_5 - slice0winner2_best_cost_1_4) < 0;
-      slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
-      slice0winner3_best_cost_1_3 <= slice0winner2_best_cost_1_6;
+      for i in 0 to 2 loop
+        slice0winner3_best_cost_is_less(0, i) := (slice0winner2_best_cost_0(2 * i + 1) - slice0winner2_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      for i in 0 to 2 loop
+        slice0winner3_best_cost_is_less(1, i) := (slice0winner2_best_cost_1(2 * i + 1) - slice0winner2_best_cost_1(2 *
+          i)) < 0;
+      end loop;
+      slice0winner3_best_cost_0(3) <= slice0winner2_best_cost_0(6);
+      slice0winner3_best_cost_1(3) <= slice0winner2_best_cost_1(6);
       slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      if slice0winner3_best_cost_0_0_is_less then
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+      if slice0winner3_best_cost_is_less(0, 0) then
+        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(1);
+        slice0winner3_best_index_0(0) <= slice0winner2_best_index_1(0);
       else
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(0);
+        slice0winner3_best_index_0(0) <= slice0winner2_best_index_0(0);
       end if;
-      if slice0winner3_best_cost_0_1_is_less then
-        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3;
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
+      if slice0winner3_best_cost_is_less(0, 1) then
+        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(3);
+        slice0winner3_best_index_1(0) <= slice0winner2_best_index_3(0);
       else
-        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
+        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(2);
+        slice0winner3_best_index_1(0) <= slice0winner2_best_index_2(0);
       end if;
-      if slice0winner3_best_cost_0_2_is_less then
-        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5;
-        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5;
+      if slice0winner3_best_cost_is_less(0, 2) then
+        slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(5);
+        slice0winner3_best_index_2(0) <= slice0winner2_best_index_5(0);
       else
-        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_4;
-        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
+        slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(4);
+        slice0winner3_best_index_2(0) <= slice0winner2_best_index_4(0);
       end if;
-      if slice0winner3_best_cost_1_0_is_less then
-        slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1;
-        slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1;
+      if slice0winner3_best_cost_is_less(1, 0) then
+        slice0winner3_best_cost_1(0) <= slice0winner2_best_cost_1(1);
+        slice0winner3_best_index_0(1) <= slice0winner2_best_index_1(1);
       else
-        slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_0;
-        slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_0;
+        slice0winner3_best_cost_1(0) <= slice0winner2_best_cost_1(0);
+        slice0winner3_best_index_0(1) <= slice0winner2_best_index_0(1);
       end if;
-      if slice0winner3_best_cost_1_1_is_less then
-        slice0winner3_best_cost_1_1 <= slice0winner2_best_cost_1_3;
-        slice0winner3_best_index_1_1 <= slice0winner2_best_index_1_3;
+      if slice0winner3_best_cost_is_less(1, 1) then
+        slice0winner3_best_cost_1(1) <= slice0winner2_best_cost_1(3);
+        slice0winner3_best_index_1(1) <= slice0winner2_best_index_3(1);
       else
-        slice0winner3_best_cost_1_1 <= slice0winner2_best_cost_1_2;
-        slice0winner3_best_index_1_1 <= slice0winner2_best_index_1_2;
+        slice0winner3_best_cost_1(1) <= slice0winner2_best_cost_1(2);
+        slice0winner3_best_index_1(1) <= slice0winner2_best_index_2(1);
       end if;
-      if slice0winner3_best_cost_1_2_is_less then
-        slice0winner3_best_cost_1_2 <= slice0winner2_best_cost_1_5;
-        slice0winner3_best_index_1_2 <= slice0winner2_best_index_1_5;
+      if slice0winner3_best_cost_is_less(1, 2) then
+        slice0winner3_best_cost_1(2) <= slice0winner2_best_cost_1(5);
+        slice0winner3_best_index_2(1) <= slice0winner2_best_index_5(1);
       else
-        slice0winner3_best_cost_1_2 <= slice0winner2_best_cost_1_4;
-        slice0winner3_best_index_1_2 <= slice0winner2_best_index_1_4;
+        slice0winner3_best_cost_1(2) <= slice0winner2_best_cost_1(4);
+        slice0winner3_best_index_2(1) <= slice0winner2_best_index_4(1);
       end if;
       -- slice0winner4
-      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
-      slice0winner4_best_cost_0_1_is_less := (slice0winner3_best_cost_0_3 - slice0winner3_best_cost_0_2) < 0;
-      slice0winner4_best_cost_1_0_is_less := (slice0winner3_best_cost_1_1 - slice0winner3_best_cost_1_0) < 0;
-      slice0winner4_best_cost_1_1_is_less := (slice0winner3_best_cost_1_3 - slice0winner3_best_cost_1_2) < 0;
+      slice0winner4_best_cost_is_less(0, 0) := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
+      slice0winner4_best_cost_is_less(0, 1) := (slice0winner3_best_cost_0(3) - slice0winner3_best_cost_0(2)) < 0;
+      slice0winner4_best_cost_is_less(1, 0) := (slice0winner3_best_cost_1(1) - slice0winner3_best_cost_1(0)) < 0;
+      slice0winner4_best_cost_is_less(1, 1) := (slice0winner3_best_cost_1(3) - slice0winner3_best_cost_1(2)) < 0;
       slice0winner4_tag_valid <= slice0winner3_tag_valid;
       slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
       slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
       slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
-      if slice0winner4_best_cost_0_0_is_less then
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
+      if slice0winner4_best_cost_is_less(0, 0) then
+        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(1);
+        slice0winner4_best_index_0(0) <= slice0winner3_best_index_1(0);
       else
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
+        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(0);
+        slice0winner4_best_index_0(0) <= slice0winner3_best_index_0(0);
       end if;
-      if slice0winner4_best_cost_0_1_is_less then
-        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3;
-        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      if slice0winner4_best_cost_is_less(0, 1) then
+        slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(3);
+        slice0winner4_best_index_1(0) <= slice0winner3_best_index_0_3;
       else
-        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_2;
-        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
+        slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(2);
+        slice0winner4_best_index_1(0) <= slice0winner3_best_index_2(0);
       end if;
-      if slice0winner4_best_cost_1_0_is_less then
-        slice0winner4_best_cost_1_0 <= slice0winner3_best_cost_1_1;
-        slice0winner4_best_index_1_0 <= slice0winner3_best_index_1_1;
+      if slice0winner4_best_cost_is_less(1, 0) then
+        slice0winner4_best_cost_1(0) <= slice0winner3_best_cost_1(1);
+        slice0winner4_best_index_0(1) <= slice0winner3_best_index_1(1);
       else
-        slice0winner4_best_cost_1_0 <= slice0winner3_best_cost_1_0;
-        slice0winner4_best_index_1_0 <= slice0winner3_best_index_1_0;
+        slice0winner4_best_cost_1(0) <= slice0winner3_best_cost_1(0);
+        slice0winner4_best_index_0(1) <= slice0winner3_best_index_0(1);
       end if;
-      if slice0winner4_best_cost_1_1_is_less then
-        slice0winner4_best_cost_1_1 <= slice0winner3_best_cost_1_3;
-        slice0winner4_best_index_1_1 <= slice0winner3_best_index_0_3;
+      if slice0winner4_best_cost_is_less(1, 1) then
+        slice0winner4_best_cost_1(1) <= slice0winner3_best_cost_1(3);
+        slice0winner4_best_index_1(1) <= slice0winner3_best_index_0_3;
       else
-        slice0winner4_best_cost_1_1 <= slice0winner3_best_cost_1_2;
-        slice0winner4_best_index_1_1 <= slice0winner3_best_index_1_2;
+        slice0winner4_best_cost_1(1) <= slice0winner3_best_cost_1(2);
+        slice0winner4_best_index_1(1) <= slice0winner3_best_index_2(1);
       end if;
       -- slice0winner5
-      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
-      slice0winner5_best_cost_1_0_is_less := (slice0winner4_best_cost_1_1 - slice0winner4_best_cost_1_0) < 0;
+      slice0winner5_best_cost_0_is_less(0) := (slice0winner4_best_cost_0(1) - slice0winner4_best_cost_0(0)) < 0;
+      slice0winner5_best_cost_0_is_less(1) := (slice0winner4_best_cost_1(1) - slice0winner4_best_cost_1(0)) < 0;
       slice0winner5_tag_valid <= slice0winner4_tag_valid;
       slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
       slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
       slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
-      if slice0winner5_best_cost_0_0_is_less then
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1;
-        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1;
+      if slice0winner5_best_cost_0_is_less(0) then
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(1);
+        slice0winner5_best_index_0(0) <= slice0winner4_best_index_1(0);
       else
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_0;
-        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_0;
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(0);
+        slice0winner5_best_index_0(0) <= slice0winner4_best_index_0(0);
       end if;
-      if slice0winner5_best_cost_1_0_is_less then
-        slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1_1;
-        slice0winner5_best_index_1_0 <= slice0winner4_best_index_1_1;
+      if slice0winner5_best_cost_0_is_less(1) then
+        slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1(1);
+        slice0winner5_best_index_0(1) <= slice0winner4_best_index_1(1);
       else
-        slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1_0;
-        slice0winner5_best_index_1_0 <= slice0winner4_best_index_1_0;
+        slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1(0);
+        slice0winner5_best_index_0(1) <= slice0winner4_best_index_0(1);
       end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
       slice0_best_cost_1_0 <= slice0winner5_best_cost_1_0;
-      slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 75;
-      slice0_best_index_1_0 <= slice0winner5_best_index_1_0 + 75;
+      slice0_best_index_0(0) <= slice0winner5_best_index_0(0) + 75;
+      slice0_best_index_0(1) <= slice0winner5_best_index_0(1) + 75;
       slice0_best_tag_valid <= slice0winner5_tag_valid;
       slice0_best_tag_output_column <= slice0winner5_tag_output_column;
       slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
       slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
-        slice1shift_search_0_0 <= slice1shift_search_0_1;
-        slice1shift_search_0_1 <= slice1shift_search_0_2;
-        slice1shift_search_0_2 <= slice1shift_search_0_3;
-        slice1shift_search_0_3 <= slice1shift_search_0_4;
-        slice1shift_search_0_4 <= slice1shift_search_0_5;
-        slice1shift_search_0_5 <= slice1shift_search_0_6;
-        slice1shift_search_0_6 <= slice1shift_search_0_7;
-        slice1shift_search_0_7 <= slice1shift_search_0_8;
-        slice1shift_search_0_8 <= slice1shift_search_0_9;
-        slice1shift_search_0_9 <= slice1shift_search_0_10;
-        slice1shift_search_0_10 <= slice1shift_search_0_11;
-        slice1shift_search_0_11 <= slice1shift_search_0_12;
-        slice1shift_search_0_12 <= slice1shift_search_0_13;
-        slice1shift_search_0_13 <= slice1shift_search_0_14;
-        slice1shift_search_0_14 <= slice1shift_search_0_15;
-        slice1shift_search_0_15 <= slice1shift_search_0_16;
-        slice1shift_search_0_16 <= slice1shift_search_0_17;
-        slice1shift_search_0_17 <= slice1shift_search_0_18;
-        slice1shift_search_0_18 <= slice1shift_search_0_19;
-        slice1shift_search_0_19 <= slice1shift_search_0_20;
-        slice1shift_search_0_20 <= slice1shift_search_0_21;
-        slice1shift_search_0_21 <= slice1shift_search_0_22;
-        slice1shift_search_0_22 <= slice1shift_search_0_23;
-        slice1shift_search_0_23 <= slice1shift_search_0_24;
-        slice1shift_search_0_24 <= slice0shift_search_out_0;
-        slice1shift_search_1_0 <= slice1shift_search_1_1;
-        slice1shift_search_1_1 <= slice1shift_search_1_2;
-        slice1shift_search_1_2 <= slice1shift_search_1_3;
-        slice1shift_search_1_3 <= slice1shift_search_1_4;
-        slice1shift_search_1_4 <= slice1shift_search_1_5;
-        slice1shift_search_1_5 <= slice1shift_search_1_6;
-        slice1shift_search_1_6 <= slice1shift_search_1_7;
-        slice1shift_search_1_7 <= slice1shift_search_1_8;
-        slice1shift_search_1_8 <= slice1shift_search_1_9;
-        slice1shift_search_1_9 <= slice1shift_search_1_10;
-        slice1shift_search_1_10 <= slice1shift_search_1_11;
-        slice1shift_search_1_11 <= slice1shift_search_1_12;
-        slice1shift_search_1_12 <= slice1shift_search_1_13;
-        slice1shift_search_1_13 <= slice1shift_search_1_14;
-        slice1shift_search_1_14 <= slice1shift_search_1_15;
-        slice1shift_search_1_15 <= slice1shift_search_1_16;
-        slice1shift_search_1_16 <= slice1shift_search_1_17;
-        slice1shift_search_1_17 <= slice1shift_search_1_18;
-        slice1shift_search_1_18 <= slice1shift_search_1_19;
-        slice1shift_search_1_19 <= slice1shift_search_1_20;
-        slice1shift_search_1_20 <= slice1shift_search_1_21;
-        slice1shift_search_1_21 <= slice1shift_search_1_22;
-        slice1shift_search_1_22 <= slice1shift_search_1_23;
-        slice1shift_search_1_23 <= slice1shift_search_1_24;
-        slice1shift_search_1_24 <= slice0shift_search_out_1;
-        slice1shift_search_2_0 <= slice1shift_search_2_1;
-        slice1shift_search_2_1 <= slice1shift_search_2_2;
-        slice1shift_search_2_2 <= slice1shift_search_2_3;
-        slice1shift_search_2_3 <= slice1shift_search_2_4;
-        slice1shift_search_2_4 <= slice1shift_search_2_5;
-        slice1shift_search_2_5 <= slice1shift_search_2_6;
-        slice1shift_search_2_6 <= slice1shift_search_2_7;
-        slice1shift_search_2_7 <= slice1shift_search_2_8;
-        slice1shift_search_2_8 <= slice1shift_search_2_9;
-        slice1shift_search_2_9 <= slice1shift_search_2_10;
-        slice1shift_search_2_10 <= slice1shift_search_2_11;
-        slice1shift_search_2_11 <= slice1shift_search_2_12;
-        slice1shift_search_2_12 <= slice1shift_search_2_13;
-        slice1shift_search_2_13 <= slice1shift_search_2_14;
-        slice1shift_search_2_14 <= slice1shift_search_2_15;
-        slice1shift_search_2_15 <= slice1shift_search_2_16;
-        slice1shift_search_2_16 <= slice1shift_search_2_17;
-        slice1shift_search_2_17 <= slice1shift_search_2_18;
-        slice1shift_search_2_18 <= slice1shift_search_2_19;
-        slice1shift_search_2_19 <= slice1shift_search_2_20;
-        slice1shift_search_2_20 <= slice1shift_search_2_21;
-        slice1shift_search_2_21 <= slice1shift_search_2_22;
-        slice1shift_search_2_22 <= slice1shift_search_2_23;
-        slice1shift_search_2_23 <= slice1shift_search_2_24;
-        slice1shift_search_2_24 <= slice0shift_search_out_2;
-        slice1shift_search_3_0 <= slice1shift_search_3_1;
-        slice1shift_search_3_1 <= slice1shift_search_3_2;
-        slice1shift_search_3_2 <= slice1shift_search_3_3;
-        slice1shift_search_3_3 <= slice1shift_search_3_4;
-        slice1shift_search_3_4 <= slice1shift_search_3_5;
-        slice1shift_search_3_5 <= slice1shift_search_3_6;
-        slice1shift_search_3_6 <= slice1shift_search_3_7;
-        slice1shift_search_3_7 <= slice1shift_search_3_8;
-        slice1shift_search_3_8 <= slice1shift_search_3_9;
-        slice1shift_search_3_9 <= slice1shift_search_3_10;
-        slice1shift_search_3_10 <= slice1shift_search_3_11;
-        slice1shift_search_3_11 <= slice1shift_search_3_12;
-        slice1shift_search_3_12 <= slice1shift_search_3_13;
-        slice1shift_search_3_13 <= slice1shift_search_3_14;
-        slice1shift_search_3_14 <= slice1shift_search_3_15;
-        slice1shift_search_3_15 <= slice1shift_search_3_16;
-        slice1shift_search_3_16 <= slice1shift_search_3_17;
-        slice1shift_search_3_17 <= slice1shift_search_3_18;
-        slice1shift_search_3_18 <= slice1shift_search_3_19;
-        slice1shift_search_3_19 <= slice1shift_search_3_20;
-        slice1shift_search_3_20 <= slice1shift_search_3_21;
-        slice1shift_search_3_21 <= slice1shift_search_3_22;
-        slice1shift_search_3_22 <= slice1shift_search_3_23;
-        slice1shift_search_3_23 <= slice1shift_search_3_24;
-        slice1shift_search_3_24 <= slice0shift_search_out_3;
+        for i in 0 to 3 loop
+          for j in 0 to 23 loop
+            slice1shift_search(i, j) <= slice1shift_search(i, j + 1);
+          end loop;
+          slice1shift_search(i, 24) <= slice0shift_search_out(i);
+        end loop;
       end if;
-      slice1shift_reference_0 <= slice0shift_reference_0;
-      slice1shift_reference_1 <= slice0shift_reference_1;
-      slice1shift_reference_2 <= slice0shift_reference_2;
-      slice1shift_reference_3 <= slice0shift_reference_3;
-      slice1shift_search_out_0 <= slice1shift_search_0_0;
-      slice1shift_search_out_1 <= slice1shift_search_1_0;
-      slice1shift_search_out_2 <= slice1shift_search_2_0;
-      slice1shift_search_out_3 <= slice1shift_search_3_0;
+      slice1shift_reference(0) <= slice0shift_reference(0);
+      slice1shift_reference(1) <= slice0shift_reference(1);
+      slice1shift_reference(2) <= slice0shift_reference(2);
+      slice1shift_reference(3) <= slice0shift_reference(3);
+      slice1shift_search_out(0) <= slice1shift_search(0, 0);
+      slice1shift_search_out(1) <= slice1shift_search(1, 0);
+      slice1shift_search_out(2) <= slice1shift_search(2, 0);
+      slice1shift_search_out(3) <= slice1shift_search(3, 0);
       -- slice1cost
       if slice0cost_difference_tag_valid then
         slice1cost_signs_difference_column <= slice0cost_signs_difference_column;
       end if;
-      if (slice1cost_signs_ready_words_0 mod 2) = 1 then
-        slice1cost_difference_0_0_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_0_choice := slice1shift_search_0_0;
-      end if;
-      if (slice1cost_signs_ready_words_0 mod 2) = 1 then
-        slice1cost_difference_0_0_choice_2 := slice1shift_search_0_0;
-      else
-        slice1cost_difference_0_0_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_1_value := ((slice1cost_signs_ready_words_0 / 2) mod 2) = 1;
-      if slice1cost_difference_0_1_value then
-        slice1cost_difference_0_1_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_1_choice := slice1shift_search_0_1;
-      end if;
-      if slice1cost_difference_0_1_value then
-        slice1cost_difference_0_1_choice_2 := slice1shift_search_0_1;
-      else
-        slice1cost_difference_0_1_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_2_value := ((slice1cost_signs_ready_words_0 / 4) mod 2) = 1;
-      if slice1cost_difference_0_2_value then
-        slice1cost_difference_0_2_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_2_choice := slice1shift_search_0_2;
-      end if;
-      if slice1cost_difference_0_2_value then
-        slice1cost_difference_0_2_choice_2 := slice1shift_search_0_2;
-      else
-        slice1cost_difference_0_2_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_3_value := ((slice1cost_signs_ready_words_0 / 8) mod 2) = 1;
-      if slice1cost_difference_0_3_value then
-        slice1cost_difference_0_3_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_3_choice := slice1shift_search_0_3;
-      end if;
-      if slice1cost_difference_0_3_value then
-        slice1cost_difference_0_3_choice_2 := slice1shift_search_0_3;
-      else
-        slice1cost_difference_0_3_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_4_value := ((slice1cost_signs_ready_words_0 / 16) mod 2) = 1;
-      if slice1cost_difference_0_4_value then
-        slice1cost_difference_0_4_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_4_choice := slice1shift_search_0_4;
-      end if;
-      if slice1cost_difference_0_4_value then
-        slice1cost_difference_0_4_choice_2 := slice1shift_search_0_4;
-      else
-        slice1cost_difference_0_4_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_5_value := ((slice1cost_signs_ready_words_0 / 32) mod 2) = 1;
-      if slice1cost_difference_0_5_value then
-        slice1cost_difference_0_5_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_5_choice := slice1shift_search_0_5;
-      end if;
-      if slice1cost_difference_0_5_value then
-        slice1cost_difference_0_5_choice_2 := slice1shift_search_0_5;
-      else
-        slice1cost_difference_0_5_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_6_value := ((slice1cost_signs_ready_words_0 / 64) mod 2) = 1;
-      if slice1cost_difference_0_6_value then
-        slice1cost_difference_0_6_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_6_choice := slice1shift_search_0_6;
-      end if;
-      if slice1cost_difference_0_6_value then
-        slice1cost_difference_0_6_choice_2 := slice1shift_search_0_6;
-      else
-        slice1cost_difference_0_6_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_7_value := ((slice1cost_signs_ready_words_0 / 128) mod 2) = 1;
-      if slice1cost_difference_0_7_value then
-        slice1cost_difference_0_7_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_7_choice := slice1shift_search_0_7;
-      end if;
-      if slice1cost_difference_0_7_value then
-        slice1cost_difference_0_7_choice_2 := slice1shift_search_0_7;
-      else
-        slice1cost_difference_0_7_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_8_value := ((slice1cost_signs_ready_words_0 / 256) mod 2) = 1;
-      if slice1cost_difference_0_8_value then
-        slice1cost_difference_0_8_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_8_choice := slice1shift_search_0_8;
-      end if;
-      if slice1cost_difference_0_8_value then
-        slice1cost_difference_0_8_choice_2 := slice1shift_search_0_8;
-      else
-        slice1cost_difference_0_8_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_9_value := ((slice1cost_signs_ready_words_0 / 512) mod 2) = 1;
-      if slice1cost_difference_0_9_value then
-        slice1cost_difference_0_9_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_9_choice := slice1shift_search_0_9;
-      end if;
-      if slice1cost_difference_0_9_value then
-        slice1cost_difference_0_9_choice_2 := slice1shift_search_0_9;
-      else
-        slice1cost_difference_0_9_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_10_value := ((slice1cost_signs_ready_words_0 / 1024) mod 2) = 1;
-      if slice1cost_difference_0_10_value then
-        slice1cost_difference_0_10_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_10_choice := slice1shift_search_0_10;
-      end if;
-      if slice1cost_difference_0_10_value then
-        slice1cost_difference_0_10_choice_2 := slice1shift_search_0_10;
-      else
-        slice1cost_difference_0_10_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_11_value := ((slice1cost_signs_ready_words_0 / 2048) mod 2) = 1;
-      if slice1cost_difference_0_11_value then
-        slice1cost_difference_0_11_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_11_choice := slice1shift_search_0_11;
-      end if;
-      if slice1cost_difference_0_11_value then
-        slice1cost_difference_0_11_choice_2 := slice1shift_search_0_11;
-      else
-        slice1cost_difference_0_11_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_12_value := ((slice1cost_signs_ready_words_0 / 4096) mod 2) = 1;
-      if slice1cost_difference_0_12_value then
-        slice1cost_difference_0_12_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_12_choice := slice1shift_search_0_12;
-      end if;
-      if slice1cost_difference_0_12_value then
-        slice1cost_difference_0_12_choice_2 := slice1shift_search_0_12;
-      else
-        slice1cost_difference_0_12_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_13_value := ((slice1cost_signs_ready_words_0 / 8192) mod 2) = 1;
-      if slice1cost_difference_0_13_value then
-        slice1cost_difference_0_13_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_13_choice := slice1shift_search_0_13;
-      end if;
-      if slice1cost_difference_0_13_value then
-        slice1cost_difference_0_13_choice_2 := slice1shift_search_0_13;
-      else
-        slice1cost_difference_0_13_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_14_value := ((slice1cost_signs_ready_words_0 / 16384) mod 2) = 1;
-      if slice1cost_difference_0_14_value then
-        slice1cost_difference_0_14_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_14_choice := slice1shift_search_0_14;
-      end if;
-      if slice1cost_difference_0_14_value then
-        slice1cost_difference_0_14_choice_2 := slice1shift_search_0_14;
-      else
-        slice1cost_difference_0_14_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_15_value := ((slice1cost_signs_ready_words_0 / 32768) mod 2) = 1;
-      if slice1cost_difference_0_15_value then
-        slice1cost_difference_0_15_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_15_choice := slice1shift_search_0_15;
-      end if;
-      if slice1cost_difference_0_15_value then
-        slice1cost_difference_0_15_choice_2 := slice1shift_search_0_15;
-      else
-        slice1cost_difference_0_15_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_16_value := ((slice1cost_signs_ready_words_0 / 65536) mod 2) = 1;
-      if slice1cost_difference_0_16_value then
-        slice1cost_difference_0_16_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_16_choice := slice1shift_search_0_16;
-      end if;
-      if slice1cost_difference_0_16_value then
-        slice1cost_difference_0_16_choice_2 := slice1shift_search_0_16;
-      else
-        slice1cost_difference_0_16_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_17_value := ((slice1cost_signs_ready_words_0 / 131072) mod 2) = 1;
-      if slice1cost_difference_0_17_value then
-        slice1cost_difference_0_17_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_17_choice := slice1shift_search_0_17;
-      end if;
-      if slice1cost_difference_0_17_value then
-        slice1cost_difference_0_17_choice_2 := slice1shift_search_0_17;
-      else
-        slice1cost_difference_0_17_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_18_value := ((slice1cost_signs_ready_words_0 / 262144) mod 2) = 1;
-      if slice1cost_difference_0_18_value then
-        slice1cost_difference_0_18_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_18_choice := slice1shift_search_0_18;
-      end if;
-      if slice1cost_difference_0_18_value then
-        slice1cost_difference_0_18_choice_2 := slice1shift_search_0_18;
-      else
-        slice1cost_difference_0_18_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_19_value := ((slice1cost_signs_ready_words_0 / 524288) mod 2) = 1;
-      if slice1cost_difference_0_19_value then
-        slice1cost_difference_0_19_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_19_choice := slice1shift_search_0_19;
-      end if;
-      if slice1cost_difference_0_19_value then
-        slice1cost_difference_0_19_choice_2 := slice1shift_search_0_19;
-      else
-        slice1cost_difference_0_19_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_20_value := ((slice1cost_signs_ready_words_0 / 1048576) mod 2) = 1;
-      if slice1cost_difference_0_20_value then
-        slice1cost_difference_0_20_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_20_choice := slice1shift_search_0_20;
-      end if;
-      if slice1cost_difference_0_20_value then
-        slice1cost_difference_0_20_choice_2 := slice1shift_search_0_20;
-      else
-        slice1cost_difference_0_20_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_21_value := ((slice1cost_signs_ready_words_0 / 2097152) mod 2) = 1;
-      if slice1cost_difference_0_21_value then
-        slice1cost_difference_0_21_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_21_choice := slice1shift_search_0_21;
-      end if;
-      if slice1cost_difference_0_21_value then
-        slice1cost_difference_0_21_choice_2 := slice1shift_search_0_21;
-      else
-        slice1cost_difference_0_21_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_22_value := ((slice1cost_signs_ready_words_0 / 4194304) mod 2) = 1;
-      if slice1cost_difference_0_22_value then
-        slice1cost_difference_0_22_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_22_choice := slice1shift_search_0_22;
-      end if;
-      if slice1cost_difference_0_22_value then
-        slice1cost_difference_0_22_choice_2 := slice1shift_search_0_22;
-      else
-        slice1cost_difference_0_22_choice_2 := slice1shift_reference_0;
-      end if;
-      slice1cost_difference_0_23_value := ((slice1cost_signs_ready_words_0 / 8388608) mod 2) = 1;
-      if slice1cost_difference_0_23_value then
-        slice1cost_difference_0_23_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_23_choice := slice1shift_search_0_23;
-      end if;
-      if slice1cost_difference_0_23_value then
-        slice1cost_difference_0_23_choice_2 := slice1shift_search_0_23;
-      else
-        slice1cost_difference_0_23_choice_2 := slice1shift_reference_0;
-      end if;
-      if (slice1cost_signs_ready_words_0 / 16777216) = 1 then
-        slice1cost_difference_0_24_choice := slice1shift_reference_0;
-      else
-        slice1cost_difference_0_24_choice := slice1shift_search_0_24;
-      end if;
-      if (slice1cost_signs_ready_words_0 / 16777216) = 1 then
-        slice1cost_difference_0_24_choice_2 := slice1shift_search_0_24;
-      else
-        slice1cost_difference_0_24_choice_2 := slice1shift_reference_0;
-      end if;
-      if (slice1cost_signs_ready_words_1 mod 2) = 1 then
-        slice1cost_difference_1_0_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_0_choice := slice1shift_search_1_0;
-      end if;
-      if (slice1cost_signs_ready_words_1 mod 2) = 1 then
-        slice1cost_difference_1_0_choice_2 := slice1shift_search_1_0;
-      else
-        slice1cost_difference_1_0_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_1_value := ((slice1cost_signs_ready_words_1 / 2) mod 2) = 1;
-      if slice1cost_difference_1_1_value then
-        slice1cost_difference_1_1_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_1_choice := slice1shift_search_1_1;
-      end if;
-      if slice1cost_difference_1_1_value then
-        slice1cost_difference_1_1_choice_2 := slice1shift_search_1_1;
-      else
-        slice1cost_difference_1_1_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_2_value := ((slice1cost_signs_ready_words_1 / 4) mod 2) = 1;
-      if slice1cost_difference_1_2_value then
-        slice1cost_difference_1_2_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_2_choice := slice1shift_search_1_2;
-      end if;
-      if slice1cost_difference_1_2_value then
-        slice1cost_difference_1_2_choice_2 := slice1shift_search_1_2;
-      else
-        slice1cost_difference_1_2_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_3_value := ((slice1cost_signs_ready_words_1 / 8) mod 2) = 1;
-      if slice1cost_difference_1_3_value then
-        slice1cost_difference_1_3_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_3_choice := slice1shift_search_1_3;
-      end if;
-      if slice1cost_difference_1_3_value then
-        slice1cost_difference_1_3_choice_2 := slice1shift_search_1_3;
-      else
-        slice1cost_difference_1_3_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_4_value := ((slice1cost_signs_ready_words_1 / 16) mod 2) = 1;
-      if slice1cost_difference_1_4_value then
-        slice1cost_difference_1_4_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_4_choice := slice1shift_search_1_4;
-      end if;
-      if slice1cost_difference_1_4_value then
-        slice1cost_difference_1_4_choice_2 := slice1shift_search_1_4;
-      else
-        slice1cost_difference_1_4_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_5_value := ((slice1cost_signs_ready_words_1 / 32) mod 2) = 1;
-      if slice1cost_difference_1_5_value then
-        slice1cost_difference_1_5_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_5_choice := slice1shift_search_1_5;
-      end if;
-      if slice1cost_difference_1_5_value then
-        slice1cost_difference_1_5_choice_2 := slice1shift_search_1_5;
-      else
-        slice1cost_difference_1_5_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_6_value := ((slice1cost_signs_ready_words_1 / 64) mod 2) = 1;
-      if slice1cost_difference_1_6_value then
-        slice1cost_difference_1_6_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_6_choice := slice1shift_search_1_6;
-      end if;
-      if slice1cost_difference_1_6_value then
-        slice1cost_difference_1_6_choice_2 := slice1shift_search_1_6;
-      else
-        slice1cost_difference_1_6_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_7_value := ((slice1cost_signs_ready_words_1 / 128) mod 2) = 1;
-      if slice1cost_difference_1_7_value then
-        slice1cost_difference_1_7_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_7_choice := slice1shift_search_1_7;
-      end if;
-      if slice1cost_difference_1_7_value then
-        slice1cost_difference_1_7_choice_2 := slice1shift_search_1_7;
-      else
-        slice1cost_difference_1_7_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_8_value := ((slice1cost_signs_ready_words_1 / 256) mod 2) = 1;
-      if slice1cost_difference_1_8_value then
-        slice1cost_difference_1_8_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_8_choice := slice1shift_search_1_8;
-      end if;
-      if slice1cost_difference_1_8_value then
-        slice1cost_difference_1_8_choice_2 := slice1shift_search_1_8;
-      else
-        slice1cost_difference_1_8_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_9_value := ((slice1cost_signs_ready_words_1 / 512) mod 2) = 1;
-      if slice1cost_difference_1_9_value then
-        slice1cost_difference_1_9_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_9_choice := slice1shift_search_1_9;
-      end if;
-      if slice1cost_difference_1_9_value then
-        slice1cost_difference_1_9_choice_2 := slice1shift_search_1_9;
-      else
-        slice1cost_difference_1_9_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_10_value := ((slice1cost_signs_ready_words_1 / 1024) mod 2) = 1;
-      if slice1cost_difference_1_10_value then
-        slice1cost_difference_1_10_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_10_choice := slice1shift_search_1_10;
-      end if;
-      if slice1cost_difference_1_10_value then
-        slice1cost_difference_1_10_choice_2 := slice1shift_search_1_10;
-      else
-        slice1cost_difference_1_10_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_11_value := ((slice1cost_signs_ready_words_1 / 2048) mod 2) = 1;
-      if slice1cost_difference_1_11_value then
-        slice1cost_difference_1_11_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_11_choice := slice1shift_search_1_11;
-      end if;
-      if slice1cost_difference_1_11_value then
-        slice1cost_difference_1_11_choice_2 := slice1shift_search_1_11;
-      else
-        slice1cost_difference_1_11_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_12_value := ((slice1cost_signs_ready_words_1 / 4096) mod 2) = 1;
-      if slice1cost_difference_1_12_value then
-        slice1cost_difference_1_12_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_12_choice := slice1shift_search_1_12;
-      end if;
-      if slice1cost_difference_1_12_value then
-        slice1cost_difference_1_12_choice_2 := slice1shift_search_1_12;
-      else
-        slice1cost_difference_1_12_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_13_value := ((slice1cost_signs_ready_words_1 / 8192) mod 2) = 1;
-      if slice1cost_difference_1_13_value then
-        slice1cost_difference_1_13_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_13_choice := slice1shift_search_1_13;
-      end if;
-      if slice1cost_difference_1_13_value then
-        slice1cost_difference_1_13_choice_2 := slice1shift_search_1_13;
-      else
-        slice1cost_difference_1_13_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_14_value := ((slice1cost_signs_ready_words_1 / 16384) mod 2) = 1;
-      if slice1cost_difference_1_14_value then
-        slice1cost_difference_1_14_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_14_choice := slice1shift_search_1_14;
-      end if;
-      if slice1cost_difference_1_14_value then
-        slice1cost_difference_1_14_choice_2 := slice1shift_search_1_14;
-      else
-        slice1cost_difference_1_14_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_15_value := ((slice1cost_signs_ready_words_1 / 32768) mod 2) = 1;
-      if slice1cost_difference_1_15_value then
-        slice1cost_difference_1_15_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_15_choice := slice1shift_search_1_15;
-      end if;
-      if slice1cost_difference_1_15_value then
-        slice1cost_difference_1_15_choice_2 := slice1shift_search_1_15;
-      else
-        slice1cost_difference_1_15_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_16_value := ((slice1cost_signs_ready_words_1 / 65536) mod 2) = 1;
-      if slice1cost_difference_1_16_value then
-        slice1cost_difference_1_16_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_16_choice := slice1shift_search_1_16;
-      end if;
-      if slice1cost_difference_1_16_value then
-        slice1cost_difference_1_16_choice_2 := slice1shift_search_1_16;
-      else
-        slice1cost_difference_1_16_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_17_value := ((slice1cost_signs_ready_words_1 / 131072) mod 2) = 1;
-      if slice1cost_difference_1_17_value then
-        slice1cost_difference_1_17_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_17_choice := slice1shift_search_1_17;
-      end if;
-      if slice1cost_difference_1_17_value then
-        slice1cost_difference_1_17_choice_2 := slice1shift_search_1_17;
-      else
-        slice1cost_difference_1_17_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_18_value := ((slice1cost_signs_ready_words_1 / 262144) mod 2) = 1;
-      if slice1cost_difference_1_18_value then
-        slice1cost_difference_1_18_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_18_choice := slice1shift_search_1_18;
-      end if;
-      if slice1cost_difference_1_18_value then
-        slice1cost_difference_1_18_choice_2 := slice1shift_search_1_18;
-      else
-        slice1cost_difference_1_18_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_19_value := ((slice1cost_signs_ready_words_1 / 524288) mod 2) = 1;
-      if slice1cost_difference_1_19_value then
-        slice1cost_difference_1_19_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_19_choice := slice1shift_search_1_19;
-      end if;
-      if slice1cost_difference_1_19_value then
-        slice1cost_difference_1_19_choice_2 := slice1shift_search_1_19;
-      else
-        slice1cost_difference_1_19_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_20_value := ((slice1cost_signs_ready_words_1 / 1048576) mod 2) = 1;
-      if slice1cost_difference_1_20_value then
-        slice1cost_difference_1_20_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_20_choice := slice1shift_search_1_20;
-      end if;
-      if slice1cost_difference_1_20_value then
-        slice1cost_difference_1_20_choice_2 := slice1shift_search_1_20;
-      else
-        slice1cost_difference_1_20_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_21_value := ((slice1cost_signs_ready_words_1 / 2097152) mod 2) = 1;
-      if slice1cost_difference_1_21_value then
-        slice1cost_difference_1_21_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_21_choice := slice1shift_search_1_21;
-      end if;
-      if slice1cost_difference_1_21_value then
-        slice1cost_difference_1_21_choice_2 := slice1shift_search_1_21;
-      else
-        slice1cost_difference_1_21_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_22_value := ((slice1cost_signs_ready_words_1 / 4194304) mod 2) = 1;
-      if slice1cost_difference_1_22_value then
-        slice1cost_difference_1_22_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_22_choice := slice1shift_search_1_22;
-      end if;
-      if slice1cost_difference_1_22_value then
-        slice1cost_difference_1_22_choice_2 := slice1shift_search_1_22;
-      else
-        slice1cost_difference_1_22_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_1_23_value := ((slice1cost_signs_ready_words_1 / 8388608) mod 2) = 1;
-      if slice1cost_difference_1_23_value then
-        slice1cost_difference_1_23_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_23_choice := slice1shift_search_1_23;
-      end if;
-      if slice1cost_difference_1_23_value then
-        slice1cost_difference_1_23_choice_2 := slice1shift_search_1_23;
-      else
-        slice1cost_difference_1_23_choice_2 := slice1shift_reference_1;
-      end if;
-      if (slice1cost_signs_ready_words_1 / 16777216) = 1 then
-        slice1cost_difference_1_24_choice := slice1shift_reference_1;
-      else
-        slice1cost_difference_1_24_choice := slice1shift_search_1_24;
-      end if;
-      if (slice1cost_signs_ready_words_1 / 16777216) = 1 then
-        slice1cost_difference_1_24_choice_2 := slice1shift_search_1_24;
-      else
-        slice1cost_difference_1_24_choice_2 := slice1shift_reference_1;
-      end if;
-      slice1cost_difference_2_0_difference := slice1shift_search_2_0 - slice1shift_reference_2;
-      slice1cost_difference_2_1_difference := slice1shift_search_2_1 - slice1shift_reference_2;
-      slice1cost_difference_2_2_difference := slice1shift_search_2_2 - slice1shift_reference_2;
-      slice1cost_difference_2_3_difference := slice1shift_search_2_3 - slice1shift_reference_2;
-      slice1cost_difference_2_4_difference := slice1shift_search_2_4 - slice1shift_reference_2;
-      slice1cost_difference_2_5_difference := slice1shift_search_2_5 - slice1shift_reference_2;
-      slice1cost_difference_2_6_difference := slice1shift_search_2_6 - slice1shift_reference_2;
-      slice1cost_difference_2_7_difference := slice1shift_search_2_7 - slice1shift_reference_2;
-      slice1cost_difference_2_8_difference := slice1shift_search_2_8 - slice1shift_reference_2;
-      slice1cost_difference_2_9_difference := slice1shift_search_2_9 - slice1shift_reference_2;
-      slice1cost_difference_2_10_difference := slice1shift_search_2_10 - slice1shift_reference_2;
-      slice1cost_difference_2_11_difference := slice1shift_search_2_11 - slice1shift_reference_2;
-      slice1cost_difference_2_12_difference := slice1shift_search_2_12 - slice1shift_reference_2;
-      slice1cost_difference_2_13_difference := slice1shift_search_2_13 - slice1shift_reference_2;
-      slice1cost_difference_2_14_difference := slice1shift_search_2_14 - slice1shift_reference_2;
-      slice1cost_difference_2_15_difference := slice1shift_search_2_15 - slice1shift_reference_2;
-      slice1cost_difference_2_16_difference := slice1shift_search_2_16 - slice1shift_reference_2;
-      slice1cost_difference_2_17_difference := slice1shift_search_2_17 - slice1shift_reference_2;
-      slice1cost_difference_2_18_difference := slice1shift_search_2_18 - slice1shift_reference_2;
-      slice1cost_difference_2_19_difference := slice1shift_search_2_19 - slice1shift_reference_2;
-      slice1cost_difference_2_20_difference := slice1shift_search_2_20 - slice1shift_reference_2;
-      slice1cost_difference_2_21_difference := slice1shift_search_2_21 - slice1shift_reference_2;
-      slice1cost_difference_2_22_difference := slice1shift_search_2_22 - slice1shift_reference_2;
-      slice1cost_difference_2_23_difference := slice1shift_search_2_23 - slice1shift_reference_2;
-      slice1cost_difference_2_24_difference := slice1shift_search_2_24 - slice1shift_reference_2;
-      slice1cost_difference_3_0_difference := slice1shift_search_3_0 - slice1shift_reference_3;
-      slice1cost_difference_3_1_difference := slice1shift_search_3_1 - slice1shift_reference_3;
-      slice1cost_difference_3_2_difference := slice1shift_search_3_2 - slice1shift_reference_3;
-      slice1cost_difference_3_3_difference := slice1shift_search_3_3 - slice1shift_reference_3;
-      slice1cost_difference_3_4_difference := slice1shift_search_3_4 - slice1shift_reference_3;
-      slice1cost_difference_3_5_difference := slice1shift_search_3_5 - slice1shift_reference_3;
-      slice1cost_difference_3_6_difference := slice1shift_search_3_6 - slice1shift_reference_3;
-      slice1cost_difference_3_7_difference := slice1shift_search_3_7 - slice1shift_reference_3;
-      slice1cost_difference_3_8_difference := slice1shift_search_3_8 - slice1shift_reference_3;
-      slice1cost_difference_3_9_difference := slice1shift_search_3_9 - slice1shift_reference_3;
-      slice1cost_difference_3_10_difference := slice1shift_search_3_10 - slice1shift_reference_3;
-      slice1cost_difference_3_11_difference := slice1shift_search_3_11 - slice1shift_reference_3;
-      slice1cost_difference_3_12_difference := slice1shift_search_3_12 - slice1shift_reference_3;
-      slice1cost_difference_3_13_difference := slice1shift_search_3_13 - slice1shift_reference_3;
-      slice1cost_difference_3_14_difference := slice1shift_search_3_14 - slice1shift_reference_3;
-      slice1cost_difference_3_15_difference := slice1shift_search_3_15 - slice1shift_reference_3;
-      slice1cost_difference_3_16_difference := slice1shift_search_3_16 - slice1shift_reference_3;
-      slice1cost_difference_3_17_difference := slice1shift_search_3_17 - slice1shift_reference_3;
-      slice1cost_difference_3_18_difference := slice1shift_search_3_18 - slice1shift_reference_3;
-      slice1cost_difference_3_19_difference := slice1shift_search_3_19 - slice1shift_reference_3;
-      slice1cost_difference_3_20_difference := slice1shift_search_3_20 - slice1shift_reference_3;
-      slice1cost_difference_3_21_difference := slice1shift_search_3_21 - slice1shift_reference_3;
-      slice1cost_difference_3_22_difference := slice1shift_search_3_22 - slice1shift_reference_3;
-      slice1cost_difference_3_23_difference := slice1shift_search_3_23 - slice1shift_reference_3;
-      slice1cost_difference_3_24_difference := slice1shift_search_3_24 - slice1shift_reference_3;
-      slice1cost_signs_ready_words_0 <= to_integer(slice1cost_signs_read_words_0);
-      slice1cost_signs_ready_words_1 <= to_integer(slice1cost_signs_read_words_1);
-      slice1cost_difference_0_0 <= (slice1cost_difference_0_0_choice - slice1cost_difference_0_0_choice_2) mod 256;
-      slice1cost_difference_0_1 <= (slice1cost_difference_0_1_choice - slice1cost_difference_0_1_choice_2) mod 256;
-      slice1cost_difference_0_2 <= (slice1cost_difference_0_2_choice - slice1cost_difference_0_2_choice_2) mod 256;
-      slice1cost_difference_0_3 <= (slice1cost_difference_0_3_choice - slice1cost_difference_0_3_choice_2) mod 256;
-      slice1cost_difference_0_4 <= (slice1cost_difference_0_4_choice - slice1cost_difference_0_4_choice_2) mod 256;
-      slice1cost_difference_0_5 <= (slice1cost_difference_0_5_choice - slice1cost_difference_0_5_choice_2) mod 256;
-      slice1cost_difference_0_6 <= (slice1cost_difference_0_6_choice - slice1cost_difference_0_6_choice_2) mod 256;
-      slice1cost_difference_0_7 <= (slice1cost_difference_0_7_choice - slice1cost_difference_0_7_choice_2) mod 256;
-      slice1cost_difference_0_8 <= (slice1cost_difference_0_8_choice - slice1cost_difference_0_8_choice_2) mod 256;
-      slice1cost_difference_0_9 <= (slice1cost_difference_0_9_choice - slice1cost_difference_0_9_choice_2) mod 256;
-      slice1cost_difference_0_10 <= (slice1cost_difference_0_10_choice - slice1cost_difference_0_10_choice_2) mod 256;
-      slice1cost_difference_0_11 <= (slice1cost_difference_0_11_choice - slice1cost_difference_0_11_choice_2) mod 256;
-      slice1cost_difference_0_12 <= (slice1cost_difference_0_12_choice - slice1cost_difference_0_12_choice_2) mod 256;
-      slice1cost_difference_0_13 <= (slice1cost_difference_0_13_choice - slice1cost_difference_0_13_choice_2) mod 256;
-      slice1cost_difference_0_14 <= (slice1cost_difference_0_14_choice - slice1cost_difference_0_14_choice_2) mod 256;
-      slice1cost_difference_0_15 <= (slice1cost_difference_0_15_choice - slice1cost_difference_0_15_choice_2) mod 256;
-      slice1cost_difference_0_16 <= (slice1cost_difference_0_16_choice - slice1cost_difference_0_16_choice_2) mod 256;
-      slice1cost_difference_0_17 <= (slice1cost_difference_0_17_choice - slice1cost_difference_0_17_choice_2) mod 256;
-      slice1cost_difference_0_18 <= (slice1cost_difference_0_18_choice - slice1cost_difference_0_18_choice_2) mod 256;
-      slice1cost_difference_0_19 <= (slice1cost_difference_0_19_choice - slice1cost_difference_0_19_choice_2) mod 256;
-      slice1cost_difference_0_20 <= (slice1cost_difference_0_20_choice - slice1cost_difference_0_20_choice_2) mod 256;
-      slice1cost_difference_0_21 <= (slice1cost_difference_0_21_choice - slice1cost_difference_0_21_choice_2) mod 256;
-      slice1cost_difference_0_22 <= (slice1cost_difference_0_22_choice - slice1cost_difference_0_22_choice_2) mod 256;
-      slice1cost_difference_0_23 <= (slice1cost_difference_0_23_choice - slice1cost_difference_0_23_choice_2) mod 256;
-      slice1cost_difference_0_24 <= (slice1cost_difference_0_24_choice - slice1cost_difference_0_24_choice_2) mod 256;
-      slice1cost_difference_1_0 <= (slice1cost_difference_1_0_choice - slice1cost_difference_1_0_choice_2) mod 256;
-      slice1cost_difference_1_1 <= (slice1cost_difference_1_1_choice - slice1cost_difference_1_1_choice_2) mod 256;
-      slice1cost_difference_1_2 <= (slice1cost_difference_1_2_choice - slice1cost_difference_1_2_choice_2) mod 256;
-      slice1cost_difference_1_3 <= (slice1cost_difference_1_3_choice - slice1cost_difference_1_3_choice_2) mod 256;
-      slice1cost_difference_1_4 <= (slice1cost_difference_1_4_choice - slice1cost_difference_1_4_choice_2) mod 256;
-      slice1cost_difference_1_5 <= (slice1cost_difference_1_5_choice - slice1cost_difference_1_5_choice_2) mod 256;
-      slice1cost_difference_1_6 <= (slice1cost_difference_1_6_choice - slice1cost_difference_1_6_choice_2) mod 256;
-      slice1cost_difference_1_7 <= (slice1cost_difference_1_7_choice - slice1cost_difference_1_7_choice_2) mod 256;
-      slice1cost_difference_1_8 <= (slice1cost_difference_1_8_choice - slice1cost_difference_1_8_choice_2) mod 256;
-      slice1cost_difference_1_9 <= (slice1cost_difference_1_9_choice - slice1cost_difference_1_9_choice_2) mod 256;
-      slice1cost_difference_1_10 <= (slice1cost_difference_1_10_choice - slice1cost_difference_1_10_choice_2) mod 256;
-      slice1cost_difference_1_11 <= (slice1cost_difference_1_11_choice - slice1cost_difference_1_11_choice_2) mod 256;
-      slice1cost_difference_1_12 <= (slice1cost_difference_1_12_choice - slice1cost_difference_1_12_choice_2) mod 256;
-      slice1cost_difference_1_13 <= (slice1cost_difference_1_13_choice - slice1cost_difference_1_13_choice_2) mod 256;
-      slice1cost_difference_1_14 <= (slice1cost_difference_1_14_choice - slice1cost_difference_1_14_choice_2) mod 256;
-      slice1cost_difference_1_15 <= (slice1cost_difference_1_15_choice - slice1cost_difference_1_15_choice_2) mod 256;
-      slice1cost_difference_1_16 <= (slice1cost_difference_1_16_choice - slice1cost_difference_1_16_choice_2) mod 256;
-      slice1cost_difference_1_17 <= (slice1cost_difference_1_17_choice - slice1cost_difference_1_17_choice_2) mod 256;
-      slice1cost_difference_1_18 <= (slice1cost_difference_1_18_choice - slice1cost_difference_1_18_choice_2) mod 256;
-      slice1cost_difference_1_19 <= (slice1cost_difference_1_19_choice - slice1cost_difference_1_19_choice_2) mod 256;
-      slice1cost_difference_1_20 <= (slice1cost_difference_1_20_choice - slice1cost_difference_1_20_choice_2) mod 256;
-      slice1cost_difference_1_21 <= (slice1cost_difference_1_21_choice - slice1cost_difference_1_21_choice_2) mod 256;
-      slice1cost_difference_1_22 <= (slice1cost_difference_1_22_choice - slice1cost_difference_1_22_choice_2) mod 256;
-      slice1cost_difference_1_23 <= (slice1cost_difference_1_23_choice - slice1cost_difference_1_23_choice_2) mod 256;
-      slice1cost_difference_1_24 <= (slice1cost_difference_1_24_choice - slice1cost_difference_1_24_choice_2) mod 256;
-      slice1cost_newest_negative_0_0 <= slice1cost_difference_2_0_difference < 0;
-      slice1cost_newest_negative_0_1 <= slice1cost_difference_2_1_difference < 0;
-      slice1cost_newest_negative_0_2 <= slice1cost_difference_2_2_difference < 0;
-      slice1cost_newest_negative_0_3 <= slice1cost_difference_2_3_difference < 0;
-      slice1cost_newest_negative_0_4 <= slice1cost_difference_2_4_difference < 0;
-      slice1cost_newest_negative_0_5 <= slice1cost_difference_2_5_difference < 0;
-      slice1cost_newest_negative_0_6 <= slice1cost_difference_2_6_difference < 0;
-      slice1cost_newest_negative_0_7 <= slice1cost_difference_2_7_difference < 0;
-      slice1cost_newest_negative_0_8 <= slice1cost_difference_2_8_difference < 0;
-      slice1cost_newest_negative_0_9 <= slice1cost_difference_2_9_difference < 0;
-      slice1cost_newest_negative_0_10 <= slice1cost_difference_2_10_difference < 0;
-      slice1cost_newest_negative_0_11 <= slice1cost_difference_2_11_difference < 0;
-      slice1cost_newest_negative_0_12 <= slice1cost_difference_2_12_difference < 0;
-      slice1cost_newest_negative_0_13 <= slice1cost_difference_2_13_difference < 0;
-      slice1cost_newest_negative_0_14 <= slice1cost_difference_2_14_difference < 0;
-      slice1cost_newest_negative_0_15 <= slice1cost_difference_2_15_difference < 0;
-      slice1cost_newest_negative_0_16 <= slice1cost_difference_2_16_difference < 0;
-      slice1cost_newest_negative_0_17 <= slice1cost_difference_2_17_difference < 0;
-      slice1cost_newest_negative_0_18 <= slice1cost_difference_2_18_difference < 0;
-      slice1cost_newest_negative_0_19 <= slice1cost_difference_2_19_difference < 0;
-      slice1cost_newest_negative_0_20 <= slice1cost_difference_2_20_difference < 0;
-      slice1cost_newest_negative_0_21 <= slice1cost_difference_2_21_difference < 0;
-      slice1cost_newest_negative_0_22 <= slice1cost_difference_2_22_difference < 0;
-      slice1cost_newest_negative_0_23 <= slice1cost_difference_2_23_difference < 0;
-      slice1cost_newest_negative_0_24 <= slice1cost_difference_2_24_difference < 0;
-      slice1cost_newest_negative_1_0 <= slice1cost_difference_3_0_difference < 0;
-      slice1cost_newest_negative_1_1 <= slice1cost_difference_3_1_difference < 0;
-      slice1cost_newest_negative_1_2 <= slice1cost_difference_3_2_difference < 0;
-      slice1cost_newest_negative_1_3 <= slice1cost_difference_3_3_difference < 0;
-      slice1cost_newest_negative_1_4 <= slice1cost_difference_3_4_difference < 0;
-      slice1cost_newest_negative_1_5 <= slice1cost_difference_3_5_difference < 0;
-      slice1cost_newest_negative_1_6 <= slice1cost_difference_3_6_difference < 0;
-      slice1cost_newest_negative_1_7 <= slice1cost_difference_3_7_difference < 0;
-      slice1cost_newest_negative_1_8 <= slice1cost_difference_3_8_difference < 0;
-      slice1cost_newest_negative_1_9 <= slice1cost_difference_3_9_difference < 0;
-      slice1cost_newest_negative_1_10 <= slice1cost_difference_3_10_difference < 0;
-      slice1cost_newest_negative_1_11 <= slice1cost_difference_3_11_difference < 0;
-      slice1cost_newest_negative_1_12 <= slice1cost_difference_3_12_difference < 0;
-      slice1cost_newest_negative_1_13 <= slice1cost_difference_3_13_difference < 0;
-      slice1cost_newest_negative_1_14 <= slice1cost_difference_3_14_difference < 0;
-      slice1cost_newest_negative_1_15 <= slice1cost_difference_3_15_difference < 0;
-      slice1cost_newest_negative_1_16 <= slice1cost_difference_3_16_difference < 0;
-      slice1cost_newest_negative_1_17 <= slice1cost_difference_3_17_difference < 0;
-      slice1cost_newest_negative_1_18 <= slice1cost_difference_3_18_difference < 0;
-      slice1cost_newest_negative_1_19 <= slice1cost_difference_3_19_difference < 0;
-      slice1cost_newest_negative_1_20 <= slice1cost_difference_3_20_difference < 0;
-      slice1cost_newest_negative_1_21 <= slice1cost_difference_3_21_difference < 0;
-      slice1cost_newest_negative_1_22 <= slice1cost_difference_3_22_difference < 0;
-      slice1cost_newest_negative_1_23 <= slice1cost_difference_3_23_difference < 0;
-      slice1cost_newest_negative_1_24 <= slice1cost_difference_3_24_difference < 0;
-      slice1cost_pair_0_0 <= as_number((slice1cost_difference_2_0 < 0)) + slice1cost_difference_1_0 +
-        folded(slice1cost_difference_2_0);
-      slice1cost_pair_0_1 <= as_number((slice1cost_difference_2_1 < 0)) + slice1cost_difference_1_1 +
-        folded(slice1cost_difference_2_1);
-      slice1cost_pair_0_2 <= as_number((slice1cost_difference_2_2 < 0)) + slice1cost_difference_1_2 +
-        folded(slice1cost_difference_2_2);
-      slice1cost_pair_0_3 <= as_number((slice1cost_difference_2_3 < 0)) + slice1cost_difference_1_3 +
-        folded(slice1cost_difference_2_3);
-      slice1cost_pair_0_4 <= as_number((slice1cost_difference_2_4 < 0)) + slice1cost_difference_1_4 +
-        folded(slice1cost_difference_2_4);
-      slice1cost_pair_0_5 <= as_number((slice1cost_difference_2_5 < 0)) + slice1cost_difference_1_5 +
-        folded(slice1cost_difference_2_5);
-      slice1cost_pair_0_6 <= as_number((slice1cost_difference_2_6 < 0)) + slice1cost_difference_1_6 +
-        folded(slice1cost_difference_2_6);
-      slice1cost_pair_0_7 <= as_number((slice1cost_difference_2_7 < 0)) + slice1cost_difference_1_7 +
-        folded(slice1cost_difference_2_7);
-      slice1cost_pair_0_8 <= as_number((slice1cost_difference_2_8 < 0)) + slice1cost_difference_1_8 +
-        folded(slice1cost_difference_2_8);
-      slice1cost_pair_0_9 <= as_number((slice1cost_difference_2_9 < 0)) + slice1cost_difference_1_9 +
-        folded(slice1cost_difference_2_9);
-      slice1cost_pair_0_10 <= as_number((slice1cost_difference_2_10 < 0)) + slice1cost_difference_1_10 +
-        folded(slice1cost_difference_2_10);
-      slice1cost_pair_0_11 <= as_number((slice1cost_difference_2_11 < 0)) + slice1cost_difference_1_11 +
-        folded(slice1cost_difference_2_11);
-      slice1cost_pair_0_12 <= as_number((slice1cost_difference_2_12 < 0)) + slice1cost_difference_1_12 +
-        folded(slice1cost_difference_2_12);
-      slice1cost_pair_0_13 <= as_number((slice1cost_difference_2_13 < 0)) + slice1cost_difference_1_13 +
-        folded(slice1cost_difference_2_13);
-      slice1cost_pair_0_14 <= as_number((slice1cost_difference_2_14 < 0)) + slice1cost_difference_1_14 +
-        folded(slice1cost_difference_2_14);
-      slice1cost_pair_0_15 <= as_number((slice1cost_difference_2_15 < 0)) + slice1cost_difference_1_15 +
-        folded(slice1cost_difference_2_15);
-      slice1cost_pair_0_16 <= as_number((slice1cost_difference_2_16 < 0)) + slice1cost_difference_1_16 +
-        folded(slice1cost_difference_2_16);
-      slice1cost_pair_0_17 <= as_number((slice1cost_difference_2_17 < 0)) + slice1cost_difference_1_17 +
-        folded(slice1cost_difference_2_17);
-      slice1cost_pair_0_18 <= as_number((slice1cost_difference_2_18 < 0)) + slice1cost_difference_1_18 +
-        folded(slice1cost_difference_2_18);
-      slice1cost_pair_0_19 <= as_number((slice1cost_difference_2_19 < 0)) + slice1cost_difference_1_19 +
-        folded(slice1cost_difference_2_19);
-      slice1cost_pair_0_20 <= as_number((slice1cost_difference_2_20 < 0)) + slice1cost_difference_1_20 +
-        folded(slice1cost_difference_2_20);
-      slice1cost_pair_0_21 <= as_number((slice1cost_difference_2_21 < 0)) + slice1cost_difference_1_21 +
-        folded(slice1cost_difference_2_21);
-      slice1cost_pair_0_22 <= as_number((slice1cost_difference_2_22 < 0)) + slice1cost_difference_1_22 +
-        folded(slice1cost_difference_2_22);
-      slice1cost_pair_0_23 <= as_number((slice1cost_difference_2_23 < 0)) + slice1cost_difference_1_23 +
-        folded(slice1cost_difference_2_23);
-      slice1cost_pair_0_24 <= as_number((slice1cost_difference_2_24 < 0)) + slice1cost_difference_1_24 +
-        folded(slice1cost_difference_2_24);
-      slice1cost_single_0_0 <= slice1cost_difference_0_0;
-      slice1cost_single_0_1 <= slice1cost_difference_0_1;
-      slice1cost_single_0_2 <= slice1cost_difference_0_2;
-      slice1cost_single_0_3 <= slice1cost_difference_0_3;
-      slice1cost_single_0_4 <= slice1cost_difference_0_4;
-      slice1cost_single_0_5 <= slice1cost_difference_0_5;
-      slice1cost_single_0_6 <= slice1cost_difference_0_6;
-      slice1cost_single_0_7 <= slice1cost_difference_0_7;
-      slice1cost_single_0_8 <= slice1cost_difference_0_8;
-      slice1cost_single_0_9 <= slice1cost_difference_0_9;
-      slice1cost_single_0_10 <= slice1cost_difference_0_10;
-      slice1cost_single_0_11 <= slice1cost_difference_0_11;
-      slice1cost_single_0_12 <= slice1cost_difference_0_12;
-      slice1cost_single_0_13 <= slice1cost_difference_0_13;
-      slice1cost_single_0_14 <= slice1cost_difference_0_14;
-      slice1cost_single_0_15 <= slice1cost_difference_0_15;
-      slice1cost_single_0_16 <= slice1cost_difference_0_16;
-      slice1cost_single_0_17 <= slice1cost_difference_0_17;
-      slice1cost_single_0_18 <= slice1cost_difference_0_18;
-      slice1cost_single_0_19 <= slice1cost_difference_0_19;
-      slice1cost_single_0_20 <= slice1cost_difference_0_20;
-      slice1cost_single_0_21 <= slice1cost_difference_0_21;
-      slice1cost_single_0_22 <= slice1cost_difference_0_22;
-      slice1cost_single_0_23 <= slice1cost_difference_0_23;
-      slice1cost_single_0_24 <= slice1cost_difference_0_24;
-      slice1cost_single_3_0 <= folded(slice1cost_difference_3_0);
-      slice1cost_single_3_1 <= folded(slice1cost_difference_3_1);
-      slice1cost_single_3_2 <= folded(slice1cost_difference_3_2);
-      slice1cost_single_3_3 <= folded(slice1cost_difference_3_3);
-      slice1cost_single_3_4 <= folded(slice1cost_difference_3_4);
-      slice1cost_single_3_5 <= folded(slice1cost_difference_3_5);
-      slice1cost_single_3_6 <= folded(slice1cost_difference_3_6);
-      slice1cost_single_3_7 <= folded(slice1cost_difference_3_7);
-      slice1cost_single_3_8 <= folded(slice1cost_difference_3_8);
-      slice1cost_single_3_9 <= folded(slice1cost_difference_3_9);
-      slice1cost_single_3_10 <= folded(slice1cost_difference_3_10);
-      slice1cost_single_3_11 <= folded(slice1cost_difference_3_11);
-      slice1cost_single_3_12 <= folded(slice1cost_difference_3_12);
-      slice1cost_single_3_13 <= folded(slice1cost_difference_3_13);
-      slice1cost_single_3_14 <= folded(slice1cost_difference_3_14);
-      slice1cost_single_3_15 <= folded(slice1cost_difference_3_15);
-      slice1cost_single_3_16 <= folded(slice1cost_difference_3_16);
-      slice1cost_single_3_17 <= folded(slice1cost_difference_3_17);
-      slice1cost_single_3_18 <= folded(slice1cost_difference_3_18);
-      slice1cost_single_3_19 <= folded(slice1cost_difference_3_19);
-      slice1cost_single_3_20 <= folded(slice1cost_difference_3_20);
-      slice1cost_single_3_21 <= folded(slice1cost_difference_3_21);
-      slice1cost_single_3_22 <= folded(slice1cost_difference_3_22);
-      slice1cost_single_3_23 <= folded(slice1cost_difference_3_23);
-      slice1cost_single_3_24 <= folded(slice1cost_difference_3_24);
-      slice1cost_single_negative_3_0 <= slice1cost_difference_3_0 < 0;
-      slice1cost_single_negative_3_1 <= slice1cost_difference_3_1 < 0;
-      slice1cost_single_negative_3_2 <= slice1cost_difference_3_2 < 0;
-      slice1cost_single_negative_3_3 <= slice1cost_difference_3_3 < 0;
-      slice1cost_single_negative_3_4 <= slice1cost_difference_3_4 < 0;
-      slice1cost_single_negative_3_5 <= slice1cost_difference_3_5 < 0;
-      slice1cost_single_negative_3_6 <= slice1cost_difference_3_6 < 0;
-      slice1cost_single_negative_3_7 <= slice1cost_difference_3_7 < 0;
-      slice1cost_single_negative_3_8 <= slice1cost_difference_3_8 < 0;
-      slice1cost_single_negative_3_9 <= slice1cost_difference_3_9 < 0;
-      slice1cost_single_negative_3_10 <= slice1cost_difference_3_10 < 0;
-      slice1cost_single_negative_3_11 <= slice1cost_difference_3_11 < 0;
-      slice1cost_single_negative_3_12 <= slice1cost_difference_3_12 < 0;
-      slice1cost_single_negative_3_13 <= slice1cost_difference_3_13 < 0;
-      slice1cost_single_negative_3_14 <= slice1cost_difference_3_14 < 0;
-      slice1cost_single_negative_3_15 <= slice1cost_difference_3_15 < 0;
-      slice1cost_single_negative_3_16 <= slice1cost_difference_3_16 < 0;
-      slice1cost_single_negative_3_17 <= slice1cost_difference_3_17 < 0;
-      slice1cost_single_negative_3_18 <= slice1cost_difference_3_18 < 0;
-      slice1cost_single_negative_3_19 <= slice1cost_difference_3_19 < 0;
-      slice1cost_single_negative_3_20 <= slice1cost_difference_3_20 < 0;
-      slice1cost_single_negative_3_21 <= slice1cost_difference_3_21 < 0;
-      slice1cost_single_negative_3_22 <= slice1cost_difference_3_22 < 0;
-      slice1cost_single_negative_3_23 <= slice1cost_difference_3_23 < 0;
-      slice1cost_single_negative_3_24 <= slice1cost_difference_3_24 < 0;
+      if is_set(slice1cost_signs_ready_words(0), 0) then
+        slice1cost_difference_choice(0, 0) := slice1shift_reference(0);
+      else
+        slice1cost_difference_choice(0, 0) := slice1shift_search(0, 0);
+      end if;
+      if is_set(slice1cost_signs_ready_words(0), 0) then
+        slice1cost_difference_choice_2(0, 0) := slice1shift_search(0, 0);
+      else
+        slice1cost_difference_choice_2(0, 0) := slice1shift_reference(0);
+      end if;
+      for i in 1 to 23 loop
+        slice1cost_difference_value(0, i) := is_set(slice1cost_signs_ready_words(0), i);
+        if slice1cost_difference_value(0, i) then
+          slice1cost_difference_choice(0, i) := slice1shift_reference(0);
+        else
+          slice1cost_difference_choice(0, i) := slice1shift_search(0, i);
+        end if;
+        if slice1cost_difference_value(0, i) then
+          slice1cost_difference_choice_2(0, i) := slice1shift_search(0, i);
+        else
+          slice1cost_difference_choice_2(0, i) := slice1shift_reference(0);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if is_set(slice1cost_signs_ready_words(i), 24 - 24 * i) then
+          slice1cost_difference_choice(i, 24 - 24 * i) := slice1shift_reference(i);
+        else
+          slice1cost_difference_choice(i, 24 - 24 * i) := slice1shift_search(i, 24 - 24 * i);
+        end if;
+        if is_set(slice1cost_signs_ready_words(i), 24 - 24 * i) then
+          slice1cost_difference_choice_2(i, 24 - 24 * i) := slice1shift_search(i, 24 - 24 * i);
+        else
+          slice1cost_difference_choice_2(i, 24 - 24 * i) := slice1shift_reference(i);
+        end if;
+      end loop;
+      for i in 1 to 23 loop
+        slice1cost_difference_value(1, i) := is_set(slice1cost_signs_ready_words(1), i);
+        if slice1cost_difference_value(1, i) then
+          slice1cost_difference_choice(1, i) := slice1shift_reference(1);
+        else
+          slice1cost_difference_choice(1, i) := slice1shift_search(1, i);
+        end if;
+        if slice1cost_difference_value(1, i) then
+          slice1cost_difference_choice_2(1, i) := slice1shift_search(1, i);
+        else
+          slice1cost_difference_choice_2(1, i) := slice1shift_reference(1);
+        end if;
+      end loop;
+      if is_set(slice1cost_signs_ready_words(1), 24) then
+        slice1cost_difference_choice(1, 24) := slice1shift_reference(1);
+      else
+        slice1cost_difference_choice(1, 24) := slice1shift_search(1, 24);
+      end if;
+      if is_set(slice1cost_signs_ready_words(1), 24) then
+        slice1cost_difference_choice_2(1, 24) := slice1shift_search(1, 24);
+      else
+        slice1cost_difference_choice_2(1, 24) := slice1shift_reference(1);
+      end if;
+      for i in 0 to 24 loop
+        slice1cost_difference_difference(2, i) := slice1shift_search(2, i) - slice1shift_reference(2);
+      end loop;
+      for i in 0 to 24 loop
+        slice1cost_difference_difference(3, i) := slice1shift_search(3, i) - slice1shift_reference(3);
+      end loop;
+      slice1cost_signs_ready_words(0) <= to_integer(slice1cost_signs_read_words(0));
+      slice1cost_signs_ready_words(1) <= to_integer(slice1cost_signs_read_words(1));
+      for i in 0 to 1 loop
+        for j in 0 to 24 loop
+          slice1cost_difference(i, j) <= (slice1cost_difference_choice(i, j) - slice1cost_difference_choice_2(i, j))
+            mod 256;
+        end loop;
+      end loop;
+      for i in 0 to 24 loop
+        slice1cost_newest_negative(0, i) <= slice1cost_difference_difference(2, i) < 0;
+      end loop;
+      for i in 0 to 24 loop
+        slice1cost_newest_negative(1, i) <= slice1cost_difference_difference(3, i) < 0;
+      end loop;
+      for i in 0 to 24 loop
+        slice1cost_pair_0(i) <= as_number((slice1cost_differences(2, i) < 0)) + slice1cost_difference(1, i) +
+          folded(slice1cost_differences(2, i));
+      end loop;
+      for i in 0 to 24 loop
+        slice1cost_single_0(i) <= slice1cost_difference(0, i);
+      end loop;
+      for i in 0 to 24 loop
+        slice1cost_single_3(i) <= folded(slice1cost_differences(3, i));
+      end loop;
+      for i in 0 to 24 loop
+        slice1cost_single_negative_3(i) <= slice1cost_differences(3, i) < 0;
+      end loop;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
-      if (slice0cost_difference_tag_newest_inside mod 2) = 1 then
-        slice1cost_difference_2_0 <= slice1cost_difference_2_0_difference;
-        slice1cost_difference_2_1 <= slice1cost_difference_2_1_difference;
-        slice1cost_difference_2_2 <= slice1cost_difference_2_2_difference;
-        slice1cost_difference_2_3 <= slice1cost_difference_2_3_difference;
-        slice1cost_difference_2_4 <= slice1cost_difference_2_4_difference;
-        slice1cost_difference_2_5 <= slice1cost_difference_2_5_difference;
-        slice1cost_difference_2_6 <= slice1cost_difference_2_6_difference;
-        slice1cost_difference_2_7 <= slice1cost_difference_2_7_difference;
-        slice1cost_difference_2_8 <= slice1cost_difference_2_8_difference;
-        slice1cost_difference_2_9 <= slice1cost_difference_2_9_difference;
-        slice1cost_difference_2_10 <= slice1cost_difference_2_10_difference;
-        slice1cost_difference_2_11 <= slice1cost_difference_2_11_difference;
-        slice1cost_difference_2_12 <= slice1cost_difference_2_12_difference;
-        slice1cost_difference_2_13 <= slice1cost_difference_2_13_difference;
-        slice1cost_difference_2_14 <= slice1cost_difference_2_14_difference;
-        slice1cost_difference_2_15 <= slice1cost_difference_2_15_difference;
-        slice1cost_difference_2_16 <= slice1cost_difference_2_16_difference;
-        slice1cost_difference_2_17 <= slice1cost_difference_2_17_difference;
-        slice1cost_difference_2_18 <= slice1cost_difference_2_18_difference;
-        slice1cost_difference_2_19 <= slice1cost_difference_2_19_difference;
-        slice1cost_difference_2_20 <= slice1cost_difference_2_20_difference;
-        slice1cost_difference_2_21 <= slice1cost_difference_2_21_difference;
-        slice1cost_difference_2_22 <= slice1cost_difference_2_22_difference;
-        slice1cost_difference_2_23 <= slice1cost_difference_2_23_difference;
-        slice1cost_difference_2_24 <= slice1cost_difference_2_24_difference;
-      else
-        slice1cost_difference_2_0 <= 0;
-        slice1cost_difference_2_1 <= 0;
-        slice1cost_difference_2_2 <= 0;
-        slice1cost_difference_2_3 <= 0;
-        slice1cost_difference_2_4 <= 0;
-        slice1cost_difference_2_5 <= 0;
-        slice1cost_difference_2_6 <= 0;
-        slice1cost_difference_2_7 <= 0;
-        slice1cost_difference_2_8 <= 0;
-        slice1cost_difference_2_9 <= 0;
-        slice1cost_difference_2_10 <= 0;
-        slice1cost_difference_2_11 <= 0;
-        slice1cost_difference_2_12 <= 0;
-        slice1cost_difference_2_13 <= 0;
-        slice1cost_difference_2_14 <= 0;
-        slice1cost_difference_2_15 <= 0;
-        slice1cost_difference_2_16 <= 0;
-        slice1cost_difference_2_17 <= 0;
-        slice1cost_difference_2_18 <= 0;
-        slice1cost_difference_2_19 <= 0;
-        slice1cost_difference_2_20 <= 0;
-        slice1cost_difference_2_21 <= 0;
-        slice1cost_difference_2_22 <= 0;
-        slice1cost_difference_2_23 <= 0;
-        slice1cost_difference_2_24 <= 0;
-      end if;
-      if (slice0cost_difference_tag_newest_inside / 2) = 1 then
-        slice1cost_difference_3_0 <= slice1cost_difference_3_0_difference;
-        slice1cost_difference_3_1 <= slice1cost_difference_3_1_difference;
-        slice1cost_difference_3_2 <= slice1cost_difference_3_2_difference;
-        slice1cost_difference_3_3 <= slice1cost_difference_3_3_difference;
-        slice1cost_difference_3_4 <= slice1cost_difference_3_4_difference;
-        slice1cost_difference_3_5 <= slice1cost_difference_3_5_difference;
-        slice1cost_difference_3_6 <= slice1cost_difference_3_6_difference;
-        slice1cost_difference_3_7 <= slice1cost_difference_3_7_difference;
-        slice1cost_difference_3_8 <= slice1cost_difference_3_8_difference;
-        slice1cost_difference_3_9 <= slice1cost_difference_3_9_difference;
-        slice1cost_difference_3_10 <= slice1cost_difference_3_10_difference;
-        slice1cost_difference_3_11 <= slice1cost_difference_3_11_difference;
-        slice1cost_difference_3_12 <= slice1cost_difference_3_12_difference;
-        slice1cost_difference_3_13 <= slice1cost_difference_3_13_difference;
-        slice1cost_difference_3_14 <= slice1cost_difference_3_14_difference;
-        slice1cost_difference_3_15 <= slice1cost_difference_3_15_difference;
-        slice1cost_difference_3_16 <= slice1cost_difference_3_16_difference;
-        slice1cost_difference_3_17 <= slice1cost_difference_3_17_difference;
-        slice1cost_difference_3_18 <= slice1cost_difference_3_18_difference;
-        slice1cost_difference_3_19 <= slice1cost_difference_3_19_difference;
-        slice1cost_difference_3_20 <= slice1cost_difference_3_20_difference;
-        slice1cost_difference_3_21 <= slice1cost_difference_3_21_difference;
-        slice1cost_difference_3_22 <= slice1cost_difference_3_22_difference;
-        slice1cost_difference_3_23 <= slice1cost_difference_3_23_difference;
-        slice1cost_difference_3_24 <= slice1cost_difference_3_24_difference;
-      else
-        slice1cost_difference_3_0 <= 0;
-        slice1cost_difference_3_1 <= 0;
-        slice1cost_difference_3_2 <= 0;
-        slice1cost_difference_3_3 <= 0;
-        slice1cost_difference_3_4 <= 0;
-        slice1cost_difference_3_5 <= 0;
-        slice1cost_difference_3_6 <= 0;
-        slice1cost_difference_3_7 <= 0;
-        slice1cost_difference_3_8 <= 0;
-        slice1cost_difference_3_9 <= 0;
-        slice1cost_difference_3_10 <= 0;
-        slice1cost_difference_3_11 <= 0;
-        slice1cost_difference_3_12 <= 0;
-        slice1cost_difference_3_13 <= 0;
-        slice1cost_difference_3_14 <= 0;
-        slice1cost_difference_3_15 <= 0;
-        slice1cost_difference_3_16 <= 0;
-        slice1cost_difference_3_17 <= 0;
-        slice1cost_difference_3_18 <= 0;
-        slice1cost_difference_3_19 <= 0;
-        slice1cost_difference_3_20 <= 0;
-        slice1cost_difference_3_21 <= 0;
-        slice1cost_difference_3_22 <= 0;
-        slice1cost_difference_3_23 <= 0;
-        slice1cost_difference_3_24 <= 0;
-      end if;
+      for i in 0 to 1 loop
+        if is_set(slice0cost_difference_tag_newest_inside, i) then
+          for j in 0 to 24 loop
+            slice1cost_differences(i + 2, j) <= slice1cost_difference_difference(i + 2, j);
+          end loop;
+        else
+          for j in 0 to 24 loop
+            slice1cost_differences(i + 2, j) <= 0;
+          end loop;
+        end if;
+      end loop;
       if slice0cost_tag_border_column then
-        slice1cost_column_0_0 <= 0;
-        slice1cost_column_0_1 <= 0;
-        slice1cost_column_0_2 <= 0;
-        slice1cost_column_0_3 <= 0;
-        slice1cost_column_0_4 <= 0;
-        slice1cost_column_0_5 <= 0;
-        slice1cost_column_0_6 <= 0;
-        slice1cost_column_0_7 <= 0;
-        slice1cost_column_0_8 <= 0;
-        slice1cost_column_0_9 <= 0;
-        slice1cost_column_0_10 <= 0;
-        slice1cost_column_0_11 <= 0;
-        slice1cost_column_0_12 <= 0;
-        slice1cost_column_0_13 <= 0;
-        slice1cost_column_0_14 <= 0;
-        slice1cost_column_0_15 <= 0;
-        slice1cost_column_0_16 <= 0;
-        slice1cost_column_0_17 <= 0;
-        slice1cost_column_0_18 <= 0;
-        slice1cost_column_0_19 <= 0;
-        slice1cost_column_0_20 <= 0;
-        slice1cost_column_0_21 <= 0;
-        slice1cost_column_0_22 <= 0;
-        slice1cost_column_0_23 <= 0;
-        slice1cost_column_0_24 <= 0;
-        slice1cost_column_1_0 <= 0;
-        slice1cost_column_1_1 <= 0;
-        slice1cost_column_1_2 <= 0;
-        slice1cost_column_1_3 <= 0;
-        slice1cost_column_1_4 <= 0;
-        slice1cost_column_1_5 <= 0;
-        slice1cost_column_1_6 <= 0;
-        slice1cost_column_1_7 <= 0;
-        slice1cost_column_1_8 <= 0;
-        slice1cost_column_1_9 <= 0;
-        slice1cost_column_1_10 <= 0;
-        slice1cost_column_1_11 <= 0;
-        slice1cost_column_1_12 <= 0;
-        slice1cost_column_1_13 <= 0;
-        slice1cost_column_1_14 <= 0;
-        slice1cost_column_1_15 <= 0;
-        slice1cost_column_1_16 <= 0;
-        slice1cost_column_1_17 <= 0;
-        slice1cost_column_1_18 <= 0;
-        slice1cost_column_1_19 <= 0;
-        slice1cost_column_1_20 <= 0;
-        slice1cost_column_1_21 <= 0;
-        slice1cost_column_1_22 <= 0;
-        slice1cost_column_1_23 <= 0;
-        slice1cost_column_1_24 <= 0;
+        for i in 0 to 24 loop
+          slice1cost_column_0(i) <= 0;
+        end loop;
+        for i in 0 to 24 loop
+          slice1cost_column_1(i) <= 0;
+        end loop;
       else
-        slice1cost_column_0_0 <= slice1cost_pair_0_0 + slice1cost_single_0_0;
-        slice1cost_column_0_1 <= slice1cost_pair_0_1 + slice1cost_single_0_1;
-        slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
-        slice1cost_column_0_3 <= slice1cost_pair_0_3 + slice1cost_single_0_3;
-        slice1cost_column_0_4 <= slice1cost_pair_0_4 + slice1cost_single_0_4;
-        slice1cost_column_0_5 <= slice1cost_pair_0_5 + slice1cost_single_0_5;
-        slice1cost_column_0_6 <= slice1cost_pair_0_6 + slice1cost_single_0_6;
-        slice1cost_column_0_7 <= slice1cost_pair_0_7 + slice1cost_single_0_7;
-        slice1cost_column_0_8 <= slice1cost_pair_0_8 + slice1cost_single_0_8;
-        slice1cost_column_0_9 <= slice1cost_pair_0_9 + slice1cost_single_0_9;
-        slice1cost_column_0_10 <= slice1cost_pair_0_10 + slice1cost_single_0_10;
-        slice1cost_column_0_11 <= slice1cost_pair_0_11 + slice1cost_single_0_11;
-        slice1cost_column_0_12 <= slice1cost_pair_0_12 + slice1cost_single_0_12;
-        slice1cost_column_0_13 <= slice1cost_pair_0_13 + slice1cost_single_0_13;
-        slice1cost_column_0_14 <= slice1cost_pair_0_14 + slice1cost_single_0_14;
-        slice1cost_column_0_15 <= slice1cost_pair_0_15 + slice1cost_single_0_15;
-        slice1cost_column_0_16 <= slice1cost_pair_0_16 + slice1cost_single_0_16;
-        slice1cost_column_0_17 <= slice1cost_pair_0_17 + slice1cost_single_0_17;
-        slice1cost_column_0_18 <= slice1cost_pair_0_18 + slice1cost_single_0_18;
-        slice1cost_column_0_19 <= slice1cost_pair_0_19 + slice1cost_single_0_19;
-        slice1cost_column_0_20 <= slice1cost_pair_0_20 + slice1cost_single_0_20;
-        slice1cost_column_0_21 <= slice1cost_pair_0_21 + slice1cost_single_0_21;
-        slice1cost_column_0_22 <= slice1cost_pair_0_22 + slice1cost_single_0_22;
-        slice1cost_column_0_23 <= slice1cost_pair_0_23 + slice1cost_single_0_23;
-        slice1cost_column_0_24 <= slice1cost_pair_0_24 + slice1cost_single_0_24;
-        slice1cost_column_1_0 <= as_number(slice1cost_single_negative_3_0) + slice1cost_pair_0_0 +
-          slice1cost_single_3_0;
-        slice1cost_column_1_1 <= as_number(slice1cost_single_negative_3_1) + slice1cost_pair_0_1 +
-          slice1cost_single_3_1;
-        slice1cost_column_1_2 <= as_number(slice1cost_single_negative_3_2) + slice1cost_pair_0_2 +
-          slice1cost_single_3_2;
-        slice1cost_column_1_3 <= as_number(slice1cost_single_negative_3_3) + slice1cost_pair_0_3 +
-          slice1cost_single_3_3;
-        slice1cost_column_1_4 <= as_number(slice1cost_single_negative_3_4) + slice1cost_pair_0_4 +
-          slice1cost_single_3_4;
-        slice1cost_column_1_5 <= as_number(slice1cost_single_negative_3_5) + slice1cost_pair_0_5 +
-          slice1cost_single_3_5;
-        slice1cost_column_1_6 <= as_number(slice1cost_single_negative_3_6) + slice1cost_pair_0_6 +
-          slice1cost_single_3_6;
-        slice1cost_column_1_7 <= as_number(slice1cost_single_negative_3_7) + slice1cost_pair_0_7 +
-          slice1cost_single_3_7;
-        slice1cost_column_1_8 <= as_number(slice1cost_single_negative_3_8) + slice1cost_pair_0_8 +
-          slice1cost_single_3_8;
-        slice1cost_column_1_9 <= as_number(slice1cost_single_negative_3_9) + slice1cost_pair_0_9 +
-          slice1cost_single_3_9;
-        slice1cost_column_1_10 <= as_number(slice1cost_single_negative_3_10) + slice1cost_pair_0_10 +
-          slice1cost_single_3_10;
-        slice1cost_column_1_11 <= as_number(slice1cost_single_negative_3_11) + slice1cost_pair_0_11 +
-          slice1cost_single_3_11;
-        slice1cost_column_1_12 <= as_number(slice1cost_single_negative_3_12) + slice1cost_pair_0_12 +
-          slice1cost_single_3_12;
-        slice1cost_column_1_13 <= as_number(slice1cost_single_negative_3_13) + slice1cost_pair_0_13 +
-          slice1cost_single_3_13;
-        slice1cost_column_1_14 <= as_number(slice1cost_single_negative_3_14) + slice1cost_pair_0_14 +
-          slice1cost_single_3_14;
-        slice1cost_column_1_15 <= as_number(slice1cost_single_negative_3_15) + slice1cost_pair_0_15 +
-          slice1cost_single_3_15;
-        slice1cost_column_1_16 <= as_number(slice1cost_single_negative_3_16) + slice1cost_pair_0_16 +
-          slice1cost_single_3_16;
-        slice1cost_column_1_17 <= as_number(slice1cost_single_negative_3_17) + slice1cost_pair_0_17 +
-          slice1cost_single_3_17;
-        slice1cost_column_1_18 <= as_number(slice1cost_single_negative_3_18) + slice1cost_pair_0_18 +
-          slice1cost_single_3_18;
-        slice1cost_column_1_19 <= as_number(slice1cost_single_negative_3_19) + slice1cost_pair_0_19 +
-          slice1cost_single_3_19;
-        slice1cost_column_1_20 <= as_number(slice1cost_single_negative_3_20) + slice1cost_pair_0_20 +
-          slice1cost_single_3_20;
-        slice1cost_column_1_21 <= as_number(slice1cost_single_negative_3_21) + slice1cost_pair_0_21 +
-          slice1cost_single_3_21;
-        slice1cost_column_1_22 <= as_number(slice1cost_single_negative_3_22) + slice1cost_pair_0_22 +
-          slice1cost_single_3_22;
-        slice1cost_column_1_23 <= as_number(slice1cost_single_negative_3_23) + slice1cost_pair_0_23 +
-          slice1cost_single_3_23;
-        slice1cost_column_1_24 <= as_number(slice1cost_single_negative_3_24) + slice1cost_pair_0_24 +
-          slice1cost_single_3_24;
+        for i in 0 to 24 loop
+          slice1cost_column_0(i) <= slice1cost_pair_0(i) + slice1cost_single_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice1cost_column_1(i) <= as_number(slice1cost_single_negative_3(i)) + slice1cost_pair_0(i) +
+            slice1cost_single_3(i);
+        end loop;
       end if;
       if slice0cost_pair_tag_valid then
         slice1cost_signs_write_column <= slice0cost_signs_write_column;
-        slice1cost_signs_write_words_0 <= (as_number(slice1cost_newest_negative_0_23) * 8388608) +
-          (as_number(slice1cost_newest_negative_0_24) * 16777216) + (as_number(slice1cost_newest_negative_0_22) *
-          4194304) + (as_number(slice1cost_newest_negative_0_21) * 2097152) +
-          (as_number(slice1cost_newest_negative_0_20) * 1048576) + (as_number(slice1cost_newest_negative_0_19) *
-          524288) + (as_number(slice1cost_newest_negative_0_18) * 262144) + (as_number(slice1cost_newest_negative_0_17)
-          * 131072) + (as_number(slice1cost_newest_negative_0_16) * 65536) +
-          (as_number(slice1cost_newest_negative_0_15) * 32768) + (as_number(slice1cost_newest_negative_0_14) * 16384) +
-          (as_number(slice1cost_newest_negative_0_13) * 8192) + (as_number(slice1cost_newest_negative_0_12) * 4096) +
-          (as_number(slice1cost_newest_negative_0_11) * 2048) + (as_number(slice1cost_newest_negative_0_10) * 1024) +
-          (as_number(slice1cost_newest_negative_0_9) * 512) + (as_number(slice1cost_newest_negative_0_8) * 256) +
-          (as_number(slice1cost_newest_negative_0_6) * 64) + (as_number(slice1cost_newest_negative_0_7) * 128) +
-          (as_number(slice1cost_newest_negative_0_5) * 32) + (as_number(slice1cost_newest_negative_0_4) * 16) +
-          (as_number(slice1cost_newest_negative_0_3) * 8) + (as_number(slice1cost_newest_negative_0_2) * 4) +
-          as_number(slice1cost_newest_negative_0_0) + (as_number(slice1cost_newest_negative_0_1) * 2);
-        slice1cost_signs_write_words_1 <= (as_number(slice1cost_newest_negative_1_23) * 8388608) +
-          (as_number(slice1cost_newest_negative_1_24) * 16777216) + (as_number(slice1cost_newest_negative_1_22) *
-          4194304) + (as_number(slice1cost_newest_negative_1_21) * 2097152) +
-          (as_number(slice1cost_newest_negative_1_20) * 1048576) + (as_number(slice1cost_newest_negative_1_19) *
-          524288) + (as_number(slice1cost_newest_negative_1_18) * 262144) + (as_number(slice1cost_newest_negative_1_17)
-          * 131072) + (as_number(slice1cost_newest_negative_1_16) * 65536) +
-          (as_number(slice1cost_newest_negative_1_15) * 32768) + (as_number(slice1cost_newest_negative_1_14) * 16384) +
-          (as_number(slice1cost_newest_negative_1_13) * 8192) + (as_number(slice1cost_newest_negative_1_12) * 4096) +
-          (as_number(slice1cost_newest_negative_1_11) * 2048) + (as_number(slice1cost_newest_negative_1_10) * 1024) +
-          (as_number(slice1cost_newest_negative_1_9) * 512) + (as_number(slice1cost_newest_negative_1_8) * 256) +
-          (as_number(slice1cost_newest_negative_1_6) * 64) + (as_number(slice1cost_newest_negative_1_7) * 128) +
-          (as_number(slice1cost_newest_negative_1_5) * 32) + (as_number(slice1cost_newest_negative_1_4) * 16) +
-          (as_number(slice1cost_newest_negative_1_3) * 8) + (as_number(slice1cost_newest_negative_1_2) * 4) +
-          as_number(slice1cost_newest_negative_1_0) + (as_number(slice1cost_newest_negative_1_1) * 2);
+        for i in 0 to 1 loop
+          slice1cost_signs_write_words(i) <= (as_number(slice1cost_newest_negative(i, 23)) * 8388608) +
+            (as_number(slice1cost_newest_negative(i, 24)) * 16777216) + (as_number(slice1cost_newest_negative(i, 22)) *
+            4194304) + (as_number(slice1cost_newest_negative(i, 21)) * 2097152) +
+            (as_number(slice1cost_newest_negative(i, 20)) * 1048576) + (as_number(slice1cost_newest_negative(i, 19)) *
+            524288) + (as_number(slice1cost_newest_negative(i, 18)) * 262144) +
+            (as_number(slice1cost_newest_negative(i, 17)) * 131072) + (as_number(slice1cost_newest_negative(i, 16)) *
+            65536) + (as_number(slice1cost_newest_negative(i, 15)) * 32768) + (as_number(slice1cost_newest_negative(i,
+            14)) * 16384) + (as_number(slice1cost_newest_negative(i, 13)) * 8192) +
+            (as_number(slice1cost_newest_negative(i, 12)) * 4096) + (as_number(slice1cost_newest_negative(i, 11)) *
+            2048) + (as_number(slice1cost_newest_negative(i, 10)) * 1024) + (as_number(slice1cost_newest_negative(i,
+            9)) * 512) + (as_number(slice1cost_newest_negative(i, 8)) * 256) + (as_number(slice1cost_newest_negative(i,
+            6)) * 64) + (as_number(slice1cost_newest_negative(i, 7)) * 128) + (as_number(slice1cost_newest_negative(i,
+            5)) * 32) + (as_number(slice1cost_newest_negative(i, 4)) * 16) + (as_number(slice1cost_newest_negative(i,
+            3)) * 8) + (as_number(slice1cost_newest_negative(i, 2)) * 4) + as_number(slice1cost_newest_negative(i, 0))
+            + (as_number(slice1cost_newest_negative(i, 1)) * 2);
+        end loop;
       end if;
       -- slice1window
       if slice0window_tag_valid then
-        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
-        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
-        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
-        slice1window_partial_0_0_3 <= slice1cost_column_0_3;
-        slice1window_partial_0_0_4 <= slice1cost_column_0_4;
-        slice1window_partial_0_0_5 <= slice1cost_column_0_5;
-        slice1window_partial_0_0_6 <= slice1cost_column_0_6;
-        slice1window_partial_0_0_7 <= slice1cost_column_0_7;
-        slice1window_partial_0_0_8 <= slice1cost_column_0_8;
-        slice1window_partial_0_0_9 <= slice1cost_column_0_9;
-        slice1window_partial_0_0_10 <= slice1cost_column_0_10;
-        slice1window_partial_0_0_11 <= slice1cost_column_0_11;
-        slice1window_partial_0_0_12 <= slice1cost_column_0_12;
-        slice1window_partial_0_0_13 <= slice1cost_column_0_13;
-        slice1window_partial_0_0_14 <= slice1cost_column_0_14;
-        slice1window_partial_0_0_15 <= slice1cost_column_0_15;
-        slice1window_partial_0_0_16 <= slice1cost_column_0_16;
-        slice1window_partial_0_0_17 <= slice1cost_column_0_17;
-        slice1window_partial_0_0_18 <= slice1cost_column_0_18;
-        slice1window_partial_0_0_19 <= slice1cost_column_0_19;
-        slice1window_partial_0_0_20 <= slice1cost_column_0_20;
-        slice1window_partial_0_0_21 <= slice1cost_column_0_21;
-        slice1window_partial_0_0_22 <= slice1cost_column_0_22;
-        slice1window_partial_0_0_23 <= slice1cost_column_0_23;
-        slice1window_partial_0_0_24 <= slice1cost_column_0_24;
-        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
-        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
-        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
-        slice1window_partial_0_1_3 <= slice1cost_column_0_3 + slice1window_partial_0_0_3;
-        slice1window_partial_0_1_4 <= slice1cost_column_0_4 + slice1window_partial_0_0_4;
-        slice1window_partial_0_1_5 <= slice1cost_column_0_5 + slice1window_partial_0_0_5;
-        slice1window_partial_0_1_6 <= slice1cost_column_0_6 + slice1window_partial_0_0_6;
-        slice1window_partial_0_1_7 <= slice1cost_column_0_7 + slice1window_partial_0_0_7;
-        slice1window_partial_0_1_8 <= slice1cost_column_0_8 + slice1window_partial_0_0_8;
-        slice1window_partial_0_1_9 <= slice1cost_column_0_9 + slice1window_partial_0_0_9;
-        slice1window_partial_0_1_10 <= slice1cost_column_0_10 + slice1window_partial_0_0_10;
-        slice1window_partial_0_1_11 <= slice1cost_column_0_11 + slice1window_partial_0_0_11;
-        slice1window_partial_0_1_12 <= slice1cost_column_0_12 + slice1window_partial_0_0_12;
-        slice1window_partial_0_1_13 <= slice1cost_column_0_13 + slice1window_partial_0_0_13;
-        slice1window_partial_0_1_14 <= slice1cost_column_0_14 + slice1window_partial_0_0_14;
-        slice1window_partial_0_1_15 <= slice1cost_column_0_15 + slice1window_partial_0_0_15;
-        slice1window_partial_0_1_16 <= slice1cost_column_0_16 + slice1window_partial_0_0_16;
-        slice1window_partial_0_1_17 <= slice1cost_column_0_17 + slice1window_partial_0_0_17;
-        slice1window_partial_0_1_18 <= slice1cost_column_0_18 + slice1window_partial_0_0_18;
-        slice1window_partial_0_1_19 <= slice1cost_column_0_19 + slice1window_partial_0_0_19;
-        slice1window_partial_0_1_20 <= slice1cost_column_0_20 + slice1window_partial_0_0_20;
-        slice1window_partial_0_1_21 <= slice1cost_column_0_21 + slice1window_partial_0_0_21;
-        slice1window_partial_0_1_22 <= slice1cost_column_0_22 + slice1window_partial_0_0_22;
-        slice1window_partial_0_1_23 <= slice1cost_column_0_23 + slice1window_partial_0_0_23;
-        slice1window_partial_0_1_24 <= slice1cost_column_0_24 + slice1window_partial_0_0_24;
-        slice1window_partial_1_0_0 <= slice1cost_column_1_0;
-        slice1window_partial_1_0_1 <= slice1cost_column_1_1;
-        slice1window_partial_1_0_2 <= slice1cost_column_1_2;
-        slice1window_partial_1_0_3 <= slice1cost_column_1_3;
-        slice1window_partial_1_0_4 <= slice1cost_column_1_4;
-        slice1window_partial_1_0_5 <= slice1cost_column_1_5;
-        slice1window_partial_1_0_6 <= slice1cost_column_1_6;
-        slice1window_partial_1_0_7 <= slice1cost_column_1_7;
-        slice1window_partial_1_0_8 <= slice1cost_column_1_8;
-        slice1window_partial_1_0_9 <= slice1cost_column_1_9;
-        slice1window_partial_1_0_10 <= slice1cost_column_1_10;
-        slice1window_partial_1_0_11 <= slice1cost_column_1_11;
-        slice1window_partial_1_0_12 <= slice1cost_column_1_12;
-        slice1window_partial_1_0_13 <= slice1cost_column_1_13;
-        slice1window_partial_1_0_14 <= slice1cost_column_1_14;
-        slice1window_partial_1_0_15 <= slice1cost_column_1_15;
-        slice1window_partial_1_0_16 <= slice1cost_column_1_16;
-        slice1window_partial_1_0_17 <= slice1cost_column_1_17;
-        slice1window_partial_1_0_18 <= slice1cost_column_1_18;
-        slice1window_partial_1_0_19 <= slice1cost_column_1_19;
-        slice1window_partial_1_0_20 <= slice1cost_column_1_20;
-        slice1window_partial_1_0_21 <= slice1cost_column_1_21;
-        slice1window_partial_1_0_22 <= slice1cost_column_1_22;
-        slice1window_partial_1_0_23 <= slice1cost_column_1_23;
-        slice1window_partial_1_0_24 <= slice1cost_column_1_24;
-        slice1window_partial_1_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_0_0;
-        slice1window_partial_1_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_0_1;
-        slice1window_partial_1_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_0_2;
-        slice1window_partial_1_1_3 <= slice1cost_column_1_3 + slice1window_partial_1_0_3;
-        slice1window_partial_1_1_4 <= slice1cost_column_1_4 + slice1window_partial_1_0_4;
-        slice1window_partial_1_1_5 <= slice1cost_column_1_5 + slice1window_partial_1_0_5;
-        slice1window_partial_1_1_6 <= slice1cost_column_1_6 + slice1window_partial_1_0_6;
-        slice1window_partial_1_1_7 <= slice1cost_column_1_7 + slice1window_partial_1_0_7;
-        slice1window_partial_1_1_8 <= slice1cost_column_1_8 + slice1window_partial_1_0_8;
-        slice1window_partial_1_1_9 <= slice1cost_column_1_9 + slice1window_partial_1_0_9;
-        slice1window_partial_1_1_10 <= slice1cost_column_1_10 + slice1window_partial_1_0_10;
-        slice1window_partial_1_1_11 <= slice1cost_column_1_11 + slice1window_partial_1_0_11;
-        slice1window_partial_1_1_12 <= slice1cost_column_1_12 + slice1window_partial_1_0_12;
-        slice1window_partial_1_1_13 <= slice1cost_column_1_13 + slice1window_partial_1_0_13;
-        slice1window_partial_1_1_14 <= slice1cost_column_1_14 + slice1window_partial_1_0_14;
-        slice1window_partial_1_1_15 <= slice1cost_column_1_15 + slice1window_partial_1_0_15;
-        slice1window_partial_1_1_16 <= slice1cost_column_1_16 + slice1window_partial_1_0_16;
-        slice1window_partial_1_1_17 <= slice1cost_column_1_17 + slice1window_partial_1_0_17;
-        slice1window_partial_1_1_18 <= slice1cost_column_1_18 + slice1window_partial_1_0_18;
-        slice1window_partial_1_1_19 <= slice1cost_column_1_19 + slice1window_partial_1_0_19;
-        slice1window_partial_1_1_20 <= slice1cost_column_1_20 + slice1window_partial_1_0_20;
-        slice1window_partial_1_1_21 <= slice1cost_column_1_21 + slice1window_partial_1_0_21;
-        slice1window_partial_1_1_22 <= slice1cost_column_1_22 + slice1window_partial_1_0_22;
-        slice1window_partial_1_1_23 <= slice1cost_column_1_23 + slice1window_partial_1_0_23;
-        slice1window_partial_1_1_24 <= slice1cost_column_1_24 + slice1window_partial_1_0_24;
+        for i in 0 to 24 loop
+          slice1window_partial_0_0(i) <= slice1cost_column_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice1window_partial_0_1(i) <= slice1cost_column_0(i) + slice1window_partial_0_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice1window_partial_1_0(i) <= slice1cost_column_1(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice1window_partial_1_1(i) <= slice1cost_column_1(i) + slice1window_partial_1_0(i);
+        end loop;
       end if;
-      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
-      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
-      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
-      slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
-      slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
-      slice1window_sum_0_5 <= slice1cost_column_0_5 + slice1window_partial_0_1_5;
-      slice1window_sum_0_6 <= slice1cost_column_0_6 + slice1window_partial_0_1_6;
-      slice1window_sum_0_7 <= slice1cost_column_0_7 + slice1window_partial_0_1_7;
-      slice1window_sum_0_8 <= slice1cost_column_0_8 + slice1window_partial_0_1_8;
-      slice1window_sum_0_9 <= slice1cost_column_0_9 + slice1window_partial_0_1_9;
-      slice1window_sum_0_10 <= slice1cost_column_0_10 + slice1window_partial_0_1_10;
-      slice1window_sum_0_11 <= slice1cost_column_0_11 + slice1window_partial_0_1_11;
-      slice1window_sum_0_12 <= slice1cost_column_0_12 + slice1window_partial_0_1_12;
-      slice1window_sum_0_13 <= slice1cost_column_0_13 + slice1window_partial_0_1_13;
-      slice1window_sum_0_14 <= slice1cost_column_0_14 + slice1window_partial_0_1_14;
-      slice1window_sum_0_15 <= slice1cost_column_0_15 + slice1window_partial_0_1_15;
-      slice1window_sum_0_16 <= slice1cost_column_0_16 + slice1window_partial_0_1_16;
-      slice1window_sum_0_17 <= slice1cost_column_0_17 + slice1window_partial_0_1_17;
-      slice1window_sum_0_18 <= slice1cost_column_0_18 + slice1window_partial_0_1_18;
-      slice1window_sum_0_19 <= slice1cost_column_0_19 + slice1window_partial_0_1_19;
-      slice1window_sum_0_20 <= slice1cost_column_0_20 + slice1window_partial_0_1_20;
-      slice1window_sum_0_21 <= slice1cost_column_0_21 + slice1window_partial_0_1_21;
-      slice1window_sum_0_22 <= slice1cost_column_0_22 + slice1window_partial_0_1_22;
-      slice1window_sum_0_23 <= slice1cost_column_0_23 + slice1window_partial_0_1_23;
-      slice1window_sum_0_24 <= slice1cost_column_0_24 + slice1window_partial_0_1_24;
-      slice1window_sum_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_1_0;
-      slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
-      slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
-      slice1window_sum_1_3 <= slice1cost_column_1_3 + slice1window_partial_1_1_3;
-      slice1window_sum_1_4 <= slice1cost_column_1_4 + slice1window_partial_1_1_4;
-      slice1window_sum_1_5 <= slice1cost_column_1_5 + slice1window_partial_1_1_5;
-      slice1window_sum_1_6 <= slice1cost_column_1_6 + slice1window_partial_1_1_6;
-      slice1window_sum_1_7 <= slice1cost_column_1_7 + slice1window_partial_1_1_7;
-      slice1window_sum_1_8 <= slice1cost_column_1_8 + slice1window_partial_1_1_8;
-      slice1window_sum_1_9 <= slice1cost_column_1_9 + slice1window_partial_1_1_9;
-      slice1window_sum_1_10 <= slice1cost_column_1_10 + slice1window_partial_1_1_10;
-      slice1window_sum_1_11 <= slice1cost_column_1_11 + slice1window_partial_1_1_11;
-      slice1window_sum_1_12 <= slice1cost_column_1_12 + slice1window_partial_1_1_12;
-      slice1window_sum_1_13 <= slice1cost_column_1_13 + slice1window_partial_1_1_13;
-      slice1window_sum_1_14 <= slice1cost_column_1_14 + slice1window_partial_1_1_14;
-      slice1window_sum_1_15 <= slice1cost_column_1_15 + slice1window_partial_1_1_15;
-      slice1window_sum_1_16 <= slice1cost_column_1_16 + slice1window_partial_1_1_16;
-      slice1window_sum_1_17 <= slice1cost_column_1_17 + slice1window_partial_1_1_17;
-      slice1window_sum_1_18 <= slice1cost_column_1_18 + slice1window_partial_1_1_18;
-      slice1window_sum_1_19 <= slice1cost_column_1_19 + slice1window_partial_1_1_19;
-      slice1window_sum_1_20 <= slice1cost_column_1_20 + slice1window_partial_1_1_20;
-      slice1window_sum_1_21 <= slice1cost_column_1_21 + slice1window_partial_1_1_21;
-      slice1window_sum_1_22 <= slice1cost_column_1_22 + slice1window_partial_1_1_22;
-      slice1window_sum_1_23 <= slice1cost_column_1_23 + slice1window_partial_1_1_23;
-      slice1window_sum_1_24 <= slice1cost_column_1_24 + slice1window_partial_1_1_24;
+      for i in 0 to 24 loop
+        slice1window_sum_0(i) <= slice1cost_column_0(i) + slice1window_partial_0_1(i);
+      end loop;
+      for i in 0 to 24 loop
+        slice1window_sum_1(i) <= slice1cost_column_1(i) + slice1window_partial_1_1(i);
+      end loop;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
-      slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
-      slice1winner1_best_cost_0_6_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
-      slice1winner1_best_cost_0_7_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
-      slice1winner1_best_cost_0_8_is_less := (slice1window_sum_0_17 - slice1window_sum_0_16) < 0;
-      slice1winner1_best_cost_0_9_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
-      slice1winner1_best_cost_0_10_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
-      slice1winner1_best_cost_0_11_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
-      slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
-      slice1winner1_best_cost_1_1_is_less := (slice1window_sum_1_3 - slice1window_sum_1_2) < 0;
-      slice1winner1_best_cost_1_2_is_less := (slice1window_sum_1_5 - slice1window_sum_1_4) < 0;
-      slice1winner1_best_cost_1_3_is_less := (slice1window_sum_1_7 - slice1window_sum_1_6) < 0;
-      slice1winner1_best_cost_1_4_is_less := (slice1window_sum_1_9 - slice1window_sum_1_8) < 0;
-      slice1winner1_best_cost_1_5_is_less := (slice1window_sum_1_11 - slice1window_sum_1_10) < 0;
-      slice1winner1_best_cost_1_6_is_less := (slice1window_sum_1_13 - slice1window_sum_1_12) < 0;
-      slice1winner1_best_cost_1_7_is_less := (slice1window_sum_1_15 - slice1window_sum_1_14) < 0;
-      slice1winner1_best_cost_1_8_is_less := (slice1window_sum_1_17 - slice1window_sum_1_16) < 0;
-      slice1winner1_best_cost_1_9_is_less := (slice1window_sum_1_19 - slice1window_sum_1_18) < 0;
-      slice1winner1_best_cost_1_10_is_less := (slice1window_sum_1_21 - slice1window_sum_1_20) < 0;
-      slice1winner1_best_cost_1_11_is_less := (slice1window_sum_1_23 - slice1window_sum_1_22) < 0;
-      slice1winner1_best_cost_0_12 <= slice1window_sum_0_24;
-      slice1winner1_best_cost_1_12 <= slice1window_sum_1_24;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      if slice1winner1_best_cost_0_0_is_less then
-        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      for i in 0 to 11 loop
+        slice1winner1_best_cost_is_less(0, i) := (slice1window_sum_0(2 * i + 1) - slice1window_sum_0(2 * i)) < 0;
+      end loop;
+      for i in 0 to 11 loop
+        slice1winner1_best_cost_is_less(1, i) := (slice1window_sum_1(2 * i + 1) - slice1window_sum_1(2 * i)) < 0;
+      end loop;
+      slice1winner1_best_cost_0(12) <= slice1window_sum_0(24);
+      slice1winner1_best_cost_1(12) <= slice1window_sum_1(24);
+      slice1winner1_best_index_0(0) <= slice1winner1_best_cost_is_less(0, 0);
+      slice1winner1_best_index_0(1) <= slice1winner1_best_cost_is_less(1, 0);
+      if slice1winner1_best_cost_is_less(0, 0) then
+        slice1winner1_best_cost_0(0) <= slice1window_sum_0(1);
       else
-        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_cost_0(0) <= slice1window_sum_0(0);
       end if;
-      if slice1winner1_best_cost_0_1_is_less then
-        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
-        slice1winner1_best_index_0_1 <= 3;
+      if slice1winner1_best_cost_is_less(0, 1) then
+        slice1winner1_best_cost_0(1) <= slice1window_sum_0(3);
+        slice1winner1_best_index_1(0) <= 3;
       else
-        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-        slice1winner1_best_index_0_1 <= 2;
+        slice1winner1_best_cost_0(1) <= slice1window_sum_0(2);
+        slice1winner1_best_index_1(0) <= 2;
       end if;
-      if slice1winner1_best_cost_0_2_is_less then
-        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
-        slice1winner1_best_index_0_2 <= 5;
+      if slice1winner1_best_cost_is_less(0, 2) then
+        slice1winner1_best_cost_0(2) <= slice1window_sum_0(5);
+        slice1winner1_best_index_2(0) <= 5;
       else
-        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
-        slice1winner1_best_index_0_2 <= 4;
+        slice1winner1_best_cost_0(2) <= slice1window_sum_0(4);
+        slice1winner1_best_index_2(0) <= 4;
       end if;
-      if slice1winner1_best_cost_0_3_is_less then
-        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
-        slice1winner1_best_index_0_3 <= 7;
+      if slice1winner1_best_cost_is_less(0, 3) then
+        slice1winner1_best_cost_0(3) <= slice1window_sum_0(7);
+        slice1winner1_best_index_3(0) <= 7;
       else
-        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
-        slice1winner1_best_index_0_3 <= 6;
+        slice1winner1_best_cost_0(3) <= slice1window_sum_0(6);
+        slice1winner1_best_index_3(0) <= 6;
       end if;
-      if slice1winner1_best_cost_0_4_is_less then
-        slice1winner1_best_cost_0_4 <= slice1window_sum_0_9;
-        slice1winner1_best_index_0_4 <= 9;
+      if slice1winner1_best_cost_is_less(0, 4) then
+        slice1winner1_best_cost_0(4) <= slice1window_sum_0(9);
+        slice1winner1_best_index_4(0) <= 9;
       else
-        slice1winner1_best_cost_0_4 <= slice1window_sum_0_8;
-        slice1winner1_best_index_0_4 <= 8;
+        slice1winner1_best_cost_0(4) <= slice1window_sum_0(8);
+        slice1winner1_best_index_4(0) <= 8;
       end if;
-      if slice1winner1_best_cost_0_5_is_less then
-        slice1winner1_best_cost_0_5 <= slice1window_sum_0_11;
-        slice1winner1_best_index_0_5 <= 11;
+      if slice1winner1_best_cost_is_less(0, 5) then
+        slice1winner1_best_cost_0(5) <= slice1window_sum_0(11);
+        slice1winner1_best_index_5(0) <= 11;
       else
-        slice1winner1_best_cost_0_5 <= slice1window_sum_0_10;
-        slice1winner1_best_index_0_5 <= 10;
+        slice1winner1_best_cost_0(5) <= slice1window_sum_0(10);
+        slice1winner1_best_index_5(0) <= 10;
       end if;
-      if slice1winner1_best_cost_0_6_is_less then
-        slice1winner1_best_cost_0_6 <= slice1window_sum_0_13;
-        slice1winner1_best_index_0_6 <= 13;
+      if slice1winner1_best_cost_is_less(0, 6) then
+        slice1winner1_best_cost_0(6) <= slice1window_sum_0(13);
+        slice1winner1_best_index_6(0) <= 13;
       else
-        slice1winner1_best_cost_0_6 <= slice1window_sum_0_12;
-        slice1winner1_best_index_0_6 <= 12;
+        slice1winner1_best_cost_0(6) <= slice1window_sum_0(12);
+        slice1winner1_best_index_6(0) <= 12;
       end if;
-      if slice1winner1_best_cost_0_7_is_less then
-        slice1winner1_best_cost_0_7 <= slice1window_sum_0_15;
-        slice1winner1_best_index_0_7 <= 15;
+      if slice1winner1_best_cost_is_less(0, 7) then
+        slice1winner1_best_cost_0(7) <= slice1window_sum_0(15);
+        slice1winner1_best_index_7(0) <= 15;
       else
-        slice1winner1_best_cost_0_7 <= slice1window_sum_0_14;
-        slice1winner1_best_index_0_7 <= 14;
+        slice1winner1_best_cost_0(7) <= slice1window_sum_0(14);
+        slice1winner1_best_index_7(0) <= 14;
       end if;
-      if slice1winner1_best_cost_0_8_is_less then
-        slice1winner1_best_cost_0_8 <= slice1window_sum_0_17;
-        slice1winner1_best_index_0_8 <= 17;
+      if slice1winner1_best_cost_is_less(0, 8) then
+        slice1winner1_best_cost_0(8) <= slice1window_sum_0(17);
+        slice1winner1_best_index_8(0) <= 17;
       else
-        slice1winner1_best_cost_0_8 <= slice1window_sum_0_16;
-        slice1winner1_best_index_0_8 <= 16;
+        slice1winner1_best_cost_0(8) <= slice1window_sum_0(16);
+        slice1winner1_best_index_8(0) <= 16;
       end if;
-      if slice1winner1_best_cost_0_9_is_less then
-        slice1winner1_best_cost_0_9 <= slice1window_sum_0_19;
-        slice1winner1_best_index_0_9 <= 19;
+      if slice1winner1_best_cost_is_less(0, 9) then
+        slice1winner1_best_cost_0(9) <= slice1window_sum_0(19);
+        slice1winner1_best_index_9(0) <= 19;
       else
-        slice1winner1_best_cost_0_9 <= slice1window_sum_0_18;
-        slice1winner1_best_index_0_9 <= 18;
+        slice1winner1_best_cost_0(9) <= slice1window_sum_0(18);
+        slice1winner1_best_index_9(0) <= 18;
       end if;
-      if slice1winner1_best_cost_0_10_is_less then
-        slice1winner1_best_cost_0_10 <= slice1window_sum_0_21;
-        slice1winner1_best_index_0_10 <= 21;
+      if slice1winner1_best_cost_is_less(0, 10) then
+        slice1winner1_best_cost_0(10) <= slice1window_sum_0(21);
+        slice1winner1_best_index_10(0) <= 21;
       else
-        slice1winner1_best_cost_0_10 <= slice1window_sum_0_20;
-        slice1winner1_best_index_0_10 <= 20;
+        slice1winner1_best_cost_0(10) <= slice1window_sum_0(20);
+        slice1winner1_best_index_10(0) <= 20;
       end if;
-      if slice1winner1_best_cost_0_11_is_less then
-        slice1winner1_best_cost_0_11 <= slice1window_sum_0_23;
-        slice1winner1_best_index_0_11 <= 23;
+      if slice1winner1_best_cost_is_less(0, 11) then
+        slice1winner1_best_cost_0(11) <= slice1window_sum_0(23);
+        slice1winner1_best_index_11(0) <= 23;
       else
-        slice1winner1_best_cost_0_11 <= slice1window_sum_0_22;
-        slice1winner1_best_index_0_11 <= 22;
+        slice1winner1_best_cost_0(11) <= slice1window_sum_0(22);
+        slice1winner1_best_index_11(0) <= 22;
       end if;
-      if slice1winner1_best_cost_1_0_is_less then
-        slice1winner1_best_cost_1_0 <= slice1window_sum_1_1;
+      if slice1winner1_best_cost_is_less(1, 0) then
+        slice1winner1_best_cost_1(0) <= slice1window_sum_1(1);
       else
-        slice1winner1_best_cost_1_0 <= slice1window_sum_1_0;
+        slice1winner1_best_cost_1(0) <= slice1window_sum_1(0);
       end if;
-      if slice1winner1_best_cost_1_1_is_less then
-        slice1winner1_best_cost_1_1 <= slice1window_sum_1_3;
-        slice1winner1_best_index_1_1 <= 3;
+      if slice1winner1_best_cost_is_less(1, 1) then
+        slice1winner1_best_cost_1(1) <= slice1window_sum_1(3);
+        slice1winner1_best_index_1(1) <= 3;
       else
-        slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-        slice1winner1_best_index_1_1 <= 2;
+        slice1winner1_best_cost_1(1) <= slice1window_sum_1(2);
+        slice1winner1_best_index_1(1) <= 2;
       end if;
-      if slice1winner1_best_cost_1_2_is_less then
-        slice1winner1_best_cost_1_2 <= slice1window_sum_1_5;
-        slice1winner1_best_index_1_2 <= 5;
+      if slice1winner1_best_cost_is_less(1, 2) then
+        slice1winner1_best_cost_1(2) <= slice1window_sum_1(5);
+        slice1winner1_best_index_2(1) <= 5;
       else
-        slice1winner1_best_cost_1_2 <= slice1window_sum_1_4;
-        slice1winner1_best_index_1_2 <= 4;
+        slice1winner1_best_cost_1(2) <= slice1window_sum_1(4);
+        slice1winner1_best_index_2(1) <= 4;
       end if;
-      if slice1winner1_best_cost_1_3_is_less then
-        slice1winner1_best_cost_1_3 <= slice1window_sum_1_7;
-        slice1winner1_best_index_1_3 <= 7;
+      if slice1winner1_best_cost_is_less(1, 3) then
+        slice1winner1_best_cost_1(3) <= slice1window_sum_1(7);
+        slice1winner1_best_index_3(1) <= 7;
       else
-        slice1winner1_best_cost_1_3 <= slice1window_sum_1_6;
-        slice1winner1_best_index_1_3 <= 6;
+        slice1winner1_best_cost_1(3) <= slice1window_sum_1(6);
+        slice1winner1_best_index_3(1) <= 6;
       end if;
-      if slice1winner1_best_cost_1_4_is_less then
-        slice1winner1_best_cost_1_4 <= slice1window_sum_1_9;
-        slice1winner1_best_index_1_4 <= 9;
+      if slice1winner1_best_cost_is_less(1, 4) then
+        slice1winner1_best_cost_1(4) <= slice1window_sum_1(9);
+        slice1winner1_best_index_4(1) <= 9;
       else
-        slice1winner1_best_cost_1_4 <= slice1window_sum_1_8;
-        slice1winner1_best_index_1_4 <= 8;
+        slice1winner1_best_cost_1(4) <= slice1window_sum_1(8);
+        slice1winner1_best_index_4(1) <= 8;
       end if;
-      if slice1winner1_best_cost_1_5_is_less then
-        slice1winner1_best_cost_1_5 <= slice1window_sum_1_11;
-        slice1winner1_best_index_1_5 <= 11;
+      if slice1winner1_best_cost_is_less(1, 5) then
+        slice1winner1_best_cost_1(5) <= slice1window_sum_1(11);
+        slice1winner1_best_index_5(1) <= 11;
       else
-        slice1winner1_best_cost_1_5 <= slice1window_sum_1_10;
-        slice1winner1_best_index_1_5 <= 10;
+        slice1winner1_best_cost_1(5) <= slice1window_sum_1(10);
+        slice1winner1_best_index_5(1) <= 10;
       end if;
-      if slice1winner1_best_cost_1_6_is_less then
-        slice1winner1_best_cost_1_6 <= slice1window_sum_1_13;
-        slice1winner1_best_index_1_6 <= 13;
+      if slice1winner1_best_cost_is_less(1, 6) then
+        slice1winner1_best_cost_1(6) <= slice1window_sum_1(13);
+        slice1winner1_best_index_6(1) <= 13;
       else
-        slice1winner1_best_cost_1_6 <= slice1window_sum_1_12;
-        slice1winner1_best_index_1_6 <= 12;
+        slice1winner1_best_cost_1(6) <= slice1window_sum_1(12);
+        slice1winner1_best_index_6(1) <= 12;
       end if;
-      if slice1winner1_best_cost_1_7_is_less then
-        slice1winner1_best_cost_1_7 <= slice1window_sum_1_15;
-        slice1winner1_best_index_1_7 <= 15;
+      if slice1winner1_best_cost_is_less(1, 7) then
+        slice1winner1_best_cost_1(7) <= slice1window_sum_1(15);
+        slice1winner1_best_index_7(1) <= 15;
       else
-        slice1winner1_best_cost_1_7 <= slice1window_sum_1_14;
-        slice1winner1_best_index_1_7 <= 14;
+        slice1winner1_best_cost_1(7) <= slice1window_sum_1(14);
+        slice1winner1_best_index_7(1) <= 14;
       end if;
-      if slice1winner1_best_cost_1_8_is_less then
-        slice1winner1_best_cost_1_8 <= slice1window_sum_1_17;
-        slice1winner1_best_index_1_8 <= 17;
+      if slice1winner1_best_cost_is_less(1, 8) then
+        slice1winner1_best_cost_1(8) <= slice1window_sum_1(17);
+        slice1winner1_best_index_8(1) <= 17;
       else
-        slice1winner1_best_cost_1_8 <= slice1window_sum_1_16;
-        slice1winner1_best_index_1_8 <= 16;
+        slice1winner1_best_cost_1(8) <= slice1window_sum_1(16);
+        slice1winner1_best_index_8(1) <= 16;
       end if;
-      if slice1winner1_best_cost_1_9_is_less then
-        slice1winner1_best_cost_1_9 <= slice1window_sum_1_19;
-        slice1winner1_best_index_1_9 <= 19;
+      if slice1winner1_best_cost_is_less(1, 9) then
+        slice1winner1_best_cost_1(9) <= slice1window_sum_1(19);
+        slice1winner1_best_index_9(1) <= 19;
       else
-        slice1winner1_best_cost_1_9 <= slice1window_sum_1_18;
-        slice1winner1_best_index_1_9 <= 18;
+        slice1winner1_best_cost_1(9) <= slice1window_sum_1(18);
+        slice1winner1_best_index_9(1) <= 18;
       end if;
-      if slice1winner1_best_cost_1_10_is_less then
-        slice1winner1_best_cost_1_10 <= slice1window_sum_1_21;
-        slice1winner1_best_index_1_10 <= 21;
+      if slice1winner1_best_cost_is_less(1, 10) then
+        slice1winner1_best_cost_1(10) <= slice1window_sum_1(21);
+        slice1winner1_best_index_10(1) <= 21;
       else
-        slice1winner1_best_cost_1_10 <= slice1window_sum_1_20;
-        slice1winner1_best_index_1_10 <= 20;
+        slice1winner1_best_cost_1(10) <= slice1window_sum_1(20);
+        slice1winner1_best_index_10(1) <= 20;
       end if;
-      if slice1winner1_best_cost_1_11_is_less then
-        slice1winner1_best_cost_1_11 <= slice1window_sum_1_23;
-        slice1winner1_best_index_1_11 <= 23;
+      if slice1winner1_best_cost_is_less(1, 11) then
+        slice1winner1_best_cost_1(11) <= slice1window_sum_1(23);
+        slice1winner1_best_index_11(1) <= 23;
       else
-        slice1winner1_best_cost_1_11 <= slice1window_sum_1_22;
-        slice1winner1_best_index_1_11 <= 22;
+        slice1winner1_best_cost_1(11) <= slice1window_sum_1(22);
+        slice1winner1_best_index_11(1) <= 22;
       end if;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
-      slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
-      slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
-      slice1winner2_best_cost_0_4_is_less := (slice1winner1_best_cost_0_9 - slice1winner1_best_cost_0_8) < 0;
-      slice1winner2_best_cost_0_5_is_less := (slice1winner1_best_cost_0_11 - slice1winner1_best_cost_0_10) < 0;
-      slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
-      slice1winner2_best_cost_1_1_is_less := (slice1winner1_best_cost_1_3 - slice1winner1_best_cost_1_2) < 0;
-      slice1winner2_best_cost_1_2_is_less := (slice1winner1_best_cost_1_5 - slice1winner1_best_cost_1_4) < 0;
-      slice1winner2_best_cost_1_3_is_less := (slice1winner1_best_cost_1_7 - slice1winner1_best_cost_1_6) < 0;
-      slice1winner2_best_cost_1_4_is_less := (slice1winner1_best_cost_1_9 - slice1winner1_best_cost_1_8) < 0;
-      slice1winner2_best_cost_1_5_is_less := (slice1winner1_best_cost_1_11 - slice1winner1_best_cost_1_10) < 0;
-      slice1winner2_best_cost_0_6 <= slice1winner1_best_cost_0_12;
-      slice1winner2_best_cost_1_6 <= slice1winner1_best_cost_1_12;
-      if slice1winner2_best_cost_0_0_is_less then
-        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
-        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+      for i in 0 to 5 loop
+        slice1winner2_best_cost_is_less(0, i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      for i in 0 to 5 loop
+        slice1winner2_best_cost_is_less(1, i) := (slice1winner1_best_cost_1(2 * i + 1) - slice1winner1_best_cost_1(2 *
+          i)) < 0;
+      end loop;
+      slice1winner2_best_cost_0(6) <= slice1winner1_best_cost_0(12);
+      slice1winner2_best_cost_1(6) <= slice1winner1_best_cost_1(12);
+      if slice1winner2_best_cost_is_less(0, 0) then
+        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(1);
+        slice1winner2_best_index_0(0) <= slice1winner1_best_index_1(0);
       else
-        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
-        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(0);
+        slice1winner2_best_index_0(0) <= as_number(slice1winner1_best_index_0(0));
       end if;
-      if slice1winner2_best_cost_0_1_is_less then
-        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
+      if slice1winner2_best_cost_is_less(0, 1) then
+        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(3);
+        slice1winner2_best_index_1(0) <= slice1winner1_best_index_3(0);
       else
-        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(2);
+        slice1winner2_best_index_1(0) <= slice1winner1_best_index_2(0);
       end if;
-      if slice1winner2_best_cost_0_2_is_less then
-        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5;
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
+      if slice1winner2_best_cost_is_less(0, 2) then
+        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(5);
+        slice1winner2_best_index_2(0) <= slice1winner1_best_index_5(0);
       else
-        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_4;
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
+        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(4);
+        slice1winner2_best_index_2(0) <= slice1winner1_best_index_4(0);
       end if;
-      if slice1winner2_best_cost_0_3_is_less then
-        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7;
-        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
+      if slice1winner2_best_cost_is_less(0, 3) then
+        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(7);
+        slice1winner2_best_index_3(0) <= slice1winner1_best_index_7(0);
       else
-        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_6;
-        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
+        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(6);
+        slice1winner2_best_index_3(0) <= slice1winner1_best_index_6(0);
       end if;
-      if slice1winner2_best_cost_0_4_is_less then
-        slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9;
-        slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9;
+      if slice1winner2_best_cost_is_less(0, 4) then
+        slice1winner2_best_cost_0(4) <= slice1winner1_best_cost_0(9);
+        slice1winner2_best_index_4(0) <= slice1winner1_best_index_9(0);
       else
-        slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_8;
-        slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_8;
+        slice1winner2_best_cost_0(4) <= slice1winner1_best_cost_0(8);
+        slice1winner2_best_index_4(0) <= slice1winner1_best_index_8(0);
       end if;
-      if slice1winner2_best_cost_0_5_is_less then
-        slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11;
-        slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11;
+      if slice1winner2_best_cost_is_less(0, 5) then
+        slice1winner2_best_cost_0(5) <= slice1winner1_best_cost_0(11);
+        slice1winner2_best_index_5(0) <= slice1winner1_best_index_11(0);
       else
-        slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_10;
-        slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_10;
+        slice1winner2_best_cost_0(5) <= slice1winner1_best_cost_0(10);
+        slice1winner2_best_index_5(0) <= slice1winner1_best_index_10(0);
       end if;
-      if slice1winner2_best_cost_1_0_is_less then
-        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1;
-        slice1winner2_best_index_1_0 <= slice1winner1_best_index_1_1;
+      if slice1winner2_best_cost_is_less(1, 0) then
+        slice1winner2_best_cost_1(0) <= slice1winner1_best_cost_1(1);
+        slice1winner2_best_index_0(1) <= slice1winner1_best_index_1(1);
       else
-        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_0;
-        slice1winner2_best_index_1_0 <= as_number(slice1winner1_best_index_1_0);
+        slice1winner2_best_cost_1(0) <= slice1winner1_best_cost_1(0);
+        slice1winner2_best_index_0(1) <= as_number(slice1winner1_best_index_0(1));
       end if;
-      if slice1winner2_best_cost_1_1_is_less then
-        slice1winner2_best_cost_1_1 <= slice1winner1_best_cost_1_3;
-        slice1winner2_best_index_1_1 <= slice1winner1_best_index_1_3;
+      if slice1winner2_best_cost_is_less(1, 1) then
+        slice1winner2_best_cost_1(1) <= slice1winner1_best_cost_1(3);
+        slice1winner2_best_index_1(1) <= slice1winner1_best_index_3(1);
       else
-        slice1winner2_best_cost_1_1 <= slice1winner1_best_cost_1_2;
-        slice1winner2_best_index_1_1 <= slice1winner1_best_index_1_2;
+        slice1winner2_best_cost_1(1) <= slice1winner1_best_cost_1(2);
+        slice1winner2_best_index_1(1) <= slice1winner1_best_index_2(1);
       end if;
-      if slice1winner2_best_cost_1_2_is_less then
-        slice1winner2_best_cost_1_2 <= slice1winner1_best_cost_1_5;
-        slice1winner2_best_index_1_2 <= slice1winner1_best_index_1_5;
+      if slice1winner2_best_cost_is_less(1, 2) then
+        slice1winner2_best_cost_1(2) <= slice1winner1_best_cost_1(5);
+        slice1winner2_best_index_2(1) <= slice1winner1_best_index_5(1);
       else
-        slice1winner2_best_cost_1_2 <= slice1winner1_best_cost_1_4;
-        slice1winner2_best_index_1_2 <= slice1winner1_best_index_1_4;
+        slice1winner2_best_cost_1(2) <= slice1winner1_best_cost_1(4);
+        slice1winner2_best_index_2(1) <= slice1winner1_best_index_4(1);
       end if;
-      if slice1winner2_best_cost_1_3_is_less then
-        slice1winner2_best_cost_1_3 <= slice1winner1_best_cost_1_7;
-        slice1winner2_best_index_1_3 <= slice1winner1_best_index_1_7;
+      if slice1winner2_best_cost_is_less(1, 3) then
+        slice1winner2_best_cost_1(3) <= slice1winner1_best_cost_1(7);
+        slice1winner2_best_index_3(1) <= slice1winner1_best_index_7(1);
       else
-        slice1winner2_best_cost_1_3 <= slice1winner1_best_cost_1_6;
-        slice1winner2_best_index_1_3 <= slice1winner1_best_index_1_6;
+        slice1winner2_best_cost_1(3) <= slice1winner1_best_cost_1(6);
+        slice1winner2_best_index_3(1) <= slice1winner1_best_index_6(1);
       end if;
-      if slice1winner2_best_cost_1_4_is_less then
-        slice1winner2_best_cost_1_4 <= slice1winner1_best_cost_1_9;
-        slice1winner2_best_index_1_4 <= slice1winner1_best_index_1_9;
+      if slice1winner2_best_cost_is_less(1, 4) then
+        slice1winner2_best_cost_1(4) <= slice1winner1_best_cost_1(9);
+        slice1winner2_best_index_4(1) <= slice1winner1_best_index_9(1);
       else
-        slice1winner2_best_cost_1_4 <= slice1winner1_best_cost_1_8;
-        slice1winner2_best_index_1_4 <= slice1winner1_best_index_1_8;
+        slice1winner2_best_cost_1(4) <= slice1winner1_best_cost_1(8);
+        slice1winner2_best_index_4(1) <= slice1winner1_best_index_8(1);
       end if;
-      if slice1winner2_best_cost_1_5_is_less then
-        slice1winner2_best_cost_1_5 <= slice1winner1_best_cost_1_11;
-        slice1winner2_best_index_1_5 <= slice1winner1_best_index_1_11;
+      if slice1winner2_best_cost_is_less(1, 5) then
+        slice1winner2_best_cost_1(5) <= slice1winner1_best_cost_1(11);
+        slice1winner2_best_index_5(1) <= slice1winner1_best_index_11(1);
       else
-        slice1winner2_best_cost_1_5 <= slice1winner1_best_cost_1_10;
-        slice1winner2_best_index_1_5 <= slice1winner1_best_index_1_10;
+        slice1winner2_best_cost_1(5) <= slice1winner1_best_cost_1(10);
+        slice1winner2_best_index_5(1) <= slice1winner1_best_index_10(1);
       end if;
       -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
-      slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
-      slice1winner3_best_cost_0_2_is_less := (slice1winner2_best_cost_0_5 - slice1winner2_best_cost_0_4) < 0;
-      slice1winner3_best_cost_1_0_is_less := (slice1winner2_best_cost_1_1 - slice1winner2_best_cost_1_0) < 0;
-      slice1winner3_best_cost_1_1_is_less := (slice1winner2_best_cost_1_3 - slice1winner2_best_cost_1_2) < 0;
-      slice1winner3_best_cost_1_2_is_less := (slice1winner2_best_cost_1_5 - slice1winner2_best_cost_1_4) < 0;
-      slice1winner3_best_cost_0_3 <= slice1winner2_best_cost_0_6;
-      slice1winner3_best_cost_1_3 <= slice1winner2_best_cost_1_6;
-      if slice1winner3_best_cost_0_0_is_less then
-        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+      for i in 0 to 2 loop
+        slice1winner3_best_cost_is_less(0, i) := (slice1winner2_best_cost_0(2 * i + 1) - slice1winner2_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      for i in 0 to 2 loop
+        slice1winner3_best_cost_is_less(1, i) := (slice1winner2_best_cost_1(2 * i + 1) - slice1winner2_best_cost_1(2 *
+          i)) < 0;
+      end loop;
+      slice1winner3_best_cost_0(3) <= slice1winner2_best_cost_0(6);
+      slice1winner3_best_cost_1(3) <= slice1winner2_best_cost_1(6);
+      if slice1winner3_best_cost_is_less(0, 0) then
+        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(1);
+        slice1winner3_best_index_0(0) <= slice1winner2_best_index_1(0);
       else
-        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(0);
+        slice1winner3_best_index_0(0) <= slice1winner2_best_index_0(0);
       end if;
-      if slice1winner3_best_cost_0_1_is_less then
-        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3;
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
+      if slice1winner3_best_cost_is_less(0, 1) then
+        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(3);
+        slice1winner3_best_index_1(0) <= slice1winner2_best_index_3(0);
       else
-        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_2;
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
+        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(2);
+        slice1winner3_best_index_1(0) <= slice1winner2_best_index_2(0);
       end if;
-      if slice1winner3_best_cost_0_2_is_less then
-        slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5;
-        slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5;
+      if slice1winner3_best_cost_is_less(0, 2) then
+        slice1winner3_best_cost_0(2) <= slice1winner2_best_cost_0(5);
+        slice1winner3_best_index_2(0) <= slice1winner2_best_index_5(0);
       else
-        slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_4;
-        slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_4;
+        slice1winner3_best_cost_0(2) <= slice1winner2_best_cost_0(4);
+        slice1winner3_best_index_2(0) <= slice1winner2_best_index_4(0);
       end if;
-      if slice1winner3_best_cost_1_0_is_less then
-        slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_1;
-        slice1winner3_best_index_1_0 <= slice1winner2_best_index_1_1;
+      if slice1winner3_best_cost_is_less(1, 0) then
+        slice1winner3_best_cost_1(0) <= slice1winner2_best_cost_1(1);
+        slice1winner3_best_index_0(1) <= slice1winner2_best_index_1(1);
       else
-        slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_0;
-        slice1winner3_best_index_1_0 <= slice1winner2_best_index_1_0;
+        slice1winner3_best_cost_1(0) <= slice1winner2_best_cost_1(0);
+        slice1winner3_best_index_0(1) <= slice1winner2_best_index_0(1);
       end if;
-      if slice1winner3_best_cost_1_1_is_less then
-        slice1winner3_best_cost_1_1 <= slice1winner2_best_cost_1_3;
-        slice1winner3_best_index_1_1 <= slice1winner2_best_index_1_3;
+      if slice1winner3_best_cost_is_less(1, 1) then
+        slice1winner3_best_cost_1(1) <= slice1winner2_best_cost_1(3);
+        slice1winner3_best_index_1(1) <= slice1winner2_best_index_3(1);
       else
-        slice1winner3_best_cost_1_1 <= slice1winner2_best_cost_1_2;
-        slice1winner3_best_index_1_1 <= slice1winner2_best_index_1_2;
+        slice1winner3_best_cost_1(1) <= slice1winner2_best_cost_1(2);
+        slice1winner3_best_index_1(1) <= slice1winner2_best_index_2(1);
       end if;
-      if slice1winner3_best_cost_1_2_is_less then
-        slice1winner3_best_cost_1_2 <= slice1winner2_best_cost_1_5;
-        slice1winner3_best_index_1_2 <= slice1winner2_best_index_1_5;
+      if slice1winner3_best_cost_is_less(1, 2) then
+        slice1winner3_best_cost_1(2) <= slice1winner2_best_cost_1(5);
+        slice1winner3_best_index_2(1) <= slice1winner2_best_index_5(1);
       else
-        slice1winner3_best_cost_1_2 <= slice1winner2_best_cost_1_4;
-        slice1winner3_best_index_1_2 <= slice1winner2_best_index_1_4;
+        slice1winner3_best_cost_1(2) <= slice1winner2_best_cost_1(4);
+        slice1winner3_best_index_2(1) <= slice1winner2_best_index_4(1);
       end if;
       -- slice1winner4
-      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
-      slice1winner4_best_cost_0_1_is_less := (slice1winner3_best_cost_0_3 - slice1winner3_best_cost_0_2) < 0;
-      slice1winner4_best_cost_1_0_is_less := (slice1winner3_best_cost_1_1 - slice1winner3_best_cost_1_0) < 0;
-      slice1winner4_best_cost_1_1_is_less := (slice1winner3_best_cost_1_3 - slice1winner3_best_cost_1_2) < 0;
-      if slice1winner4_best_cost_0_0_is_less then
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1;
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
+      slice1winner4_best_cost_is_less(0, 0) := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
+      slice1winner4_best_cost_is_less(0, 1) := (slice1winner3_best_cost_0(3) - slice1winner3_best_cost_0(2)) < 0;
+      slice1winner4_best_cost_is_less(1, 0) := (slice1winner3_best_cost_1(1) - slice1winner3_best_cost_1(0)) < 0;
+      slice1winner4_best_cost_is_less(1, 1) := (slice1winner3_best_cost_1(3) - slice1winner3_best_cost_1(2)) < 0;
+      if slice1winner4_best_cost_is_less(0, 0) then
+        slice1winner4_best_cost_0(0) <= slice1winner3_best_cost_0(1);
+        slice1winner4_best_index_0(0) <= slice1winner3_best_index_1(0);
       else
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_0;
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
+        slice1winner4_best_cost_0(0) <= slice1winner3_best_cost_0(0);
+        slice1winner4_best_index_0(0) <= slice1winner3_best_index_0(0);
       end if;
-      if slice1winner4_best_cost_0_1_is_less then
-        slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3;
-        slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      if slice1winner4_best_cost_is_less(0, 1) then
+        slice1winner4_best_cost_0(1) <= slice1winner3_best_cost_0(3);
+        slice1winner4_best_index_1(0) <= slice0winner3_best_index_0_3;
       else
-        slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_2;
-        slice1winner4_best_index_0_1 <= slice1winner3_best_index_0_2;
+        slice1winner4_best_cost_0(1) <= slice1winner3_best_cost_0(2);
+        slice1winner4_best_index_1(0) <= slice1winner3_best_index_2(0);
       end if;
-      if slice1winner4_best_cost_1_0_is_less then
-        slice1winner4_best_cost_1_0 <= slice1winner3_best_cost_1_1;
-        slice1winner4_best_index_1_0 <= slice1winner3_best_index_1_1;
+      if slice1winner4_best_cost_is_less(1, 0) then
+        slice1winner4_best_cost_1(0) <= slice1winner3_best_cost_1(1);
+        slice1winner4_best_index_0(1) <= slice1winner3_best_index_1(1);
       else
-        slice1winner4_best_cost_1_0 <= slice1winner3_best_cost_1_0;
-        slice1winner4_best_index_1_0 <= slice1winner3_best_index_1_0;
+        slice1winner4_best_cost_1(0) <= slice1winner3_best_cost_1(0);
+        slice1winner4_best_index_0(1) <= slice1winner3_best_index_0(1);
       end if;
-      if slice1winner4_best_cost_1_1_is_less then
-        slice1winner4_best_cost_1_1 <= slice1winner3_best_cost_1_3;
-        slice1winner4_best_index_1_1 <= slice0winner3_best_index_0_3;
+      if slice1winner4_best_cost_is_less(1, 1) then
+        slice1winner4_best_cost_1(1) <= slice1winner3_best_cost_1(3);
+        slice1winner4_best_index_1(1) <= slice0winner3_best_index_0_3;
       else
-        slice1winner4_best_cost_1_1 <= slice1winner3_best_cost_1_2;
-        slice1winner4_best_index_1_1 <= slice1winner3_best_index_1_2;
+        slice1winner4_best_cost_1(1) <= slice1winner3_best_cost_1(2);
+        slice1winner4_best_index_1(1) <= slice1winner3_best_index_2(1);
       end if;
       -- slice1winner5
-      slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0_1 - slice1winner4_best_cost_0_0) < 0;
-      slice1winner5_best_cost_1_0_is_less := (slice1winner4_best_cost_1_1 - slice1winner4_best_cost_1_0) < 0;
-      if slice1winner5_best_cost_0_0_is_less then
-        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1;
-        slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1;
+      slice1winner5_best_cost_0_is_less(0) := (slice1winner4_best_cost_0(1) - slice1winner4_best_cost_0(0)) < 0;
+      slice1winner5_best_cost_0_is_less(1) := (slice1winner4_best_cost_1(1) - slice1winner4_best_cost_1(0)) < 0;
+      if slice1winner5_best_cost_0_is_less(0) then
+        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0(1);
+        slice1winner5_best_index_0(0) <= slice1winner4_best_index_1(0);
       else
-        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_0;
-        slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_0;
+        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0(0);
+        slice1winner5_best_index_0(0) <= slice1winner4_best_index_0(0);
       end if;
-      if slice1winner5_best_cost_1_0_is_less then
-        slice1winner5_best_cost_1_0 <= slice1winner4_best_cost_1_1;
-        slice1winner5_best_index_1_0 <= slice1winner4_best_index_1_1;
+      if slice1winner5_best_cost_0_is_less(1) then
+        slice1winner5_best_cost_1_0 <= slice1winner4_best_cost_1(1);
+        slice1winner5_best_index_0(1) <= slice1winner4_best_index_1(1);
       else
-        slice1winner5_best_cost_1_0 <= slice1winner4_best_cost_1_0;
-        slice1winner5_best_index_1_0 <= slice1winner4_best_index_1_0;
+        slice1winner5_best_cost_1_0 <= slice1winner4_best_cost_1(0);
+        slice1winner5_best_index_0(1) <= slice1winner4_best_index_0(1);
       end if;
       -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
-      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner5_best_cost_1_0) < 0;
+      slice1_best_cost_0_is_less(0) := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
+      slice1_best_cost_0_is_less(1) := (slice0_best_cost_1_0 - slice1winner5_best_cost_1_0) < 0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
-      if slice1_best_cost_0_0_is_less then
+      if slice1_best_cost_0_is_less(0) then
         slice1_best_cost_0_0 <= slice0_best_cost_0_0;
-        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_index_0(0) <= slice0_best_index_0(0);
       else
         slice1_best_cost_0_0 <= slice1winner5_best_cost_0_0;
-        slice1_best_index_0_0 <= (((slice1winner5_best_index_0_0 / 2) + 25) * 2) + (slice1winner5_best_index_0_0 mod 2);
+        slice1_best_index_0(0) <= (((slice1winner5_best_index_0(0) / 2) + 25) * 2) + (slice1winner5_best_index_0(0) mod
+          2);
       end if;
-      if slice1_best_cost_1_0_is_less then
+      if slice1_best_cost_0_is_less(1) then
         slice1_best_cost_1_0 <= slice0_best_cost_1_0;
-        slice1_best_index_1_0 <= slice0_best_index_1_0;
+        slice1_best_index_0(1) <= slice0_best_index_0(1);
       else
         slice1_best_cost_1_0 <= slice1winner5_best_cost_1_0;
-        slice1_best_index_1_0 <= (((slice1winner5_best_index_1_0 / 2) + 25) * 2) + (slice1winner5_best_index_1_0 mod 2);
+        slice1_best_index_0(1) <= (((slice1winner5_best_index_0(1) / 2) + 25) * 2) + (slice1winner5_best_index_0(1) mod
+          2);
       end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
-        slice2shift_search_0_0 <= slice2shift_search_0_1;
-        slice2shift_search_0_1 <= slice2shift_search_0_2;
-        slice2shift_search_0_2 <= slice2shift_search_0_3;
-        slice2shift_search_0_3 <= slice2shift_search_0_4;
-        slice2shift_search_0_4 <= slice2shift_search_0_5;
-        slice2shift_search_0_5 <= slice2shift_search_0_6;
-        slice2shift_search_0_6 <= slice2shift_search_0_7;
-        slice2shift_search_0_7 <= slice2shift_search_0_8;
-        slice2shift_search_0_8 <= slice2shift_search_0_9;
-        slice2shift_search_0_9 <= slice2shift_search_0_10;
-        slice2shift_search_0_10 <= slice2shift_search_0_11;
-        slice2shift_search_0_11 <= slice2shift_search_0_12;
-        slice2shift_search_0_12 <= slice2shift_search_0_13;
-        slice2shift_search_0_13 <= slice2shift_search_0_14;
-        slice2shift_search_0_14 <= slice2shift_search_0_15;
-        slice2shift_search_0_15 <= slice2shift_search_0_16;
-        slice2shift_search_0_16 <= slice2shift_search_0_17;
-        slice2shift_search_0_17 <= slice2shift_search_0_18;
-        slice2shift_search_0_18 <= slice2shift_search_0_19;
-        slice2shift_search_0_19 <= slice2shift_search_0_20;
-        slice2shift_search_0_20 <= slice2shift_search_0_21;
-        slice2shift_search_0_21 <= slice2shift_search_0_22;
-        slice2shift_search_0_22 <= slice2shift_search_0_23;
-        slice2shift_search_0_23 <= slice2shift_search_0_24;
-        slice2shift_search_0_24 <= slice1shift_search_out_0;
-        slice2shift_search_1_0 <= slice2shift_search_1_1;
-        slice2shift_search_1_1 <= slice2shift_search_1_2;
-        slice2shift_search_1_2 <= slice2shift_search_1_3;
-        slice2shift_search_1_3 <= slice2shift_search_1_4;
-        slice2shift_search_1_4 <= slice2shift_search_1_5;
-        slice2shift_search_1_5 <= slice2shift_search_1_6;
-        slice2shift_search_1_6 <= slice2shift_search_1_7;
-        slice2shift_search_1_7 <= slice2shift_search_1_8;
-        slice2shift_search_1_8 <= slice2shift_search_1_9;
-        slice2shift_search_1_9 <= slice2shift_search_1_10;
-        slice2shift_search_1_10 <= slice2shift_search_1_11;
-        slice2shift_search_1_11 <= slice2shift_search_1_12;
-        slice2shift_search_1_12 <= slice2shift_search_1_13;
-        slice2shift_search_1_13 <= slice2shift_search_1_14;
-        slice2shift_search_1_14 <= slice2shift_search_1_15;
-        slice2shift_search_1_15 <= slice2shift_search_1_16;
-        slice2shift_search_1_16 <= slice2shift_search_1_17;
-        slice2shift_search_1_17 <= slice2shift_search_1_18;
-        slice2shift_search_1_18 <= slice2shift_search_1_19;
-        slice2shift_search_1_19 <= slice2shift_search_1_20;
-        slice2shift_search_1_20 <= slice2shift_search_1_21;
-        slice2shift_search_1_21 <= slice2shift_search_1_22;
-        slice2shift_search_1_22 <= slice2shift_search_1_23;
-        slice2shift_search_1_23 <= slice2shift_search_1_24;
-        slice2shift_search_1_24 <= slice1shift_search_out_1;
-        slice2shift_search_2_0 <= slice2shift_search_2_1;
-        slice2shift_search_2_1 <= slice2shift_search_2_2;
-        slice2shift_search_2_2 <= slice2shift_search_2_3;
-        slice2shift_search_2_3 <= slice2shift_search_2_4;
-        slice2shift_search_2_4 <= slice2shift_search_2_5;
-        slice2shift_search_2_5 <= slice2shift_search_2_6;
-        slice2shift_search_2_6 <= slice2shift_search_2_7;
-        slice2shift_search_2_7 <= slice2shift_search_2_8;
-        slice2shift_search_2_8 <= slice2shift_search_2_9;
-        slice2shift_search_2_9 <= slice2shift_search_2_10;
-        slice2shift_search_2_10 <= slice2shift_search_2_11;
-        slice2shift_search_2_11 <= slice2shift_search_2_12;
-        slice2shift_search_2_12 <= slice2shift_search_2_13;
-        slice2shift_search_2_13 <= slice2shift_search_2_14;
-        slice2shift_search_2_14 <= slice2shift_search_2_15;
-        slice2shift_search_2_15 <= slice2shift_search_2_16;
-        slice2shift_search_2_16 <= slice2shift_search_2_17;
-        slice2shift_search_2_17 <= slice2shift_search_2_18;
-        slice2shift_search_2_18 <= slice2shift_search_2_19;
-        slice2shift_search_2_19 <= slice2shift_search_2_20;
-        slice2shift_search_2_20 <= slice2shift_search_2_21;
-        slice2shift_search_2_21 <= slice2shift_search_2_22;
-        slice2shift_search_2_22 <= slice2shift_search_2_23;
-        slice2shift_search_2_23 <= slice2shift_search_2_24;
-        slice2shift_search_2_24 <= slice1shift_search_out_2;
-        slice2shift_search_3_0 <= slice2shift_search_3_1;
-        slice2shift_search_3_1 <= slice2shift_search_3_2;
-        slice2shift_search_3_2 <= slice2shift_search_3_3;
-        slice2shift_search_3_3 <= slice2shift_search_3_4;
-        slice2shift_search_3_4 <= slice2shift_search_3_5;
-        slice2shift_search_3_5 <= slice2shift_search_3_6;
-        slice2shift_search_3_6 <= slice2shift_search_3_7;
-        slice2shift_search_3_7 <= slice2shift_search_3_8;
-        slice2shift_search_3_8 <= slice2shift_search_3_9;
-        slice2shift_search_3_9 <= slice2shift_search_3_10;
-        slice2shift_search_3_10 <= slice2shift_search_3_11;
-        slice2shift_search_3_11 <= slice2shift_search_3_12;
-        slice2shift_search_3_12 <= slice2shift_search_3_13;
-        slice2shift_search_3_13 <= slice2shift_search_3_14;
-        slice2shift_search_3_14 <= slice2shift_search_3_15;
-        slice2shift_search_3_15 <= slice2shift_search_3_16;
-        slice2shift_search_3_16 <= slice2shift_search_3_17;
-        slice2shift_search_3_17 <= slice2shift_search_3_18;
-        slice2shift_search_3_18 <= slice2shift_search_3_19;
-        slice2shift_search_3_19 <= slice2shift_search_3_20;
-        slice2shift_search_3_20 <= slice2shift_search_3_21;
-        slice2shift_search_3_21 <= slice2shift_search_3_22;
-        slice2shift_search_3_22 <= slice2shift_search_3_23;
-        slice2shift_search_3_23 <= slice2shift_search_3_24;
-        slice2shift_search_3_24 <= slice1shift_search_out_3;
+        for i in 0 to 3 loop
+          for j in 0 to 23 loop
+            slice2shift_search(i, j) <= slice2shift_search(i, j + 1);
+          end loop;
+          slice2shift_search(i, 24) <= slice1shift_search_out(i);
+        end loop;
       end if;
-      slice2shift_reference_0 <= slice1shift_reference_0;
-      slice2shift_reference_1 <= slice1shift_reference_1;
-      slice2shift_reference_2 <= slice1shift_reference_2;
-      slice2shift_reference_3 <= slice1shift_reference_3;
-      slice2shift_search_out_0 <= slice2shift_search_0_0;
-      slice2shift_search_out_1 <= slice2shift_search_1_0;
-      slice2shift_search_out_2 <= slice2shift_search_2_0;
-      slice2shift_search_out_3 <= slice2shift_search_3_0;
+      slice2shift_reference(0) <= slice1shift_reference(0);
+      slice2shift_reference(1) <= slice1shift_reference(1);
+      slice2shift_reference(2) <= slice1shift_reference(2);
+      slice2shift_reference(3) <= slice1shift_reference(3);
+      slice2shift_search_out(0) <= slice2shift_search(0, 0);
+      slice2shift_search_out(1) <= slice2shift_search(1, 0);
+      slice2shift_search_out(2) <= slice2shift_search(2, 0);
+      slice2shift_search_out(3) <= slice2shift_search(3, 0);
       -- slice2cost
-      if (slice2cost_signs_ready_words_0 mod 2) = 1 then
-        slice2cost_difference_0_0_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_0_choice := slice2shift_search_0_0;
-      end if;
-      if (slice2cost_signs_ready_words_0 mod 2) = 1 then
-        slice2cost_difference_0_0_choice_2 := slice2shift_search_0_0;
-      else
-        slice2cost_difference_0_0_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_1_value := ((slice2cost_signs_ready_words_0 / 2) mod 2) = 1;
-      if slice2cost_difference_0_1_value then
-        slice2cost_difference_0_1_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_1_choice := slice2shift_search_0_1;
-      end if;
-      if slice2cost_difference_0_1_value then
-        slice2cost_difference_0_1_choice_2 := slice2shift_search_0_1;
-      else
-        slice2cost_difference_0_1_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_2_value := ((slice2cost_signs_ready_words_0 / 4) mod 2) = 1;
-      if slice2cost_difference_0_2_value then
-        slice2cost_difference_0_2_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_2_choice := slice2shift_search_0_2;
-      end if;
-      if slice2cost_difference_0_2_value then
-        slice2cost_difference_0_2_choice_2 := slice2shift_search_0_2;
-      else
-        slice2cost_difference_0_2_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_3_value := ((slice2cost_signs_ready_words_0 / 8) mod 2) = 1;
-      if slice2cost_difference_0_3_value then
-        slice2cost_difference_0_3_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_3_choice := slice2shift_search_0_3;
-      end if;
-      if slice2cost_difference_0_3_value then
-        slice2cost_difference_0_3_choice_2 := slice2shift_search_0_3;
-      else
-        slice2cost_difference_0_3_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_4_value := ((slice2cost_signs_ready_words_0 / 16) mod 2) = 1;
-      if slice2cost_difference_0_4_value then
-        slice2cost_difference_0_4_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_4_choice := slice2shift_search_0_4;
-      end if;
-      if slice2cost_difference_0_4_value then
-        slice2cost_difference_0_4_choice_2 := slice2shift_search_0_4;
-      else
-        slice2cost_difference_0_4_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_5_value := ((slice2cost_signs_ready_words_0 / 32) mod 2) = 1;
-      if slice2cost_difference_0_5_value then
-        slice2cost_difference_0_5_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_5_choice := slice2shift_search_0_5;
-      end if;
-      if slice2cost_difference_0_5_value then
-        slice2cost_difference_0_5_choice_2 := slice2shift_search_0_5;
-      else
-        slice2cost_difference_0_5_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_6_value := ((slice2cost_signs_ready_words_0 / 64) mod 2) = 1;
-      if slice2cost_difference_0_6_value then
-        slice2cost_difference_0_6_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_6_choice := slice2shift_search_0_6;
-      end if;
-      if slice2cost_difference_0_6_value then
-        slice2cost_difference_0_6_choice_2 := slice2shift_search_0_6;
-      else
-        slice2cost_difference_0_6_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_7_value := ((slice2cost_signs_ready_words_0 / 128) mod 2) = 1;
-      if slice2cost_difference_0_7_value then
-        slice2cost_difference_0_7_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_7_choice := slice2shift_search_0_7;
-      end if;
-      if slice2cost_difference_0_7_value then
-        slice2cost_difference_0_7_choice_2 := slice2shift_search_0_7;
-      else
-        slice2cost_difference_0_7_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_8_value := ((slice2cost_signs_ready_words_0 / 256) mod 2) = 1;
-      if slice2cost_difference_0_8_value then
-        slice2cost_difference_0_8_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_8_choice := slice2shift_search_0_8;
-      end if;
-      if slice2cost_difference_0_8_value then
-        slice2cost_difference_0_8_choice_2 := slice2shift_search_0_8;
-      else
-        slice2cost_difference_0_8_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_9_value := ((slice2cost_signs_ready_words_0 / 512) mod 2) = 1;
-      if slice2cost_difference_0_9_value then
-        slice2cost_difference_0_9_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_9_choice := slice2shift_search_0_9;
-      end if;
-      if slice2cost_difference_0_9_value then
-        slice2cost_difference_0_9_choice_2 := slice2shift_search_0_9;
-      else
-        slice2cost_difference_0_9_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_10_value := ((slice2cost_signs_ready_words_0 / 1024) mod 2) = 1;
-      if slice2cost_difference_0_10_value then
-        slice2cost_difference_0_10_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_10_choice := slice2shift_search_0_10;
-      end if;
-      if slice2cost_difference_0_10_value then
-        slice2cost_difference_0_10_choice_2 := slice2shift_search_0_10;
-      else
-        slice2cost_difference_0_10_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_11_value := ((slice2cost_signs_ready_words_0 / 2048) mod 2) = 1;
-      if slice2cost_difference_0_11_value then
-        slice2cost_difference_0_11_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_11_choice := slice2shift_search_0_11;
-      end if;
-      if slice2cost_difference_0_11_value then
-        slice2cost_difference_0_11_choice_2 := slice2shift_search_0_11;
-      else
-        slice2cost_difference_0_11_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_12_value := ((slice2cost_signs_ready_words_0 / 4096) mod 2) = 1;
-      if slice2cost_difference_0_12_value then
-        slice2cost_difference_0_12_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_12_choice := slice2shift_search_0_12;
-      end if;
-      if slice2cost_difference_0_12_value then
-        slice2cost_difference_0_12_choice_2 := slice2shift_search_0_12;
-      else
-        slice2cost_difference_0_12_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_13_value := ((slice2cost_signs_ready_words_0 / 8192) mod 2) = 1;
-      if slice2cost_difference_0_13_value then
-        slice2cost_difference_0_13_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_13_choice := slice2shift_search_0_13;
-      end if;
-      if slice2cost_difference_0_13_value then
-        slice2cost_difference_0_13_choice_2 := slice2shift_search_0_13;
-      else
-        slice2cost_difference_0_13_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_14_value := ((slice2cost_signs_ready_words_0 / 16384) mod 2) = 1;
-      if slice2cost_difference_0_14_value then
-        slice2cost_difference_0_14_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_14_choice := slice2shift_search_0_14;
-      end if;
-      if slice2cost_difference_0_14_value then
-        slice2cost_difference_0_14_choice_2 := slice2shift_search_0_14;
-      else
-        slice2cost_difference_0_14_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_15_value := ((slice2cost_signs_ready_words_0 / 32768) mod 2) = 1;
-      if slice2cost_difference_0_15_value then
-        slice2cost_difference_0_15_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_15_choice := slice2shift_search_0_15;
-      end if;
-      if slice2cost_difference_0_15_value then
-        slice2cost_difference_0_15_choice_2 := slice2shift_search_0_15;
-      else
-        slice2cost_difference_0_15_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_16_value := ((slice2cost_signs_ready_words_0 / 65536) mod 2) = 1;
-      if slice2cost_difference_0_16_value then
-        slice2cost_difference_0_16_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_16_choice := slice2shift_search_0_16;
-      end if;
-      if slice2cost_difference_0_16_value then
-        slice2cost_difference_0_16_choice_2 := slice2shift_search_0_16;
-      else
-        slice2cost_difference_0_16_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_17_value := ((slice2cost_signs_ready_words_0 / 131072) mod 2) = 1;
-      if slice2cost_difference_0_17_value then
-        slice2cost_difference_0_17_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_17_choice := slice2shift_search_0_17;
-      end if;
-      if slice2cost_difference_0_17_value then
-        slice2cost_difference_0_17_choice_2 := slice2shift_search_0_17;
-      else
-        slice2cost_difference_0_17_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_18_value := ((slice2cost_signs_ready_words_0 / 262144) mod 2) = 1;
-      if slice2cost_difference_0_18_value then
-        slice2cost_difference_0_18_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_18_choice := slice2shift_search_0_18;
-      end if;
-      if slice2cost_difference_0_18_value then
-        slice2cost_difference_0_18_choice_2 := slice2shift_search_0_18;
-      else
-        slice2cost_difference_0_18_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_19_value := ((slice2cost_signs_ready_words_0 / 524288) mod 2) = 1;
-      if slice2cost_difference_0_19_value then
-        slice2cost_difference_0_19_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_19_choice := slice2shift_search_0_19;
-      end if;
-      if slice2cost_difference_0_19_value then
-        slice2cost_difference_0_19_choice_2 := slice2shift_search_0_19;
-      else
-        slice2cost_difference_0_19_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_20_value := ((slice2cost_signs_ready_words_0 / 1048576) mod 2) = 1;
-      if slice2cost_difference_0_20_value then
-        slice2cost_difference_0_20_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_20_choice := slice2shift_search_0_20;
-      end if;
-      if slice2cost_difference_0_20_value then
-        slice2cost_difference_0_20_choice_2 := slice2shift_search_0_20;
-      else
-        slice2cost_difference_0_20_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_21_value := ((slice2cost_signs_ready_words_0 / 2097152) mod 2) = 1;
-      if slice2cost_difference_0_21_value then
-        slice2cost_difference_0_21_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_21_choice := slice2shift_search_0_21;
-      end if;
-      if slice2cost_difference_0_21_value then
-        slice2cost_difference_0_21_choice_2 := slice2shift_search_0_21;
-      else
-        slice2cost_difference_0_21_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_22_value := ((slice2cost_signs_ready_words_0 / 4194304) mod 2) = 1;
-      if slice2cost_difference_0_22_value then
-        slice2cost_difference_0_22_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_22_choice := slice2shift_search_0_22;
-      end if;
-      if slice2cost_difference_0_22_value then
-        slice2cost_difference_0_22_choice_2 := slice2shift_search_0_22;
-      else
-        slice2cost_difference_0_22_choice_2 := slice2shift_reference_0;
-      end if;
-      slice2cost_difference_0_23_value := ((slice2cost_signs_ready_words_0 / 8388608) mod 2) = 1;
-      if slice2cost_difference_0_23_value then
-        slice2cost_difference_0_23_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_23_choice := slice2shift_search_0_23;
-      end if;
-      if slice2cost_difference_0_23_value then
-        slice2cost_difference_0_23_choice_2 := slice2shift_search_0_23;
-      else
-        slice2cost_difference_0_23_choice_2 := slice2shift_reference_0;
-      end if;
-      if (slice2cost_signs_ready_words_0 / 16777216) = 1 then
-        slice2cost_difference_0_24_choice := slice2shift_reference_0;
-      else
-        slice2cost_difference_0_24_choice := slice2shift_search_0_24;
-      end if;
-      if (slice2cost_signs_ready_words_0 / 16777216) = 1 then
-        slice2cost_difference_0_24_choice_2 := slice2shift_search_0_24;
-      else
-        slice2cost_difference_0_24_choice_2 := slice2shift_reference_0;
-      end if;
-      if (slice2cost_signs_ready_words_1 mod 2) = 1 then
-        slice2cost_difference_1_0_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_0_choice := slice2shift_search_1_0;
-      end if;
-      if (slice2cost_signs_ready_words_1 mod 2) = 1 then
-        slice2cost_difference_1_0_choice_2 := slice2shift_search_1_0;
-      else
-        slice2cost_difference_1_0_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_1_value := ((slice2cost_signs_ready_words_1 / 2) mod 2) = 1;
-      if slice2cost_difference_1_1_value then
-        slice2cost_difference_1_1_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_1_choice := slice2shift_search_1_1;
-      end if;
-      if slice2cost_difference_1_1_value then
-        slice2cost_difference_1_1_choice_2 := slice2shift_search_1_1;
-      else
-        slice2cost_difference_1_1_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_2_value := ((slice2cost_signs_ready_words_1 / 4) mod 2) = 1;
-      if slice2cost_difference_1_2_value then
-        slice2cost_difference_1_2_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_2_choice := slice2shift_search_1_2;
-      end if;
-      if slice2cost_difference_1_2_value then
-        slice2cost_difference_1_2_choice_2 := slice2shift_search_1_2;
-      else
-        slice2cost_difference_1_2_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_3_value := ((slice2cost_signs_ready_words_1 / 8) mod 2) = 1;
-      if slice2cost_difference_1_3_value then
-        slice2cost_difference_1_3_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_3_choice := slice2shift_search_1_3;
-      end if;
-      if slice2cost_difference_1_3_value then
-        slice2cost_difference_1_3_choice_2 := slice2shift_search_1_3;
-      else
-        slice2cost_difference_1_3_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_4_value := ((slice2cost_signs_ready_words_1 / 16) mod 2) = 1;
-      if slice2cost_difference_1_4_value then
-        slice2cost_difference_1_4_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_4_choice := slice2shift_search_1_4;
-      end if;
-      if slice2cost_difference_1_4_value then
-        slice2cost_difference_1_4_choice_2 := slice2shift_search_1_4;
-      else
-        slice2cost_difference_1_4_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_5_value := ((slice2cost_signs_ready_words_1 / 32) mod 2) = 1;
-      if slice2cost_difference_1_5_value then
-        slice2cost_difference_1_5_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_5_choice := slice2shift_search_1_5;
-      end if;
-      if slice2cost_difference_1_5_value then
-        slice2cost_difference_1_5_choice_2 := slice2shift_search_1_5;
-      else
-        slice2cost_difference_1_5_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_6_value := ((slice2cost_signs_ready_words_1 / 64) mod 2) = 1;
-      if slice2cost_difference_1_6_value then
-        slice2cost_difference_1_6_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_6_choice := slice2shift_search_1_6;
-      end if;
-      if slice2cost_difference_1_6_value then
-        slice2cost_difference_1_6_choice_2 := slice2shift_search_1_6;
-      else
-        slice2cost_difference_1_6_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_7_value := ((slice2cost_signs_ready_words_1 / 128) mod 2) = 1;
-      if slice2cost_difference_1_7_value then
-        slice2cost_difference_1_7_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_7_choice := slice2shift_search_1_7;
-      end if;
-      if slice2cost_difference_1_7_value then
-        slice2cost_difference_1_7_choice_2 := slice2shift_search_1_7;
-      else
-        slice2cost_difference_1_7_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_8_value := ((slice2cost_signs_ready_words_1 / 256) mod 2) = 1;
-      if slice2cost_difference_1_8_value then
-        slice2cost_difference_1_8_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_8_choice := slice2shift_search_1_8;
-      end if;
-      if slice2cost_difference_1_8_value then
-        slice2cost_difference_1_8_choice_2 := slice2shift_search_1_8;
-      else
-        slice2cost_difference_1_8_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_9_value := ((slice2cost_signs_ready_words_1 / 512) mod 2) = 1;
-      if slice2cost_difference_1_9_value then
-        slice2cost_difference_1_9_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_9_choice := slice2shift_search_1_9;
-      end if;
-      if slice2cost_difference_1_9_value then
-        slice2cost_difference_1_9_choice_2 := slice2shift_search_1_9;
-      else
-        slice2cost_difference_1_9_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_10_value := ((slice2cost_signs_ready_words_1 / 1024) mod 2) = 1;
-      if slice2cost_difference_1_10_value then
-        slice2cost_difference_1_10_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_10_choice := slice2shift_search_1_10;
-      end if;
-      if slice2cost_difference_1_10_value then
-        slice2cost_difference_1_10_choice_2 := slice2shift_search_1_10;
-      else
-        slice2cost_difference_1_10_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_11_value := ((slice2cost_signs_ready_words_1 / 2048) mod 2) = 1;
-      if slice2cost_difference_1_11_value then
-        slice2cost_difference_1_11_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_11_choice := slice2shift_search_1_11;
-      end if;
-      if slice2cost_difference_1_11_value then
-        slice2cost_difference_1_11_choice_2 := slice2shift_search_1_11;
-      else
-        slice2cost_difference_1_11_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_12_value := ((slice2cost_signs_ready_words_1 / 4096) mod 2) = 1;
-      if slice2cost_difference_1_12_value then
-        slice2cost_difference_1_12_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_12_choice := slice2shift_search_1_12;
-      end if;
-      if slice2cost_difference_1_12_value then
-        slice2cost_difference_1_12_choice_2 := slice2shift_search_1_12;
-      else
-        slice2cost_difference_1_12_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_13_value := ((slice2cost_signs_ready_words_1 / 8192) mod 2) = 1;
-      if slice2cost_difference_1_13_value then
-        slice2cost_difference_1_13_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_13_choice := slice2shift_search_1_13;
-      end if;
-      if slice2cost_difference_1_13_value then
-        slice2cost_difference_1_13_choice_2 := slice2shift_search_1_13;
-      else
-        slice2cost_difference_1_13_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_14_value := ((slice2cost_signs_ready_words_1 / 16384) mod 2) = 1;
-      if slice2cost_difference_1_14_value then
-        slice2cost_difference_1_14_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_14_choice := slice2shift_search_1_14;
-      end if;
-      if slice2cost_difference_1_14_value then
-        slice2cost_difference_1_14_choice_2 := slice2shift_search_1_14;
-      else
-        slice2cost_difference_1_14_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_15_value := ((slice2cost_signs_ready_words_1 / 32768) mod 2) = 1;
-      if slice2cost_difference_1_15_value then
-        slice2cost_difference_1_15_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_15_choice := slice2shift_search_1_15;
-      end if;
-      if slice2cost_difference_1_15_value then
-        slice2cost_difference_1_15_choice_2 := slice2shift_search_1_15;
-      else
-        slice2cost_difference_1_15_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_16_value := ((slice2cost_signs_ready_words_1 / 65536) mod 2) = 1;
-      if slice2cost_difference_1_16_value then
-        slice2cost_difference_1_16_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_16_choice := slice2shift_search_1_16;
-      end if;
-      if slice2cost_difference_1_16_value then
-        slice2cost_difference_1_16_choice_2 := slice2shift_search_1_16;
-      else
-        slice2cost_difference_1_16_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_17_value := ((slice2cost_signs_ready_words_1 / 131072) mod 2) = 1;
-      if slice2cost_difference_1_17_value then
-        slice2cost_difference_1_17_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_17_choice := slice2shift_search_1_17;
-      end if;
-      if slice2cost_difference_1_17_value then
-        slice2cost_difference_1_17_choice_2 := slice2shift_search_1_17;
-      else
-        slice2cost_difference_1_17_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_18_value := ((slice2cost_signs_ready_words_1 / 262144) mod 2) = 1;
-      if slice2cost_difference_1_18_value then
-        slice2cost_difference_1_18_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_18_choice := slice2shift_search_1_18;
-      end if;
-      if slice2cost_difference_1_18_value then
-        slice2cost_difference_1_18_choice_2 := slice2shift_search_1_18;
-      else
-        slice2cost_difference_1_18_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_19_value := ((slice2cost_signs_ready_words_1 / 524288) mod 2) = 1;
-      if slice2cost_difference_1_19_value then
-        slice2cost_difference_1_19_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_19_choice := slice2shift_search_1_19;
-      end if;
-      if slice2cost_difference_1_19_value then
-        slice2cost_difference_1_19_choice_2 := slice2shift_search_1_19;
-      else
-        slice2cost_difference_1_19_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_20_value := ((slice2cost_signs_ready_words_1 / 1048576) mod 2) = 1;
-      if slice2cost_difference_1_20_value then
-        slice2cost_difference_1_20_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_20_choice := slice2shift_search_1_20;
-      end if;
-      if slice2cost_difference_1_20_value then
-        slice2cost_difference_1_20_choice_2 := slice2shift_search_1_20;
-      else
-        slice2cost_difference_1_20_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_21_value := ((slice2cost_signs_ready_words_1 / 2097152) mod 2) = 1;
-      if slice2cost_difference_1_21_value then
-        slice2cost_difference_1_21_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_21_choice := slice2shift_search_1_21;
-      end if;
-      if slice2cost_difference_1_21_value then
-        slice2cost_difference_1_21_choice_2 := slice2shift_search_1_21;
-      else
-        slice2cost_difference_1_21_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_22_value := ((slice2cost_signs_ready_words_1 / 4194304) mod 2) = 1;
-      if slice2cost_difference_1_22_value then
-        slice2cost_difference_1_22_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_22_choice := slice2shift_search_1_22;
-      end if;
-      if slice2cost_difference_1_22_value then
-        slice2cost_difference_1_22_choice_2 := slice2shift_search_1_22;
-      else
-        slice2cost_difference_1_22_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_1_23_value := ((slice2cost_signs_ready_words_1 / 8388608) mod 2) = 1;
-      if slice2cost_difference_1_23_value then
-        slice2cost_difference_1_23_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_23_choice := slice2shift_search_1_23;
-      end if;
-      if slice2cost_difference_1_23_value then
-        slice2cost_difference_1_23_choice_2 := slice2shift_search_1_23;
-      else
-        slice2cost_difference_1_23_choice_2 := slice2shift_reference_1;
-      end if;
-      if (slice2cost_signs_ready_words_1 / 16777216) = 1 then
-        slice2cost_difference_1_24_choice := slice2shift_reference_1;
-      else
-        slice2cost_difference_1_24_choice := slice2shift_search_1_24;
-      end if;
-      if (slice2cost_signs_ready_words_1 / 16777216) = 1 then
-        slice2cost_difference_1_24_choice_2 := slice2shift_search_1_24;
-      else
-        slice2cost_difference_1_24_choice_2 := slice2shift_reference_1;
-      end if;
-      slice2cost_difference_2_0_difference := slice2shift_search_2_0 - slice2shift_reference_2;
-      slice2cost_difference_2_1_difference := slice2shift_search_2_1 - slice2shift_reference_2;
-      slice2cost_difference_2_2_difference := slice2shift_search_2_2 - slice2shift_reference_2;
-      slice2cost_difference_2_3_difference := slice2shift_search_2_3 - slice2shift_reference_2;
-      slice2cost_difference_2_4_difference := slice2shift_search_2_4 - slice2shift_reference_2;
-      slice2cost_difference_2_5_difference := slice2shift_search_2_5 - slice2shift_reference_2;
-      slice2cost_difference_2_6_difference := slice2shift_search_2_6 - slice2shift_reference_2;
-      slice2cost_difference_2_7_difference := slice2shift_search_2_7 - slice2shift_reference_2;
-      slice2cost_difference_2_8_difference := slice2shift_search_2_8 - slice2shift_reference_2;
-      slice2cost_difference_2_9_difference := slice2shift_search_2_9 - slice2shift_reference_2;
-      slice2cost_difference_2_10_difference := slice2shift_search_2_10 - slice2shift_reference_2;
-      slice2cost_difference_2_11_difference := slice2shift_search_2_11 - slice2shift_reference_2;
-      slice2cost_difference_2_12_difference := slice2shift_search_2_12 - slice2shift_reference_2;
-      slice2cost_difference_2_13_difference := slice2shift_search_2_13 - slice2shift_reference_2;
-      slice2cost_difference_2_14_difference := slice2shift_search_2_14 - slice2shift_reference_2;
-      slice2cost_difference_2_15_difference := slice2shift_search_2_15 - slice2shift_reference_2;
-      slice2cost_difference_2_16_difference := slice2shift_search_2_16 - slice2shift_reference_2;
-      slice2cost_difference_2_17_difference := slice2shift_search_2_17 - slice2shift_reference_2;
-      slice2cost_difference_2_18_difference := slice2shift_search_2_18 - slice2shift_reference_2;
-      slice2cost_difference_2_19_difference := slice2shift_search_2_19 - slice2shift_reference_2;
-      slice2cost_difference_2_20_difference := slice2shift_search_2_20 - slice2shift_reference_2;
-      slice2cost_difference_2_21_difference := slice2shift_search_2_21 - slice2shift_reference_2;
-      slice2cost_difference_2_22_difference := slice2shift_search_2_22 - slice2shift_reference_2;
-      slice2cost_difference_2_23_difference := slice2shift_search_2_23 - slice2shift_reference_2;
-      slice2cost_difference_2_24_difference := slice2shift_search_2_24 - slice2shift_reference_2;
-      slice2cost_difference_3_0_difference := slice2shift_search_3_0 - slice2shift_reference_3;
-      slice2cost_difference_3_1_difference := slice2shift_search_3_1 - slice2shift_reference_3;
-      slice2cost_difference_3_2_difference := slice2shift_search_3_2 - slice2shift_reference_3;
-      slice2cost_difference_3_3_difference := slice2shift_search_3_3 - slice2shift_reference_3;
-      slice2cost_difference_3_4_difference := slice2shift_search_3_4 - slice2shift_reference_3;
-      slice2cost_difference_3_5_difference := slice2shift_search_3_5 - slice2shift_reference_3;
-      slice2cost_difference_3_6_difference := slice2shift_search_3_6 - slice2shift_reference_3;
-      slice2cost_difference_3_7_difference := slice2shift_search_3_7 - slice2shift_reference_3;
-      slice2cost_difference_3_8_difference := slice2shift_search_3_8 - slice2shift_reference_3;
-      slice2cost_difference_3_9_difference := slice2shift_search_3_9 - slice2shift_reference_3;
-      slice2cost_difference_3_10_difference := slice2shift_search_3_10 - slice2shift_reference_3;
-      slice2cost_difference_3_11_difference := slice2shift_search_3_11 - slice2shift_reference_3;
-      slice2cost_difference_3_12_difference := slice2shift_search_3_12 - slice2shift_reference_3;
-      slice2cost_difference_3_13_difference := slice2shift_search_3_13 - slice2shift_reference_3;
-      slice2cost_difference_3_14_difference := slice2shift_search_3_14 - slice2shift_reference_3;
-      slice2cost_difference_3_15_difference := slice2shift_search_3_15 - slice2shift_reference_3;
-      slice2cost_difference_3_16_difference := slice2shift_search_3_16 - slice2shift_reference_3;
-      slice2cost_difference_3_17_difference := slice2shift_search_3_17 - slice2shift_reference_3;
-      slice2cost_difference_3_18_difference := slice2shift_search_3_18 - slice2shift_reference_3;
-      slice2cost_difference_3_19_difference := slice2shift_search_3_19 - slice2shift_reference_3;
-      slice2cost_difference_3_20_difference := slice2shift_search_3_20 - slice2shift_reference_3;
-      slice2cost_difference_3_21_difference := slice2shift_search_3_21 - slice2shift_reference_3;
-      slice2cost_difference_3_22_difference := slice2shift_search_3_22 - slice2shift_reference_3;
-      slice2cost_difference_3_23_difference := slice2shift_search_3_23 - slice2shift_reference_3;
-      slice2cost_difference_3_24_difference := slice2shift_search_3_24 - slice2shift_reference_3;
+      if is_set(slice2cost_signs_ready_words(0), 0) then
+        slice2cost_difference_choice(0, 0) := slice2shift_reference(0);
+      else
+        slice2cost_difference_choice(0, 0) := slice2shift_search(0, 0);
+      end if;
+      if is_set(slice2cost_signs_ready_words(0), 0) then
+        slice2cost_difference_choice_2(0, 0) := slice2shift_search(0, 0);
+      else
+        slice2cost_difference_choice_2(0, 0) := slice2shift_reference(0);
+      end if;
+      for i in 1 to 23 loop
+        slice2cost_difference_value(0, i) := is_set(slice2cost_signs_ready_words(0), i);
+        if slice2cost_difference_value(0, i) then
+          slice2cost_difference_choice(0, i) := slice2shift_reference(0);
+        else
+          slice2cost_difference_choice(0, i) := slice2shift_search(0, i);
+        end if;
+        if slice2cost_difference_value(0, i) then
+          slice2cost_difference_choice_2(0, i) := slice2shift_search(0, i);
+        else
+          slice2cost_difference_choice_2(0, i) := slice2shift_reference(0);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if is_set(slice2cost_signs_ready_words(i), 24 - 24 * i) then
+          slice2cost_difference_choice(i, 24 - 24 * i) := slice2shift_reference(i);
+        else
+          slice2cost_difference_choice(i, 24 - 24 * i) := slice2shift_search(i, 24 - 24 * i);
+        end if;
+        if is_set(slice2cost_signs_ready_words(i), 24 - 24 * i) then
+          slice2cost_difference_choice_2(i, 24 - 24 * i) := slice2shift_search(i, 24 - 24 * i);
+        else
+          slice2cost_difference_choice_2(i, 24 - 24 * i) := slice2shift_reference(i);
+        end if;
+      end loop;
+      for i in 1 to 23 loop
+        slice2cost_difference_value(1, i) := is_set(slice2cost_signs_ready_words(1), i);
+        if slice2cost_difference_value(1, i) then
+          slice2cost_difference_choice(1, i) := slice2shift_reference(1);
+        else
+          slice2cost_difference_choice(1, i) := slice2shift_search(1, i);
+        end if;
+        if slice2cost_difference_value(1, i) then
+          slice2cost_difference_choice_2(1, i) := slice2shift_search(1, i);
+        else
+          slice2cost_difference_choice_2(1, i) := slice2shift_reference(1);
+        end if;
+      end loop;
+      if is_set(slice2cost_signs_ready_words(1), 24) then
+        slice2cost_difference_choice(1, 24) := slice2shift_reference(1);
+      else
+        slice2cost_difference_choice(1, 24) := slice2shift_search(1, 24);
+      end if;
+      if is_set(slice2cost_signs_ready_words(1), 24) then
+        slice2cost_difference_choice_2(1, 24) := slice2shift_search(1, 24);
+      else
+        slice2cost_difference_choice_2(1, 24) := slice2shift_reference(1);
+      end if;
+      for i in 0 to 24 loop
+        slice2cost_difference_difference(2, i) := slice2shift_search(2, i) - slice2shift_reference(2);
+      end loop;
+      for i in 0 to 24 loop
+        slice2cost_difference_difference(3, i) := slice2shift_search(3, i) - slice2shift_reference(3);
+      end loop;
       slice2cost_signs_difference_column <= slice0cost_signs_write_column;
-      slice2cost_signs_ready_words_0 <= to_integer(slice2cost_signs_read_words_0);
-      slice2cost_signs_ready_words_1 <= to_integer(slice2cost_signs_read_words_1);
+      slice2cost_signs_ready_words(0) <= to_integer(slice2cost_signs_read_words(0));
+      slice2cost_signs_ready_words(1) <= to_integer(slice2cost_signs_read_words(1));
       slice2cost_signs_write_column <= slice2cost_signs_difference_column;
-      slice2cost_difference_0_0 <= (slice2cost_difference_0_0_choice - slice2cost_difference_0_0_choice_2) mod 256;
-      slice2cost_difference_0_1 <= (slice2cost_difference_0_1_choice - slice2cost_difference_0_1_choice_2) mod 256;
-      slice2cost_difference_0_2 <= (slice2cost_difference_0_2_choice - slice2cost_difference_0_2_choice_2) mod 256;
-      slice2cost_difference_0_3 <= (slice2cost_difference_0_3_choice - slice2cost_difference_0_3_choice_2) mod 256;
-      slice2cost_difference_0_4 <= (slice2cost_difference_0_4_choice - slice2cost_difference_0_4_choice_2) mod 256;
-      slice2cost_difference_0_5 <= (slice2cost_difference_0_5_choice - slice2cost_difference_0_5_choice_2) mod 256;
-      slice2cost_difference_0_6 <= (slice2cost_difference_0_6_choice - slice2cost_difference_0_6_choice_2) mod 256;
-      slice2cost_difference_0_7 <= (slice2cost_difference_0_7_choice - slice2cost_difference_0_7_choice_2) mod 256;
-      slice2cost_difference_0_8 <= (slice2cost_difference_0_8_choice - slice2cost_difference_0_8_choice_2) mod 256;
-      slice2cost_difference_0_9 <= (slice2cost_difference_0_9_choice - slice2cost_difference_0_9_choice_2) mod 256;
-      slice2cost_difference_0_10 <= (slice2cost_difference_0_10_choice - slice2cost_difference_0_10_choice_2) mod 256;
-      slice2cost_difference_0_11 <= (slice2cost_difference_0_11_choice - slice2cost_difference_0_11_choice_2) mod 256;
-      slice2cost_difference_0_12 <= (slice2cost_difference_0_12_choice - slice2cost_difference_0_12_choice_2) mod 256;
-      slice2cost_difference_0_13 <= (slice2cost_difference_0_13_choice - slice2cost_difference_0_13_choice_2) mod 256;
-      slice2cost_difference_0_14 <= (slice2cost_difference_0_14_choice - slice2cost_difference_0_14_choice_2) mod 256;
-      slice2cost_difference_0_15 <= (slice2cost_difference_0_15_choice - slice2cost_difference_0_15_choice_2) mod 256;
-      slice2cost_difference_0_16 <= (slice2cost_difference_0_16_choice - slice2cost_difference_0_16_choice_2) mod 256;
-      slice2cost_difference_0_17 <= (slice2cost_difference_0_17_choice - slice2cost_difference_0_17_choice_2) mod 256;
-      slice2cost_difference_0_18 <= (slice2cost_difference_0_18_choice - slice2cost_difference_0_18_choice_2) mod 256;
-      slice2cost_difference_0_19 <= (slice2cost_difference_0_19_choice - slice2cost_difference_0_19_choice_2) mod 256;
-      slice2cost_difference_0_20 <= (slice2cost_difference_0_20_choice - slice2cost_difference_0_20_choice_2) mod 256;
-      slice2cost_difference_0_21 <= (slice2cost_difference_0_21_choice - slice2cost_difference_0_21_choice_2) mod 256;
-      slice2cost_difference_0_22 <= (slice2cost_difference_0_22_choice - slice2cost_difference_0_22_choice_2) mod 256;
-      slice2cost_difference_0_23 <= (slice2cost_difference_0_23_choice - slice2cost_difference_0_23_choice_2) mod 256;
-      slice2cost_difference_0_24 <= (slice2cost_difference_0_24_choice - slice2cost_difference_0_24_choice_2) mod 256;
-      slice2cost_difference_1_0 <= (slice2cost_difference_1_0_choice - slice2cost_difference_1_0_choice_2) mod 256;
-      slice2cost_difference_1_1 <= (slice2cost_difference_1_1_choice - slice2cost_difference_1_1_choice_2) mod 256;
-      slice2cost_difference_1_2 <= (slice2cost_difference_1_2_choice - slice2cost_difference_1_2_choice_2) mod 256;
-      slice2cost_difference_1_3 <= (slice2cost_difference_1_3_choice - slice2cost_difference_1_3_choice_2) mod 256;
-      slice2cost_difference_1_4 <= (slice2cost_difference_1_4_choice - slice2cost_difference_1_4_choice_2) mod 256;
-      slice2cost_difference_1_5 <= (slice2cost_difference_1_5_choice - slice2cost_difference_1_5_choice_2) mod 256;
-      slice2cost_difference_1_6 <= (slice2cost_difference_1_6_choice - slice2cost_difference_1_6_choice_2) mod 256;
-      slice2cost_difference_1_7 <= (slice2cost_difference_1_7_choice - slice2cost_difference_1_7_choice_2) mod 256;
-      slice2cost_difference_1_8 <= (slice2cost_difference_1_8_choice - slice2cost_difference_1_8_choice_2) mod 256;
-      slice2cost_difference_1_9 <= (slice2cost_difference_1_9_choice - slice2cost_difference_1_9_choice_2) mod 256;
-      slice2cost_difference_1_10 <= (slice2cost_difference_1_10_choice - slice2cost_difference_1_10_choice_2) mod 256;
-      slice2cost_difference_1_11 <= (slice2cost_difference_1_11_choice - slice2cost_difference_1_11_choice_2) mod 256;
-      slice2cost_difference_1_12 <= (slice2cost_difference_1_12_choice - slice2cost_difference_1_12_choice_2) mod 256;
-      slice2cost_difference_1_13 <= (slice2cost_difference_1_13_choice - slice2cost_difference_1_13_choice_2) mod 256;
-      slice2cost_difference_1_14 <= (slice2cost_difference_1_14_choice - slice2cost_difference_1_14_choice_2) mod 256;
-      slice2cost_difference_1_15 <= (slice2cost_difference_1_15_choice - slice2cost_difference_1_15_choice_2) mod 256;
-      slice2cost_difference_1_16 <= (slice2cost_difference_1_16_choice - slice2cost_difference_1_16_choice_2) mod 256;
-      slice2cost_difference_1_17 <= (slice2cost_difference_1_17_choice - slice2cost_difference_1_17_choice_2) mod 256;
-      slice2cost_difference_1_18 <= (slice2cost_difference_1_18_choice - slice2cost_difference_1_18_choice_2) mod 256;
-      slice2cost_difference_1_19 <= (slice2cost_difference_1_19_choice - slice2cost_difference_1_19_choice_2) mod 256;
-      slice2cost_difference_1_20 <= (slice2cost_difference_1_20_choice - slice2cost_difference_1_20_choice_2) mod 256;
-      slice2cost_difference_1_21 <= (slice2cost_difference_1_21_choice - slice2cost_difference_1_21_choice_2) mod 256;
-      slice2cost_difference_1_22 <= (slice2cost_difference_1_22_choice - slice2cost_difference_1_22_choice_2) mod 256;
-      slice2cost_difference_1_23 <= (slice2cost_difference_1_23_choice - slice2cost_difference_1_23_choice_2) mod 256;
-      slice2cost_difference_1_24 <= (slice2cost_difference_1_24_choice - slice2cost_difference_1_24_choice_2) mod 256;
-      slice2cost_newest_negative_0_0 <= slice2cost_difference_2_0_difference < 0;
-      slice2cost_newest_negative_0_1 <= slice2cost_difference_2_1_difference < 0;
-      slice2cost_newest_negative_0_2 <= slice2cost_difference_2_2_difference < 0;
-      slice2cost_newest_negative_0_3 <= slice2cost_difference_2_3_difference < 0;
-      slice2cost_newest_negative_0_4 <= slice2cost_difference_2_4_difference < 0;
-      slice2cost_newest_negative_0_5 <= slice2cost_difference_2_5_difference < 0;
-      slice2cost_newest_negative_0_6 <= slice2cost_difference_2_6_difference < 0;
-      slice2cost_newest_negative_0_7 <= slice2cost_difference_2_7_difference < 0;
-      slice2cost_newest_negative_0_8 <= slice2cost_difference_2_8_difference < 0;
-      slice2cost_newest_negative_0_9 <= slice2cost_difference_2_9_difference < 0;
-      slice2cost_newest_negative_0_10 <= slice2cost_difference_2_10_difference < 0;
-      slice2cost_newest_negative_0_11 <= slice2cost_difference_2_11_difference < 0;
-      slice2cost_newest_negative_0_12 <= slice2cost_difference_2_12_difference < 0;
-      slice2cost_newest_negative_0_13 <= slice2cost_difference_2_13_difference < 0;
-      slice2cost_newest_negative_0_14 <= slice2cost_difference_2_14_difference < 0;
-      slice2cost_newest_negative_0_15 <= slice2cost_difference_2_15_difference < 0;
-      slice2cost_newest_negative_0_16 <= slice2cost_difference_2_16_difference < 0;
-      slice2cost_newest_negative_0_17 <= slice2cost_difference_2_17_difference < 0;
-      slice2cost_newest_negative_0_18 <= slice2cost_difference_2_18_difference < 0;
-      slice2cost_newest_negative_0_19 <= slice2cost_difference_2_19_difference < 0;
-      slice2cost_newest_negative_0_20 <= slice2cost_difference_2_20_difference < 0;
-      slice2cost_newest_negative_0_21 <= slice2cost_difference_2_21_difference < 0;
-      slice2cost_newest_negative_0_22 <= slice2cost_difference_2_22_difference < 0;
-      slice2cost_newest_negative_0_23 <= slice2cost_difference_2_23_difference < 0;
-      slice2cost_newest_negative_0_24 <= slice2cost_difference_2_24_difference < 0;
-      slice2cost_newest_negative_1_0 <= slice2cost_difference_3_0_difference < 0;
-      slice2cost_newest_negative_1_1 <= slice2cost_difference_3_1_difference < 0;
-      slice2cost_newest_negative_1_2 <= slice2cost_difference_3_2_difference < 0;
-      slice2cost_newest_negative_1_3 <= slice2cost_difference_3_3_difference < 0;
-      slice2cost_newest_negative_1_4 <= slice2cost_difference_3_4_difference < 0;
-      slice2cost_newest_negative_1_5 <= slice2cost_difference_3_5_difference < 0;
-      slice2cost_newest_negative_1_6 <= slice2cost_difference_3_6_difference < 0;
-      slice2cost_newest_negative_1_7 <= slice2cost_difference_3_7_difference < 0;
-      slice2cost_newest_negative_1_8 <= slice2cost_difference_3_8_difference < 0;
-      slice2cost_newest_negative_1_9 <= slice2cost_difference_3_9_difference < 0;
-      slice2cost_newest_negative_1_10 <= slice2cost_difference_3_10_difference < 0;
-      slice2cost_newest_negative_1_11 <= slice2cost_difference_3_11_difference < 0;
-      slice2cost_newest_negative_1_12 <= slice2cost_difference_3_12_difference < 0;
-      slice2cost_newest_negative_1_13 <= slice2cost_difference_3_13_difference < 0;
-      slice2cost_newest_negative_1_14 <= slice2cost_difference_3_14_difference < 0;
-      slice2cost_newest_negative_1_15 <= slice2cost_difference_3_15_difference < 0;
-      slice2cost_newest_negative_1_16 <= slice2cost_difference_3_16_difference < 0;
-      slice2cost_newest_negative_1_17 <= slice2cost_difference_3_17_difference < 0;
-      slice2cost_newest_negative_1_18 <= slice2cost_difference_3_18_difference < 0;
-      slice2cost_newest_negative_1_19 <= slice2cost_difference_3_19_difference < 0;
-      slice2cost_newest_negative_1_20 <= slice2cost_difference_3_20_difference < 0;
-      slice2cost_newest_negative_1_21 <= slice2cost_difference_3_21_difference < 0;
-      slice2cost_newest_negative_1_22 <= slice2cost_difference_3_22_difference < 0;
-      slice2cost_newest_negative_1_23 <= slice2cost_difference_3_23_difference < 0;
-      slice2cost_newest_negative_1_24 <= slice2cost_difference_3_24_difference < 0;
-      slice2cost_pair_0_0 <= as_number((slice2cost_difference_2_0 < 0)) + slice2cost_difference_1_0 +
-        folded(slice2cost_difference_2_0);
-      slice2cost_pair_0_1 <= as_number((slice2cost_difference_2_1 < 0)) + slice2cost_difference_1_1 +
-        folded(slice2cost_difference_2_1);
-      slice2cost_pair_0_2 <= as_number((slice2cost_difference_2_2 < 0)) + slice2cost_difference_1_2 +
-        folded(slice2cost_difference_2_2);
-      slice2cost_pair_0_3 <= as_number((slice2cost_difference_2_3 < 0)) + slice2cost_difference_1_3 +
-        folded(slice2cost_difference_2_3);
-      slice2cost_pair_0_4 <= as_number((slice2cost_difference_2_4 < 0)) + slice2cost_difference_1_4 +
-        folded(slice2cost_difference_2_4);
-      slice2cost_pair_0_5 <= as_number((slice2cost_difference_2_5 < 0)) + slice2cost_difference_1_5 +
-        folded(slice2cost_difference_2_5);
-      slice2cost_pair_0_6 <= as_number((slice2cost_difference_2_6 < 0)) + slice2cost_difference_1_6 +
-        folded(slice2cost_difference_2_6);
-      slice2cost_pair_0_7 <= as_number((slice2cost_difference_2_7 < 0)) + slice2cost_difference_1_7 +
-        folded(slice2cost_difference_2_7);
-      slice2cost_pair_0_8 <= as_number((slice2cost_difference_2_8 < 0)) + slice2cost_difference_1_8 +
-        folded(slice2cost_difference_2_8);
-      slice2cost_pair_0_9 <= as_number((slice2cost_difference_2_9 < 0)) + slice2cost_difference_1_9 +
-        folded(slice2cost_difference_2_9);
-      slice2cost_pair_0_10 <= as_number((slice2cost_difference_2_10 < 0)) + slice2cost_difference_1_10 +
-        folded(slice2cost_difference_2_10);
-      slice2cost_pair_0_11 <= as_number((slice2cost_difference_2_11 < 0)) + slice2cost_difference_1_11 +
-        folded(slice2cost_difference_2_11);
-      slice2cost_pair_0_12 <= as_number((slice2cost_difference_2_12 < 0)) + slice2cost_difference_1_12 +
-        folded(slice2cost_difference_2_12);
-      slice2cost_pair_0_13 <= as_number((slice2cost_difference_2_13 < 0)) + slice2cost_difference_1_13 +
-        folded(slice2cost_difference_2_13);
-      slice2cost_pair_0_14 <= as_number((slice2cost_difference_2_14 < 0)) + slice2cost_difference_1_14 +
-        folded(slice2cost_difference_2_14);
-      slice2cost_pair_0_15 <= as_number((slice2cost_difference_2_15 < 0)) + slice2cost_difference_1_15 +
-        folded(slice2cost_difference_2_15);
-      slice2cost_pair_0_16 <= as_number((slice2cost_difference_2_16 < 0)) + slice2cost_difference_1_16 +
-        folded(slice2cost_difference_2_16);
-      slice2cost_pair_0_17 <= as_number((slice2cost_difference_2_17 < 0)) + slice2cost_difference_1_17 +
-        folded(slice2cost_difference_2_17);
-      slice2cost_pair_0_18 <= as_number((slice2cost_difference_2_18 < 0)) + slice2cost_difference_1_18 +
-        folded(slice2cost_difference_2_18);
-      slice2cost_pair_0_19 <= as_number((slice2cost_difference_2_19 < 0)) + slice2cost_difference_1_19 +
-        folded(slice2cost_difference_2_19);
-      slice2cost_pair_0_20 <= as_number((slice2cost_difference_2_20 < 0)) + slice2cost_difference_1_20 +
-        folded(slice2cost_difference_2_20);
-      slice2cost_pair_0_21 <= as_number((slice2cost_difference_2_21 < 0)) + slice2cost_difference_1_21 +
-        folded(slice2cost_difference_2_21);
-      slice2cost_pair_0_22 <= as_number((slice2cost_difference_2_22 < 0)) + slice2cost_difference_1_22 +
-        folded(slice2cost_difference_2_22);
-      slice2cost_pair_0_23 <= as_number((slice2cost_difference_2_23 < 0)) + slice2cost_difference_1_23 +
-        folded(slice2cost_difference_2_23);
-      slice2cost_pair_0_24 <= as_number((slice2cost_difference_2_24 < 0)) + slice2cost_difference_1_24 +
-        folded(slice2cost_difference_2_24);
-      slice2cost_single_0_0 <= slice2cost_difference_0_0;
-      slice2cost_single_0_1 <= slice2cost_difference_0_1;
-      slice2cost_single_0_2 <= slice2cost_difference_0_2;
-      slice2cost_single_0_3 <= slice2cost_difference_0_3;
-      slice2cost_single_0_4 <= slice2cost_difference_0_4;
-      slice2cost_single_0_5 <= slice2cost_difference_0_5;
-      slice2cost_single_0_6 <= slice2cost_difference_0_6;
-      slice2cost_single_0_7 <= slice2cost_difference_0_7;
-      slice2cost_single_0_8 <= slice2cost_difference_0_8;
-      slice2cost_single_0_9 <= slice2cost_difference_0_9;
-      slice2cost_single_0_10 <= slice2cost_difference_0_10;
-      slice2cost_single_0_11 <= slice2cost_difference_0_11;
-      slice2cost_single_0_12 <= slice2cost_difference_0_12;
-      slice2cost_single_0_13 <= slice2cost_difference_0_13;
-      slice2cost_single_0_14 <= slice2cost_difference_0_14;
-      slice2cost_single_0_15 <= slice2cost_difference_0_15;
-      slice2cost_single_0_16 <= slice2cost_difference_0_16;
-      slice2cost_single_0_17 <= slice2cost_difference_0_17;
-      slice2cost_single_0_18 <= slice2cost_difference_0_18;
-      slice2cost_single_0_19 <= slice2cost_difference_0_19;
-      slice2cost_single_0_20 <= slice2cost_difference_0_20;
-      slice2cost_single_0_21 <= slice2cost_difference_0_21;
-      slice2cost_single_0_22 <= slice2cost_difference_0_22;
-      slice2cost_single_0_23 <= slice2cost_difference_0_23;
-      slice2cost_single_0_24 <= slice2cost_difference_0_24;
-      slice2cost_single_3_0 <= folded(slice2cost_difference_3_0);
-      slice2cost_single_3_1 <= folded(slice2cost_difference_3_1);
-      slice2cost_single_3_2 <= folded(slice2cost_difference_3_2);
-      slice2cost_single_3_3 <= folded(slice2cost_difference_3_3);
-      slice2cost_single_3_4 <= folded(slice2cost_difference_3_4);
-      slice2cost_single_3_5 <= folded(slice2cost_difference_3_5);
-      slice2cost_single_3_6 <= folded(slice2cost_difference_3_6);
-      slice2cost_single_3_7 <= folded(slice2cost_difference_3_7);
-      slice2cost_single_3_8 <= folded(slice2cost_difference_3_8);
-      slice2cost_single_3_9 <= folded(slice2cost_difference_3_9);
-      slice2cost_single_3_10 <= folded(slice2cost_difference_3_10);
-      slice2cost_single_3_11 <= folded(slice2cost_difference_3_11);
-      slice2cost_single_3_12 <= folded(slice2cost_difference_3_12);
-      slice2cost_single_3_13 <= folded(slice2cost_difference_3_13);
-      slice2cost_single_3_14 <= folded(slice2cost_difference_3_14);
-      slice2cost_single_3_15 <= folded(slice2cost_difference_3_15);
-      slice2cost_single_3_16 <= folded(slice2cost_difference_3_16);
-      slice2cost_single_3_17 <= folded(slice2cost_difference_3_17);
-      slice2cost_single_3_18 <= folded(slice2cost_difference_3_18);
-      slice2cost_single_3_19 <= folded(slice2cost_difference_3_19);
-      slice2cost_single_3_20 <= folded(slice2cost_difference_3_20);
-      slice2cost_single_3_21 <= folded(slice2cost_difference_3_21);
-      slice2cost_single_3_22 <= folded(slice2cost_difference_3_22);
-      slice2cost_single_3_23 <= folded(slice2cost_difference_3_23);
-      slice2cost_single_3_24 <= folded(slice2cost_difference_3_24);
-      slice2cost_single_negative_3_0 <= slice2cost_difference_3_0 < 0;
-      slice2cost_single_negative_3_1 <= slice2cost_difference_3_1 < 0;
-      slice2cost_single_negative_3_2 <= slice2cost_difference_3_2 < 0;
-      slice2cost_single_negative_3_3 <= slice2cost_difference_3_3 < 0;
-      slice2cost_single_negative_3_4 <= slice2cost_difference_3_4 < 0;
-      slice2cost_single_negative_3_5 <= slice2cost_difference_3_5 < 0;
-      slice2cost_single_negative_3_6 <= slice2cost_difference_3_6 < 0;
-      slice2cost_single_negative_3_7 <= slice2cost_difference_3_7 < 0;
-      slice2cost_single_negative_3_8 <= slice2cost_difference_3_8 < 0;
-      slice2cost_single_negative_3_9 <= slice2cost_difference_3_9 < 0;
-      slice2cost_single_negative_3_10 <= slice2cost_difference_3_10 < 0;
-      slice2cost_single_negative_3_11 <= slice2cost_difference_3_11 < 0;
-      slice2cost_single_negative_3_12 <= slice2cost_difference_3_12 < 0;
-      slice2cost_single_negative_3_13 <= slice2cost_difference_3_13 < 0;
-      slice2cost_single_negative_3_14 <= slice2cost_difference_3_14 < 0;
-      slice2cost_single_negative_3_15 <= slice2cost_difference_3_15 < 0;
-      slice2cost_single_negative_3_16 <= slice2cost_difference_3_16 < 0;
-      slice2cost_single_negative_3_17 <= slice2cost_difference_3_17 < 0;
-      slice2cost_single_negative_3_18 <= slice2cost_difference_3_18 < 0;
-      slice2cost_single_negative_3_19 <= slice2cost_difference_3_19 < 0;
-      slice2cost_single_negative_3_20 <= slice2cost_difference_3_20 < 0;
-      slice2cost_single_negative_3_21 <= slice2cost_difference_3_21 < 0;
-      slice2cost_single_negative_3_22 <= slice2cost_difference_3_22 < 0;
-      slice2cost_single_negative_3_23 <= slice2cost_difference_3_23 < 0;
-      slice2cost_single_negative_3_24 <= slice2cost_difference_3_24 < 0;
+      for i in 0 to 1 loop
+        for j in 0 to 24 loop
+          slice2cost_difference(i, j) <= (slice2cost_difference_choice(i, j) - slice2cost_difference_choice_2(i, j))
+            mod 256;
+        end loop;
+      end loop;
+      for i in 0 to 24 loop
+        slice2cost_newest_negative(0, i) <= slice2cost_difference_difference(2, i) < 0;
+      end loop;
+      for i in 0 to 24 loop
+        slice2cost_newest_negative(1, i) <= slice2cost_difference_difference(3, i) < 0;
+      end loop;
+      for i in 0 to 24 loop
+        slice2cost_pair_0(i) <= as_number((slice2cost_differences(2, i) < 0)) + slice2cost_difference(1, i) +
+          folded(slice2cost_differences(2, i));
+      end loop;
+      for i in 0 to 24 loop
+        slice2cost_single_0(i) <= slice2cost_difference(0, i);
+      end loop;
+      for i in 0 to 24 loop
+        slice2cost_single_3(i) <= folded(slice2cost_differences(3, i));
+      end loop;
+      for i in 0 to 24 loop
+        slice2cost_single_negative_3(i) <= slice2cost_differences(3, i) < 0;
+      end loop;
       slice2cost_tag_border_column <= slice1cost_tag_border_column;
-      if (slice0cost_pair_tag_newest_inside mod 2) = 1 then
-        slice2cost_difference_2_0 <= slice2cost_difference_2_0_difference;
-        slice2cost_difference_2_1 <= slice2cost_difference_2_1_difference;
-        slice2cost_difference_2_2 <= slice2cost_difference_2_2_difference;
-        slice2cost_difference_2_3 <= slice2cost_difference_2_3_difference;
-        slice2cost_difference_2_4 <= slice2cost_difference_2_4_difference;
-        slice2cost_difference_2_5 <= slice2cost_difference_2_5_difference;
-        slice2cost_difference_2_6 <= slice2cost_difference_2_6_difference;
-        slice2cost_difference_2_7 <= slice2cost_difference_2_7_difference;
-        slice2cost_difference_2_8 <= slice2cost_difference_2_8_difference;
-        slice2cost_difference_2_9 <= slice2cost_difference_2_9_difference;
-        slice2cost_difference_2_10 <= slice2cost_difference_2_10_difference;
-        slice2cost_difference_2_11 <= slice2cost_difference_2_11_difference;
-        slice2cost_difference_2_12 <= slice2cost_difference_2_12_difference;
-        slice2cost_difference_2_13 <= slice2cost_difference_2_13_difference;
-        slice2cost_difference_2_14 <= slice2cost_difference_2_14_difference;
-        slice2cost_difference_2_15 <= slice2cost_difference_2_15_difference;
-        slice2cost_difference_2_16 <= slice2cost_difference_2_16_difference;
-        slice2cost_difference_2_17 <= slice2cost_difference_2_17_difference;
-        slice2cost_difference_2_18 <= slice2cost_difference_2_18_difference;
-        slice2cost_difference_2_19 <= slice2cost_difference_2_19_difference;
-        slice2cost_difference_2_20 <= slice2cost_difference_2_20_difference;
-        slice2cost_difference_2_21 <= slice2cost_difference_2_21_difference;
-        slice2cost_difference_2_22 <= slice2cost_difference_2_22_difference;
-        slice2cost_difference_2_23 <= slice2cost_difference_2_23_difference;
-        slice2cost_difference_2_24 <= slice2cost_difference_2_24_difference;
-      else
-        slice2cost_difference_2_0 <= 0;
-        slice2cost_difference_2_1 <= 0;
-        slice2cost_difference_2_2 <= 0;
-        slice2cost_difference_2_3 <= 0;
-        slice2cost_difference_2_4 <= 0;
-        slice2cost_difference_2_5 <= 0;
-        slice2cost_difference_2_6 <= 0;
-        slice2cost_difference_2_7 <= 0;
-        slice2cost_difference_2_8 <= 0;
-        slice2cost_difference_2_9 <= 0;
-        slice2cost_difference_2_10 <= 0;
-        slice2cost_difference_2_11 <= 0;
-        slice2cost_difference_2_12 <= 0;
-        slice2cost_difference_2_13 <= 0;
-        slice2cost_difference_2_14 <= 0;
-        slice2cost_difference_2_15 <= 0;
-        slice2cost_difference_2_16 <= 0;
-        slice2cost_difference_2_17 <= 0;
-        slice2cost_difference_2_18 <= 0;
-        slice2cost_difference_2_19 <= 0;
-        slice2cost_difference_2_20 <= 0;
-        slice2cost_difference_2_21 <= 0;
-        slice2cost_difference_2_22 <= 0;
-        slice2cost_difference_2_23 <= 0;
-        slice2cost_difference_2_24 <= 0;
-      end if;
-      if (slice0cost_pair_tag_newest_inside / 2) = 1 then
-        slice2cost_difference_3_0 <= slice2cost_difference_3_0_difference;
-        slice2cost_difference_3_1 <= slice2cost_difference_3_1_difference;
-        slice2cost_difference_3_2 <= slice2cost_difference_3_2_difference;
-        slice2cost_difference_3_3 <= slice2cost_difference_3_3_difference;
-        slice2cost_difference_3_4 <= slice2cost_difference_3_4_difference;
-        slice2cost_difference_3_5 <= slice2cost_difference_3_5_difference;
-        slice2cost_difference_3_6 <= slice2cost_difference_3_6_difference;
-        slice2cost_difference_3_7 <= slice2cost_difference_3_7_difference;
-        slice2cost_difference_3_8 <= slice2cost_difference_3_8_difference;
-        slice2cost_difference_3_9 <= slice2cost_difference_3_9_difference;
-        slice2cost_difference_3_10 <= slice2cost_difference_3_10_difference;
-        slice2cost_difference_3_11 <= slice2cost_difference_3_11_difference;
-        slice2cost_difference_3_12 <= slice2cost_difference_3_12_difference;
-        slice2cost_difference_3_13 <= slice2cost_difference_3_13_difference;
-        slice2cost_difference_3_14 <= slice2cost_difference_3_14_difference;
-        slice2cost_difference_3_15 <= slice2cost_difference_3_15_difference;
-        slice2cost_difference_3_16 <= slice2cost_difference_3_16_difference;
-        slice2cost_difference_3_17 <= slice2cost_difference_3_17_difference;
-        slice2cost_difference_3_18 <= slice2cost_difference_3_18_difference;
-        slice2cost_difference_3_19 <= slice2cost_difference_3_19_difference;
-        slice2cost_difference_3_20 <= slice2cost_difference_3_20_difference;
-        slice2cost_difference_3_21 <= slice2cost_difference_3_21_difference;
-        slice2cost_difference_3_22 <= slice2cost_difference_3_22_difference;
-        slice2cost_difference_3_23 <= slice2cost_difference_3_23_difference;
-        slice2cost_difference_3_24 <= slice2cost_difference_3_24_difference;
-      else
-        slice2cost_difference_3_0 <= 0;
-        slice2cost_difference_3_1 <= 0;
-        slice2cost_difference_3_2 <= 0;
-        slice2cost_difference_3_3 <= 0;
-        slice2cost_difference_3_4 <= 0;
-        slice2cost_difference_3_5 <= 0;
-        slice2cost_difference_3_6 <= 0;
-        slice2cost_difference_3_7 <= 0;
-        slice2cost_difference_3_8 <= 0;
-        slice2cost_difference_3_9 <= 0;
-        slice2cost_difference_3_10 <= 0;
-        slice2cost_difference_3_11 <= 0;
-        slice2cost_difference_3_12 <= 0;
-        slice2cost_difference_3_13 <= 0;
-        slice2cost_difference_3_14 <= 0;
-        slice2cost_difference_3_15 <= 0;
-        slice2cost_difference_3_16 <= 0;
-        slice2cost_difference_3_17 <= 0;
-        slice2cost_difference_3_18 <= 0;
-        slice2cost_difference_3_19 <= 0;
-        slice2cost_difference_3_20 <= 0;
-        slice2cost_difference_3_21 <= 0;
-        slice2cost_difference_3_22 <= 0;
-        slice2cost_difference_3_23 <= 0;
-        slice2cost_difference_3_24 <= 0;
-      end if;
+      for i in 0 to 1 loop
+        if is_set(slice0cost_pair_tag_newest_inside, i) then
+          for j in 0 to 24 loop
+            slice2cost_differences(i + 2, j) <= slice2cost_difference_difference(i + 2, j);
+          end loop;
+        else
+          for j in 0 to 24 loop
+            slice2cost_differences(i + 2, j) <= 0;
+          end loop;
+        end if;
+      end loop;
       if slice1cost_tag_border_column then
-        slice2cost_column_0_0 <= 0;
-        slice2cost_column_0_1 <= 0;
-        slice2cost_column_0_2 <= 0;
-        slice2cost_column_0_3 <= 0;
-        slice2cost_column_0_4 <= 0;
-        slice2cost_column_0_5 <= 0;
-        slice2cost_column_0_6 <= 0;
-        slice2cost_column_0_7 <= 0;
-        slice2cost_column_0_8 <= 0;
-        slice2cost_column_0_9 <= 0;
-        slice2cost_column_0_10 <= 0;
-        slice2cost_column_0_11 <= 0;
-        slice2cost_column_0_12 <= 0;
-        slice2cost_column_0_13 <= 0;
-        slice2cost_column_0_14 <= 0;
-        slice2cost_column_0_15 <= 0;
-        slice2cost_column_0_16 <= 0;
-        slice2cost_column_0_17 <= 0;
-        slice2cost_column_0_18 <= 0;
-        slice2cost_column_0_19 <= 0;
-        slice2cost_column_0_20 <= 0;
-        slice2cost_column_0_21 <= 0;
-        slice2cost_column_0_22 <= 0;
-        slice2cost_column_0_23 <= 0;
-        slice2cost_column_0_24 <= 0;
-        slice2cost_column_1_0 <= 0;
-        slice2cost_column_1_1 <= 0;
-        slice2cost_column_1_2 <= 0;
-        slice2cost_column_1_3 <= 0;
-        slice2cost_column_1_4 <= 0;
-        slice2cost_column_1_5 <= 0;
-        slice2cost_column_1_6 <= 0;
-        slice2cost_column_1_7 <= 0;
-        slice2cost_column_1_8 <= 0;
-        slice2cost_column_1_9 <= 0;
-        slice2cost_column_1_10 <= 0;
-        slice2cost_column_1_11 <= 0;
-        slice2cost_column_1_12 <= 0;
-        slice2cost_column_1_13 <= 0;
-        slice2cost_column_1_14 <= 0;
-        slice2cost_column_1_15 <= 0;
-        slice2cost_column_1_16 <= 0;
-        slice2cost_column_1_17 <= 0;
-        slice2cost_column_1_18 <= 0;
-        slice2cost_column_1_19 <= 0;
-        slice2cost_column_1_20 <= 0;
-        slice2cost_column_1_21 <= 0;
-        slice2cost_column_1_22 <= 0;
-        slice2cost_column_1_23 <= 0;
-        slice2cost_column_1_24 <= 0;
+        for i in 0 to 24 loop
+          slice2cost_column_0(i) <= 0;
+        end loop;
+        for i in 0 to 24 loop
+          slice2cost_column_1(i) <= 0;
+        end loop;
       else
-        slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
-        slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
-        slice2cost_column_0_2 <= slice2cost_pair_0_2 + slice2cost_single_0_2;
-        slice2cost_column_0_3 <= slice2cost_pair_0_3 + slice2cost_single_0_3;
-        slice2cost_column_0_4 <= slice2cost_pair_0_4 + slice2cost_single_0_4;
-        slice2cost_column_0_5 <= slice2cost_pair_0_5 + slice2cost_single_0_5;
-        slice2cost_column_0_6 <= slice2cost_pair_0_6 + slice2cost_single_0_6;
-        slice2cost_column_0_7 <= slice2cost_pair_0_7 + slice2cost_single_0_7;
-        slice2cost_column_0_8 <= slice2cost_pair_0_8 + slice2cost_single_0_8;
-        slice2cost_column_0_9 <= slice2cost_pair_0_9 + slice2cost_single_0_9;
-        slice2cost_column_0_10 <= slice2cost_pair_0_10 + slice2cost_single_0_10;
-        slice2cost_column_0_11 <= slice2cost_pair_0_11 + slice2cost_single_0_11;
-        slice2cost_column_0_12 <= slice2cost_pair_0_12 + slice2cost_single_0_12;
-        slice2cost_column_0_13 <= slice2cost_pair_0_13 + slice2cost_single_0_13;
-        slice2cost_column_0_14 <= slice2cost_pair_0_14 + slice2cost_single_0_14;
-        slice2cost_column_0_15 <= slice2cost_pair_0_15 + slice2cost_single_0_15;
-        slice2cost_column_0_16 <= slice2cost_pair_0_16 + slice2cost_single_0_16;
-        slice2cost_column_0_17 <= slice2cost_pair_0_17 + slice2cost_single_0_17;
-        slice2cost_column_0_18 <= slice2cost_pair_0_18 + slice2cost_single_0_18;
-        slice2cost_column_0_19 <= slice2cost_pair_0_19 + slice2cost_single_0_19;
-        slice2cost_column_0_20 <= slice2cost_pair_0_20 + slice2cost_single_0_20;
-        slice2cost_column_0_21 <= slice2cost_pair_0_21 + slice2cost_single_0_21;
-        slice2cost_column_0_22 <= slice2cost_pair_0_22 + slice2cost_single_0_22;
-        slice2cost_column_0_23 <= slice2cost_pair_0_23 + slice2cost_single_0_23;
-        slice2cost_column_0_24 <= slice2cost_pair_0_24 + slice2cost_single_0_24;
-        slice2cost_column_1_0 <= as_number(slice2cost_single_negative_3_0) + slice2cost_pair_0_0 +
-          slice2cost_single_3_0;
-        slice2cost_column_1_1 <= as_number(slice2cost_single_negative_3_1) + slice2cost_pair_0_1 +
-          slice2cost_single_3_1;
-        slice2cost_column_1_2 <= as_number(slice2cost_single_negative_3_2) + slice2cost_pair_0_2 +
-          slice2cost_single_3_2;
-        slice2cost_column_1_3 <= as_number(slice2cost_single_negative_3_3) + slice2cost_pair_0_3 +
-          slice2cost_single_3_3;
-        slice2cost_column_1_4 <= as_number(slice2cost_single_negative_3_4) + slice2cost_pair_0_4 +
-          slice2cost_single_3_4;
-        slice2cost_column_1_5 <= as_number(slice2cost_single_negative_3_5) + slice2cost_pair_0_5 +
-          slice2cost_single_3_5;
-        slice2cost_column_1_6 <= as_number(slice2cost_single_negative_3_6) + slice2cost_pair_0_6 +
-          slice2cost_single_3_6;
-        slice2cost_column_1_7 <= as_number(slice2cost_single_negative_3_7) + slice2cost_pair_0_7 +
-          slice2cost_single_3_7;
-        slice2cost_column_1_8 <= as_number(slice2cost_single_negative_3_8) + slice2cost_pair_0_8 +
-          slice2cost_single_3_8;
-        slice2cost_column_1_9 <= as_number(slice2cost_single_negative_3_9) + slice2cost_pair_0_9 +
-          slice2cost_single_3_9;
-        slice2cost_column_1_10 <= as_number(slice2cost_single_negative_3_10) + slice2cost_pair_0_10 +
-          slice2cost_single_3_10;
-        slice2cost_column_1_11 <= as_number(slice2cost_single_negative_3_11) + slice2cost_pair_0_11 +
-          slice2cost_single_3_11;
-        slice2cost_column_1_12 <= as_number(slice2cost_single_negative_3_12) + slice2cost_pair_0_12 +
-          slice2cost_single_3_12;
-        slice2cost_column_1_13 <= as_number(slice2cost_single_negative_3_13) + slice2cost_pair_0_13 +
-          slice2cost_single_3_13;
-        slice2cost_column_1_14 <= as_number(slice2cost_single_negative_3_14) + slice2cost_pair_0_14 +
-          slice2cost_single_3_14;
-        slice2cost_column_1_15 <= as_number(slice2cost_single_negative_3_15) + slice2cost_pair_0_15 +
-          slice2cost_single_3_15;
-        slice2cost_column_1_16 <= as_number(slice2cost_single_negative_3_16) + slice2cost_pair_0_16 +
-          slice2cost_single_3_16;
-        slice2cost_column_1_17 <= as_number(slice2cost_single_negative_3_17) + slice2cost_pair_0_17 +
-          slice2cost_single_3_17;
-        slice2cost_column_1_18 <= as_number(slice2cost_single_negative_3_18) + slice2cost_pair_0_18 +
-          slice2cost_single_3_18;
-        slice2cost_column_1_19 <= as_number(slice2cost_single_negative_3_19) + slice2cost_pair_0_19 +
-          slice2cost_single_3_19;
-        slice2cost_column_1_20 <= as_number(slice2cost_single_negative_3_20) + slice2cost_pair_0_20 +
-          slice2cost_single_3_20;
-        slice2cost_column_1_21 <= as_number(slice2cost_single_negative_3_21) + slice2cost_pair_0_21 +
-          slice2cost_single_3_21;
-        slice2cost_column_1_22 <= as_number(slice2cost_single_negative_3_22) + slice2cost_pair_0_22 +
-          slice2cost_single_3_22;
-        slice2cost_column_1_23 <= as_number(slice2cost_single_negative_3_23) + slice2cost_pair_0_23 +
-          slice2cost_single_3_23;
-        slice2cost_column_1_24 <= as_number(slice2cost_single_negative_3_24) + slice2cost_pair_0_24 +
-          slice2cost_single_3_24;
+        for i in 0 to 24 loop
+          slice2cost_column_0(i) <= slice2cost_pair_0(i) + slice2cost_single_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice2cost_column_1(i) <= as_number(slice2cost_single_negative_3(i)) + slice2cost_pair_0(i) +
+            slice2cost_single_3(i);
+        end loop;
       end if;
       if slice0cost_tag_valid then
-        slice2cost_signs_write_words_0 <= (as_number(slice2cost_newest_negative_0_23) * 8388608) +
-          (as_number(slice2cost_newest_negative_0_24) * 16777216) + (as_number(slice2cost_newest_negative_0_22) *
-          4194304) + (as_number(slice2cost_newest_negative_0_21) * 2097152) +
-          (as_number(slice2cost_newest_negative_0_20) * 1048576) + (as_number(slice2cost_newest_negative_0_19) *
-          524288) + (as_number(slice2cost_newest_negative_0_18) * 262144) + (as_number(slice2cost_newest_negative_0_17)
-          * 131072) + (as_number(slice2cost_newest_negative_0_16) * 65536) +
-          (as_number(slice2cost_newest_negative_0_15) * 32768) + (as_number(slice2cost_newest_negative_0_14) * 16384) +
-          (as_number(slice2cost_newest_negative_0_13) * 8192) + (as_number(slice2cost_newest_negative_0_12) * 4096) +
-          (as_number(slice2cost_newest_negative_0_11) * 2048) + (as_number(slice2cost_newest_negative_0_10) * 1024) +
-          (as_number(slice2cost_newest_negative_0_9) * 512) + (as_number(slice2cost_newest_negative_0_8) * 256) +
-          (as_number(slice2cost_newest_negative_0_6) * 64) + (as_number(slice2cost_newest_negative_0_7) * 128) +
-          (as_number(slice2cost_newest_negative_0_5) * 32) + (as_number(slice2cost_newest_negative_0_4) * 16) +
-          (as_number(slice2cost_newest_negative_0_3) * 8) + (as_number(slice2cost_newest_negative_0_2) * 4) +
-          as_number(slice2cost_newest_negative_0_0) + (as_number(slice2cost_newest_negative_0_1) * 2);
-        slice2cost_signs_write_words_1 <= (as_number(slice2cost_newest_negative_1_23) * 8388608) +
-          (as_number(slice2cost_newest_negative_1_24) * 16777216) + (as_number(slice2cost_newest_negative_1_22) *
-          4194304) + (as_number(slice2cost_newest_negative_1_21) * 2097152) +
-          (as_number(slice2cost_newest_negative_1_20) * 1048576) + (as_number(slice2cost_newest_negative_1_19) *
-          524288) + (as_number(slice2cost_newest_negative_1_18) * 262144) + (as_number(slice2cost_newest_negative_1_17)
-          * 131072) + (as_number(slice2cost_newest_negative_1_16) * 65536) +
-          (as_number(slice2cost_newest_negative_1_15) * 32768) + (as_number(slice2cost_newest_negative_1_14) * 16384) +
-          (as_number(slice2cost_newest_negative_1_13) * 8192) + (as_number(slice2cost_newest_negative_1_12) * 4096) +
-          (as_number(slice2cost_newest_negative_1_11) * 2048) + (as_number(slice2cost_newest_negative_1_10) * 1024) +
-          (as_number(slice2cost_newest_negative_1_9) * 512) + (as_number(slice2cost_newest_negative_1_8) * 256) +
-          (as_number(slice2cost_newest_negative_1_6) * 64) + (as_number(slice2cost_newest_negative_1_7) * 128) +
-          (as_number(slice2cost_newest_negative_1_5) * 32) + (as_number(slice2cost_newest_negative_1_4) * 16) +
-          (as_number(slice2cost_newest_negative_1_3) * 8) + (as_number(slice2cost_newest_negative_1_2) * 4) +
-          as_number(slice2cost_newest_negative_1_0) + (as_number(slice2cost_newest_negative_1_1) * 2);
+        for i in 0 to 1 loop
+          slice2cost_signs_write_words(i) <= (as_number(slice2cost_newest_negative(i, 23)) * 8388608) +
+            (as_number(slice2cost_newest_negative(i, 24)) * 16777216) + (as_number(slice2cost_newest_negative(i, 22)) *
+            4194304) + (as_number(slice2cost_newest_negative(i, 21)) * 2097152) +
+            (as_number(slice2cost_newest_negative(i, 20)) * 1048576) + (as_number(slice2cost_newest_negative(i, 19)) *
+            524288) + (as_number(slice2cost_newest_negative(i, 18)) * 262144) +
+            (as_number(slice2cost_newest_negative(i, 17)) * 131072) + (as_number(slice2cost_newest_negative(i, 16)) *
+            65536) + (as_number(slice2cost_newest_negative(i, 15)) * 32768) + (as_number(slice2cost_newest_negative(i,
+            14)) * 16384) + (as_number(slice2cost_newest_negative(i, 13)) * 8192) +
+            (as_number(slice2cost_newest_negative(i, 12)) * 4096) + (as_number(slice2cost_newest_negative(i, 11)) *
+            2048) + (as_number(slice2cost_newest_negative(i, 10)) * 1024) + (as_number(slice2cost_newest_negative(i,
+            9)) * 512) + (as_number(slice2cost_newest_negative(i, 8)) * 256) + (as_number(slice2cost_newest_negative(i,
+            6)) * 64) + (as_number(slice2cost_newest_negative(i, 7)) * 128) + (as_number(slice2cost_newest_negative(i,
+            5)) * 32) + (as_number(slice2cost_newest_negative(i, 4)) * 16) + (as_number(slice2cost_newest_negative(i,
+            3)) * 8) + (as_number(slice2cost_newest_negative(i, 2)) * 4) + as_number(slice2cost_newest_negative(i, 0))
+            + (as_number(slice2cost_newest_negative(i, 1)) * 2);
+        end loop;
       end if;
       -- slice2window
       if slice0winner1_tag_valid then
-        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
-        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
-        slice2window_partial_0_0_2 <= slice2cost_column_0_2;
-        slice2window_partial_0_0_3 <= slice2cost_column_0_3;
-        slice2window_partial_0_0_4 <= slice2cost_column_0_4;
-        slice2window_partial_0_0_5 <= slice2cost_column_0_5;
-        slice2window_partial_0_0_6 <= slice2cost_column_0_6;
-        slice2window_partial_0_0_7 <= slice2cost_column_0_7;
-        slice2window_partial_0_0_8 <= slice2cost_column_0_8;
-        slice2window_partial_0_0_9 <= slice2cost_column_0_9;
-        slice2window_partial_0_0_10 <= slice2cost_column_0_10;
-        slice2window_partial_0_0_11 <= slice2cost_column_0_11;
-        slice2window_partial_0_0_12 <= slice2cost_column_0_12;
-        slice2window_partial_0_0_13 <= slice2cost_column_0_13;
-        slice2window_partial_0_0_14 <= slice2cost_column_0_14;
-        slice2window_partial_0_0_15 <= slice2cost_column_0_15;
-        slice2window_partial_0_0_16 <= slice2cost_column_0_16;
-        slice2window_partial_0_0_17 <= slice2cost_column_0_17;
-        slice2window_partial_0_0_18 <= slice2cost_column_0_18;
-        slice2window_partial_0_0_19 <= slice2cost_column_0_19;
-        slice2window_partial_0_0_20 <= slice2cost_column_0_20;
-        slice2window_partial_0_0_21 <= slice2cost_column_0_21;
-        slice2window_partial_0_0_22 <= slice2cost_column_0_22;
-        slice2window_partial_0_0_23 <= slice2cost_column_0_23;
-        slice2window_partial_0_0_24 <= slice2cost_column_0_24;
-        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
-        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
-        slice2window_partial_0_1_2 <= slice2cost_column_0_2 + slice2window_partial_0_0_2;
-        slice2window_partial_0_1_3 <= slice2cost_column_0_3 + slice2window_partial_0_0_3;
-        slice2window_partial_0_1_4 <= slice2cost_column_0_4 + slice2window_partial_0_0_4;
-        slice2window_partial_0_1_5 <= slice2cost_column_0_5 + slice2window_partial_0_0_5;
-        slice2window_partial_0_1_6 <= slice2cost_column_0_6 + slice2window_partial_0_0_6;
-        slice2window_partial_0_1_7 <= slice2cost_column_0_7 + slice2window_partial_0_0_7;
-        slice2window_partial_0_1_8 <= slice2cost_column_0_8 + slice2window_partial_0_0_8;
-        slice2window_partial_0_1_9 <= slice2cost_column_0_9 + slice2window_partial_0_0_9;
-        slice2window_partial_0_1_10 <= slice2cost_column_0_10 + slice2window_partial_0_0_10;
-        slice2window_partial_0_1_11 <= slice2cost_column_0_11 + slice2window_partial_0_0_11;
-        slice2window_partial_0_1_12 <= slice2cost_column_0_12 + slice2window_partial_0_0_12;
-        slice2window_partial_0_1_13 <= slice2cost_column_0_13 + slice2window_partial_0_0_13;
-        slice2window_partial_0_1_14 <= slice2cost_column_0_14 + slice2window_partial_0_0_14;
-        slice2window_partial_0_1_15 <= slice2cost_column_0_15 + slice2window_partial_0_0_15;
-        slice2window_partial_0_1_16 <= slice2cost_column_0_16 + slice2window_partial_0_0_16;
-        slice2window_partial_0_1_17 <= slice2cost_column_0_17 + slice2window_partial_0_0_17;
-        slice2window_partial_0_1_18 <= slice2cost_column_0_18 + slice2window_partial_0_0_18;
-        slice2window_partial_0_1_19 <= slice2cost_column_0_19 + slice2window_partial_0_0_19;
-        slice2window_partial_0_1_20 <= slice2cost_column_0_20 + slice2window_partial_0_0_20;
-        slice2window_partial_0_1_21 <= slice2cost_column_0_21 + slice2window_partial_0_0_21;
-        slice2window_partial_0_1_22 <= slice2cost_column_0_22 + slice2window_partial_0_0_22;
-        slice2window_partial_0_1_23 <= slice2cost_column_0_23 + slice2window_partial_0_0_23;
-        slice2window_partial_0_1_24 <= slice2cost_column_0_24 + slice2window_partial_0_0_24;
-        slice2window_partial_1_0_0 <= slice2cost_column_1_0;
-        slice2window_partial_1_0_1 <= slice2cost_column_1_1;
-        slice2window_partial_1_0_2 <= slice2cost_column_1_2;
-        slice2window_partial_1_0_3 <= slice2cost_column_1_3;
-        slice2window_partial_1_0_4 <= slice2cost_column_1_4;
-        slice2window_partial_1_0_5 <= slice2cost_column_1_5;
-        slice2window_partial_1_0_6 <= slice2cost_column_1_6;
-        slice2window_partial_1_0_7 <= slice2cost_column_1_7;
-        slice2window_partial_1_0_8 <= slice2cost_column_1_8;
-        slice2window_partial_1_0_9 <= slice2cost_column_1_9;
-        slice2window_partial_1_0_10 <= slice2cost_column_1_10;
-        slice2window_partial_1_0_11 <= slice2cost_column_1_11;
-        slice2window_partial_1_0_12 <= slice2cost_column_1_12;
-        slice2window_partial_1_0_13 <= slice2cost_column_1_13;
-        slice2window_partial_1_0_14 <= slice2cost_column_1_14;
-        slice2window_partial_1_0_15 <= slice2cost_column_1_15;
-        slice2window_partial_1_0_16 <= slice2cost_column_1_16;
-        slice2window_partial_1_0_17 <= slice2cost_column_1_17;
-        slice2window_partial_1_0_18 <= slice2cost_column_1_18;
-        slice2window_partial_1_0_19 <= slice2cost_column_1_19;
-        slice2window_partial_1_0_20 <= slice2cost_column_1_20;
-        slice2window_partial_1_0_21 <= slice2cost_column_1_21;
-        slice2window_partial_1_0_22 <= slice2cost_column_1_22;
-        slice2window_partial_1_0_23 <= slice2cost_column_1_23;
-        slice2window_partial_1_0_24 <= slice2cost_column_1_24;
-        slice2window_partial_1_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_0_0;
-        slice2window_partial_1_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_0_1;
-        slice2window_partial_1_1_2 <= slice2cost_column_1_2 + slice2window_partial_1_0_2;
-        slice2window_partial_1_1_3 <= slice2cost_column_1_3 + slice2window_partial_1_0_3;
-        slice2window_partial_1_1_4 <= slice2cost_column_1_4 + slice2window_partial_1_0_4;
-        slice2window_partial_1_1_5 <= slice2cost_column_1_5 + slice2window_partial_1_0_5;
-        slice2window_partial_1_1_6 <= slice2cost_column_1_6 + slice2window_partial_1_0_6;
-        slice2window_partial_1_1_7 <= slice2cost_column_1_7 + slice2window_partial_1_0_7;
-        slice2window_partial_1_1_8 <= slice2cost_column_1_8 + slice2window_partial_1_0_8;
-        slice2window_partial_1_1_9 <= slice2cost_column_1_9 + slice2window_partial_1_0_9;
-        slice2window_partial_1_1_10 <= slice2cost_column_1_10 + slice2window_partial_1_0_10;
-        slice2window_partial_1_1_11 <= slice2cost_column_1_11 + slice2window_partial_1_0_11;
-        slice2window_partial_1_1_12 <= slice2cost_column_1_12 + slice2window_partial_1_0_12;
-        slice2window_partial_1_1_13 <= slice2cost_column_1_13 + slice2window_partial_1_0_13;
-        slice2window_partial_1_1_14 <= slice2cost_column_1_14 + slice2window_partial_1_0_14;
-        slice2window_partial_1_1_15 <= slice2cost_column_1_15 + slice2window_partial_1_0_15;
-        slice2window_partial_1_1_16 <= slice2cost_column_1_16 + slice2window_partial_1_0_16;
-        slice2window_partial_1_1_17 <= slice2cost_column_1_17 + slice2window_partial_1_0_17;
-        slice2window_partial_1_1_18 <= slice2cost_column_1_18 + slice2window_partial_1_0_18;
-        slice2window_partial_1_1_19 <= slice2cost_column_1_19 + slice2window_partial_1_0_19;
-        slice2window_partial_1_1_20 <= slice2cost_column_1_20 + slice2window_partial_1_0_20;
-        slice2window_partial_1_1_21 <= slice2cost_column_1_21 + slice2window_partial_1_0_21;
-        slice2window_partial_1_1_22 <= slice2cost_column_1_22 + slice2window_partial_1_0_22;
-        slice2window_partial_1_1_23 <= slice2cost_column_1_23 + slice2window_partial_1_0_23;
-        slice2window_partial_1_1_24 <= slice2cost_column_1_24 + slice2window_partial_1_0_24;
+        for i in 0 to 24 loop
+          slice2window_partial_0_0(i) <= slice2cost_column_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice2window_partial_0_1(i) <= slice2cost_column_0(i) + slice2window_partial_0_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice2window_partial_1_0(i) <= slice2cost_column_1(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice2window_partial_1_1(i) <= slice2cost_column_1(i) + slice2window_partial_1_0(i);
+        end loop;
       end if;
-      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
-      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
-      slice2window_sum_0_2 <= slice2cost_column_0_2 + slice2window_partial_0_1_2;
-      slice2window_sum_0_3 <= slice2cost_column_0_3 + slice2window_partial_0_1_3;
-      slice2window_sum_0_4 <= slice2cost_column_0_4 + slice2window_partial_0_1_4;
-      slice2window_sum_0_5 <= slice2cost_column_0_5 + slice2window_partial_0_1_5;
-      slice2window_sum_0_6 <= slice2cost_column_0_6 + slice2window_partial_0_1_6;
-      slice2window_sum_0_7 <= slice2cost_column_0_7 + slice2window_partial_0_1_7;
-      slice2window_sum_0_8 <= slice2cost_column_0_8 + slice2window_partial_0_1_8;
-      slice2window_sum_0_9 <= slice2cost_column_0_9 + slice2window_partial_0_1_9;
-      slice2window_sum_0_10 <= slice2cost_column_0_10 + slice2window_partial_0_1_10;
-      slice2window_sum_0_11 <= slice2cost_column_0_11 + slice2window_partial_0_1_11;
-      slice2window_sum_0_12 <= slice2cost_column_0_12 + slice2window_partial_0_1_12;
-      slice2window_sum_0_13 <= slice2cost_column_0_13 + slice2window_partial_0_1_13;
-      slice2window_sum_0_14 <= slice2cost_column_0_14 + slice2window_partial_0_1_14;
-      slice2window_sum_0_15 <= slice2cost_column_0_15 + slice2window_partial_0_1_15;
-      slice2window_sum_0_16 <= slice2cost_column_0_16 + slice2window_partial_0_1_16;
-      slice2window_sum_0_17 <= slice2cost_column_0_17 + slice2window_partial_0_1_17;
-      slice2window_sum_0_18 <= slice2cost_column_0_18 + slice2window_partial_0_1_18;
-      slice2window_sum_0_19 <= slice2cost_column_0_19 + slice2window_partial_0_1_19;
-      slice2window_sum_0_20 <= slice2cost_column_0_20 + slice2window_partial_0_1_20;
-      slice2window_sum_0_21 <= slice2cost_column_0_21 + slice2window_partial_0_1_21;
-      slice2window_sum_0_22 <= slice2cost_column_0_22 + slice2window_partial_0_1_22;
-      slice2window_sum_0_23 <= slice2cost_column_0_23 + slice2window_partial_0_1_23;
-      slice2window_sum_0_24 <= slice2cost_column_0_24 + slice2window_partial_0_1_24;
-      slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
-      slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
-      slice2window_sum_1_2 <= slice2cost_column_1_2 + slice2window_partial_1_1_2;
-      slice2window_sum_1_3 <= slice2cost_column_1_3 + slice2window_partial_1_1_3;
-      slice2window_sum_1_4 <= slice2cost_column_1_4 + slice2window_partial_1_1_4;
-      slice2window_sum_1_5 <= slice2cost_column_1_5 + slice2window_partial_1_1_5;
-      slice2window_sum_1_6 <= slice2cost_column_1_6 + slice2window_partial_1_1_6;
-      slice2window_sum_1_7 <= slice2cost_column_1_7 + slice2window_partial_1_1_7;
-      slice2window_sum_1_8 <= slice2cost_column_1_8 + slice2window_partial_1_1_8;
-      slice2window_sum_1_9 <= slice2cost_column_1_9 + slice2window_partial_1_1_9;
-      slice2window_sum_1_10 <= slice2cost_column_1_10 + slice2window_partial_1_1_10;
-      slice2window_sum_1_11 <= slice2cost_column_1_11 + slice2window_partial_1_1_11;
-      slice2window_sum_1_12 <= slice2cost_column_1_12 + slice2window_partial_1_1_12;
-      slice2window_sum_1_13 <= slice2cost_column_1_13 + slice2window_partial_1_1_13;
-      slice2window_sum_1_14 <= slice2cost_column_1_14 + slice2window_partial_1_1_14;
-      slice2window_sum_1_15 <= slice2cost_column_1_15 + slice2window_partial_1_1_15;
-      slice2window_sum_1_16 <= slice2cost_column_1_16 + slice2window_partial_1_1_16;
-      slice2window_sum_1_17 <= slice2cost_column_1_17 + slice2window_partial_1_1_17;
-      slice2window_sum_1_18 <= slice2cost_column_1_18 + slice2window_partial_1_1_18;
-      slice2window_sum_1_19 <= slice2cost_column_1_19 + slice2window_partial_1_1_19;
-      slice2window_sum_1_20 <= slice2cost_column_1_20 + slice2window_partial_1_1_20;
-      slice2window_sum_1_21 <= slice2cost_column_1_21 + slice2window_partial_1_1_21;
-      slice2window_sum_1_22 <= slice2cost_column_1_22 + slice2window_partial_1_1_22;
-      slice2window_sum_1_23 <= slice2cost_column_1_23 + slice2window_partial_1_1_23;
-      slice2window_sum_1_24 <= slice2cost_column_1_24 + slice2window_partial_1_1_24;
+      for i in 0 to 24 loop
+        slice2window_sum_0(i) <= slice2cost_column_0(i) + slice2window_partial_0_1(i);
+      end loop;
+      for i in 0 to 24 loop
+        slice2window_sum_1(i) <= slice2cost_column_1(i) + slice2window_partial_1_1(i);
+      end loop;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_best_cost_0_1_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
-      slice2winner1_best_cost_0_2_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
-      slice2winner1_best_cost_0_3_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
-      slice2winner1_best_cost_0_4_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
-      slice2winner1_best_cost_0_5_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
-      slice2winner1_best_cost_0_6_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
-      slice2winner1_best_cost_0_7_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
-      slice2winner1_best_cost_0_8_is_less := (slice2window_sum_0_17 - slice2window_sum_0_16) < 0;
-      slice2winner1_best_cost_0_9_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
-      slice2winner1_best_cost_0_10_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
-      slice2winner1_best_cost_0_11_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
-      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
-      slice2winner1_best_cost_1_1_is_less := (slice2window_sum_1_3 - slice2window_sum_1_2) < 0;
-      slice2winner1_best_cost_1_2_is_less := (slice2window_sum_1_5 - slice2window_sum_1_4) < 0;
-      slice2winner1_best_cost_1_3_is_less := (slice2window_sum_1_7 - slice2window_sum_1_6) < 0;
-      slice2winner1_best_cost_1_4_is_less := (slice2window_sum_1_9 - slice2window_sum_1_8) < 0;
-      slice2winner1_best_cost_1_5_is_less := (slice2window_sum_1_11 - slice2window_sum_1_10) < 0;
-      slice2winner1_best_cost_1_6_is_less := (slice2window_sum_1_13 - slice2window_sum_1_12) < 0;
-      slice2winner1_best_cost_1_7_is_less := (slice2window_sum_1_15 - slice2window_sum_1_14) < 0;
-      slice2winner1_best_cost_1_8_is_less := (slice2window_sum_1_17 - slice2window_sum_1_16) < 0;
-      slice2winner1_best_cost_1_9_is_less := (slice2window_sum_1_19 - slice2window_sum_1_18) < 0;
-      slice2winner1_best_cost_1_10_is_less := (slice2window_sum_1_21 - slice2window_sum_1_20) < 0;
-      slice2winner1_best_cost_1_11_is_less := (slice2window_sum_1_23 - slice2window_sum_1_22) < 0;
-      slice2winner1_best_cost_0_12 <= slice2window_sum_0_24;
-      slice2winner1_best_cost_1_12 <= slice2window_sum_1_24;
-      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
-      if slice2winner1_best_cost_0_0_is_less then
-        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      for i in 0 to 11 loop
+        slice2winner1_best_cost_is_less(0, i) := (slice2window_sum_0(2 * i + 1) - slice2window_sum_0(2 * i)) < 0;
+      end loop;
+      for i in 0 to 11 loop
+        slice2winner1_best_cost_is_less(1, i) := (slice2window_sum_1(2 * i + 1) - slice2window_sum_1(2 * i)) < 0;
+      end loop;
+      slice2winner1_best_cost_0(12) <= slice2window_sum_0(24);
+      slice2winner1_best_cost_1(12) <= slice2window_sum_1(24);
+      slice2winner1_best_index_0(0) <= slice2winner1_best_cost_is_less(0, 0);
+      slice2winner1_best_index_0(1) <= slice2winner1_best_cost_is_less(1, 0);
+      if slice2winner1_best_cost_is_less(0, 0) then
+        slice2winner1_best_cost_0(0) <= slice2window_sum_0(1);
       else
-        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_cost_0(0) <= slice2window_sum_0(0);
       end if;
-      if slice2winner1_best_cost_0_1_is_less then
-        slice2winner1_best_cost_0_1 <= slice2window_sum_0_3;
-        slice2winner1_best_index_0_1 <= 3;
+      if slice2winner1_best_cost_is_less(0, 1) then
+        slice2winner1_best_cost_0(1) <= slice2window_sum_0(3);
+        slice2winner1_best_index_1(0) <= 3;
       else
-        slice2winner1_best_cost_0_1 <= slice2window_sum_0_2;
-        slice2winner1_best_index_0_1 <= 2;
+        slice2winner1_best_cost_0(1) <= slice2window_sum_0(2);
+        slice2winner1_best_index_1(0) <= 2;
       end if;
-      if slice2winner1_best_cost_0_2_is_less then
-        slice2winner1_best_cost_0_2 <= slice2window_sum_0_5;
-        slice2winner1_best_index_0_2 <= 5;
+      if slice2winner1_best_cost_is_less(0, 2) then
+        slice2winner1_best_cost_0(2) <= slice2window_sum_0(5);
+        slice2winner1_best_index_2(0) <= 5;
       else
-        slice2winner1_best_cost_0_2 <= slice2window_sum_0_4;
-        slice2winner1_best_index_0_2 <= 4;
+        slice2winner1_best_cost_0(2) <= slice2window_sum_0(4);
+        slice2winner1_best_index_2(0) <= 4;
       end if;
-      if slice2winner1_best_cost_0_3_is_less then
-        slice2winner1_best_cost_0_3 <= slice2window_sum_0_7;
-        slice2winner1_best_index_0_3 <= 7;
+      if slice2winner1_best_cost_is_less(0, 3) then
+        slice2winner1_best_cost_0(3) <= slice2window_sum_0(7);
+        slice2winner1_best_index_3(0) <= 7;
       else
-        slice2winner1_best_cost_0_3 <= slice2window_sum_0_6;
-        slice2winner1_best_index_0_3 <= 6;
+        slice2winner1_best_cost_0(3) <= slice2window_sum_0(6);
+        slice2winner1_best_index_3(0) <= 6;
       end if;
-      if slice2winner1_best_cost_0_4_is_less then
-        slice2winner1_best_cost_0_4 <= slice2window_sum_0_9;
-        slice2winner1_best_index_0_4 <= 9;
+      if slice2winner1_best_cost_is_less(0, 4) then
+        slice2winner1_best_cost_0(4) <= slice2window_sum_0(9);
+        slice2winner1_best_index_4(0) <= 9;
       else
-        slice2winner1_best_cost_0_4 <= slice2window_sum_0_8;
-        slice2winner1_best_index_0_4 <= 8;
+        slice2winner1_best_cost_0(4) <= slice2window_sum_0(8);
+        slice2winner1_best_index_4(0) <= 8;
       end if;
-      if slice2winner1_best_cost_0_5_is_less then
-        slice2winner1_best_cost_0_5 <= slice2window_sum_0_11;
-        slice2winner1_best_index_0_5 <= 11;
+      if slice2winner1_best_cost_is_less(0, 5) then
+        slice2winner1_best_cost_0(5) <= slice2window_sum_0(11);
+        slice2winner1_best_index_5(0) <= 11;
       else
-        slice2winner1_best_cost_0_5 <= slice2window_sum_0_10;
-        slice2winner1_best_index_0_5 <= 10;
+        slice2winner1_best_cost_0(5) <= slice2window_sum_0(10);
+        slice2winner1_best_index_5(0) <= 10;
       end if;
-      if slice2winner1_best_cost_0_6_is_less then
-        slice2winner1_best_cost_0_6 <= slice2window_sum_0_13;
-        slice2winner1_best_index_0_6 <= 13;
+      if slice2winner1_best_cost_is_less(0, 6) then
+        slice2winner1_best_cost_0(6) <= slice2window_sum_0(13);
+        slice2winner1_best_index_6(0) <= 13;
       else
-        slice2winner1_best_cost_0_6 <= slice2window_sum_0_12;
-        slice2winner1_best_index_0_6 <= 12;
+        slice2winner1_best_cost_0(6) <= slice2window_sum_0(12);
+        slice2winner1_best_index_6(0) <= 12;
       end if;
-      if slice2winner1_best_cost_0_7_is_less then
-        slice2winner1_best_cost_0_7 <= slice2window_sum_0_15;
-        slice2winner1_best_index_0_7 <= 15;
+      if slice2winner1_best_cost_is_less(0, 7) then
+        slice2winner1_best_cost_0(7) <= slice2window_sum_0(15);
+        slice2winner1_best_index_7(0) <= 15;
       else
-        slice2winner1_best_cost_0_7 <= slice2window_sum_0_14;
-        slice2winner1_best_index_0_7 <= 14;
+        slice2winner1_best_cost_0(7) <= slice2window_sum_0(14);
+        slice2winner1_best_index_7(0) <= 14;
       end if;
-      if slice2winner1_best_cost_0_8_is_less then
-        slice2winner1_best_cost_0_8 <= slice2window_sum_0_17;
-        slice2winner1_best_index_0_8 <= 17;
+      if slice2winner1_best_cost_is_less(0, 8) then
+        slice2winner1_best_cost_0(8) <= slice2window_sum_0(17);
+        slice2winner1_best_index_8(0) <= 17;
       else
-        slice2winner1_best_cost_0_8 <= slice2window_sum_0_16;
-        slice2winner1_best_index_0_8 <= 16;
+        slice2winner1_best_cost_0(8) <= slice2window_sum_0(16);
+        slice2winner1_best_index_8(0) <= 16;
       end if;
-      if slice2winner1_best_cost_0_9_is_less then
-        slice2winner1_best_cost_0_9 <= slice2window_sum_0_19;
-        slice2winner1_best_index_0_9 <= 19;
+      if slice2winner1_best_cost_is_less(0, 9) then
+        slice2winner1_best_cost_0(9) <= slice2window_sum_0(19);
+        slice2winner1_best_index_9(0) <= 19;
       else
-        slice2winner1_best_cost_0_9 <= slice2window_sum_0_18;
-        slice2winner1_best_index_0_9 <= 18;
+        slice2winner1_best_cost_0(9) <= slice2window_sum_0(18);
+        slice2winner1_best_index_9(0) <= 18;
       end if;
-      if slice2winner1_best_cost_0_10_is_less then
-        slice2winner1_best_cost_0_10 <= slice2window_sum_0_21;
-        slice2winner1_best_index_0_10 <= 21;
+      if slice2winner1_best_cost_is_less(0, 10) then
+        slice2winner1_best_cost_0(10) <= slice2window_sum_0(21);
+        slice2winner1_best_index_10(0) <= 21;
       else
-        slice2winner1_best_cost_0_10 <= slice2window_sum_0_20;
-        slice2winner1_best_index_0_10 <= 20;
+        slice2winner1_best_cost_0(10) <= slice2window_sum_0(20);
+        slice2winner1_best_index_10(0) <= 20;
       end if;
-      if slice2winner1_best_cost_0_11_is_less then
-        slice2winner1_best_cost_0_11 <= slice2window_sum_0_23;
-        slice2winner1_best_index_0_11 <= 23;
+      if slice2winner1_best_cost_is_less(0, 11) then
+        slice2winner1_best_cost_0(11) <= slice2window_sum_0(23);
+        slice2winner1_best_index_11(0) <= 23;
       else
-        slice2winner1_best_cost_0_11 <= slice2window_sum_0_22;
-        slice2winner1_best_index_0_11 <= 22;
+        slice2winner1_best_cost_0(11) <= slice2window_sum_0(22);
+        slice2winner1_best_index_11(0) <= 22;
       end if;
-      if slice2winner1_best_cost_1_0_is_less then
-        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
+      if slice2winner1_best_cost_is_less(1, 0) then
+        slice2winner1_best_cost_1(0) <= slice2window_sum_1(1);
       else
-        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
+        slice2winner1_best_cost_1(0) <= slice2window_sum_1(0);
       end if;
-      if slice2winner1_best_cost_1_1_is_less then
-        slice2winner1_best_cost_1_1 <= slice2window_sum_1_3;
-        slice2winner1_best_index_1_1 <= 3;
+      if slice2winner1_best_cost_is_less(1, 1) then
+        slice2winner1_best_cost_1(1) <= slice2window_sum_1(3);
+        slice2winner1_best_index_1(1) <= 3;
       else
-        slice2winner1_best_cost_1_1 <= slice2window_sum_1_2;
-        slice2winner1_best_index_1_1 <= 2;
+        slice2winner1_best_cost_1(1) <= slice2window_sum_1(2);
+        slice2winner1_best_index_1(1) <= 2;
       end if;
-      if slice2winner1_best_cost_1_2_is_less then
-        slice2winner1_best_cost_1_2 <= slice2window_sum_1_5;
-        slice2winner1_best_index_1_2 <= 5;
+      if slice2winner1_best_cost_is_less(1, 2) then
+        slice2winner1_best_cost_1(2) <= slice2window_sum_1(5);
+        slice2winner1_best_index_2(1) <= 5;
       else
-        slice2winner1_best_cost_1_2 <= slice2window_sum_1_4;
-        slice2winner1_best_index_1_2 <= 4;
+        slice2winner1_best_cost_1(2) <= slice2window_sum_1(4);
+        slice2winner1_best_index_2(1) <= 4;
       end if;
-      if slice2winner1_best_cost_1_3_is_less then
-        slice2winner1_best_cost_1_3 <= slice2window_sum_1_7;
-        slice2winner1_best_index_1_3 <= 7;
+      if slice2winner1_best_cost_is_less(1, 3) then
+        slice2winner1_best_cost_1(3) <= slice2window_sum_1(7);
+        slice2winner1_best_index_3(1) <= 7;
       else
-        slice2winner1_best_cost_1_3 <= slice2window_sum_1_6;
-        slice2winner1_best_index_1_3 <= 6;
+        slice2winner1_best_cost_1(3) <= slice2window_sum_1(6);
+        slice2winner1_best_index_3(1) <= 6;
       end if;
-      if slice2winner1_best_cost_1_4_is_less then
-        slice2winner1_best_cost_1_4 <= slice2window_sum_1_9;
-        slice2winner1_best_index_1_4 <= 9;
+      if slice2winner1_best_cost_is_less(1, 4) then
+        slice2winner1_best_cost_1(4) <= slice2window_sum_1(9);
+        slice2winner1_best_index_4(1) <= 9;
       else
-        slice2winner1_best_cost_1_4 <= slice2window_sum_1_8;
-        slice2winner1_best_index_1_4 <= 8;
+        slice2winner1_best_cost_1(4) <= slice2window_sum_1(8);
+        slice2winner1_best_index_4(1) <= 8;
       end if;
-      if slice2winner1_best_cost_1_5_is_less then
-        slice2winner1_best_cost_1_5 <= slice2window_sum_1_11;
-        slice2winner1_best_index_1_5 <= 11;
+      if slice2winner1_best_cost_is_less(1, 5) then
+        slice2winner1_best_cost_1(5) <= slice2window_sum_1(11);
+        slice2winner1_best_index_5(1) <= 11;
       else
-        slice2winner1_best_cost_1_5 <= slice2window_sum_1_10;
-        slice2winner1_best_index_1_5 <= 10;
+        slice2winner1_best_cost_1(5) <= slice2window_sum_1(10);
+        slice2winner1_best_index_5(1) <= 10;
       end if;
-      if slice2winner1_best_cost_1_6_is_less then
-        slice2winner1_best_cost_1_6 <= slice2window_sum_1_13;
-        slice2winner1_best_index_1_6 <= 13;
+      if slice2winner1_best_cost_is_less(1, 6) then
+        slice2winner1_best_cost_1(6) <= slice2window_sum_1(13);
+        slice2winner1_best_index_6(1) <= 13;
       else
-        slice2winner1_best_cost_1_6 <= slice2window_sum_1_12;
-        slice2winner1_best_index_1_6 <= 12;
+        slice2winner1_best_cost_1(6) <= slice2window_sum_1(12);
+        slice2winner1_best_index_6(1) <= 12;
       end if;
-      if slice2winner1_best_cost_1_7_is_less then
-        slice2winner1_best_cost_1_7 <= slice2window_sum_1_15;
-        slice2winner1_best_index_1_7 <= 15;
+      if slice2winner1_best_cost_is_less(1, 7) then
+        slice2winner1_best_cost_1(7) <= slice2window_sum_1(15);
+        slice2winner1_best_index_7(1) <= 15;
       else
-        slice2winner1_best_cost_1_7 <= slice2window_sum_1_14;
-        slice2winner1_best_index_1_7 <= 14;
+        slice2winner1_best_cost_1(7) <= slice2window_sum_1(14);
+        slice2winner1_best_index_7(1) <= 14;
       end if;
-      if slice2winner1_best_cost_1_8_is_less then
-        slice2winner1_best_cost_1_8 <= slice2window_sum_1_17;
-        slice2winner1_best_index_1_8 <= 17;
+      if slice2winner1_best_cost_is_less(1, 8) then
+        slice2winner1_best_cost_1(8) <= slice2window_sum_1(17);
+        slice2winner1_best_index_8(1) <= 17;
       else
-        slice2winner1_best_cost_1_8 <= slice2window_sum_1_16;
-        slice2winner1_best_index_1_8 <= 16;
+        slice2winner1_best_cost_1(8) <= slice2window_sum_1(16);
+        slice2winner1_best_index_8(1) <= 16;
       end if;
-      if slice2winner1_best_cost_1_9_is_less then
-        slice2winner1_best_cost_1_9 <= slice2window_sum_1_19;
-        slice2winner1_best_index_1_9 <= 19;
+      if slice2winner1_best_cost_is_less(1, 9) then
+        slice2winner1_best_cost_1(9) <= slice2window_sum_1(19);
+        slice2winner1_best_index_9(1) <= 19;
       else
-        slice2winner1_best_cost_1_9 <= slice2window_sum_1_18;
-        slice2winner1_best_index_1_9 <= 18;
+        slice2winner1_best_cost_1(9) <= slice2window_sum_1(18);
+        slice2winner1_best_index_9(1) <= 18;
       end if;
-      if slice2winner1_best_cost_1_10_is_less then
-        slice2winner1_best_cost_1_10 <= slice2window_sum_1_21;
-        slice2winner1_best_index_1_10 <= 21;
+      if slice2winner1_best_cost_is_less(1, 10) then
+        slice2winner1_best_cost_1(10) <= slice2window_sum_1(21);
+        slice2winner1_best_index_10(1) <= 21;
       else
-        slice2winner1_best_cost_1_10 <= slice2window_sum_1_20;
-        slice2winner1_best_index_1_10 <= 20;
+        slice2winner1_best_cost_1(10) <= slice2window_sum_1(20);
+        slice2winner1_best_index_10(1) <= 20;
       end if;
-      if slice2winner1_best_cost_1_11_is_less then
-        slice2winner1_best_cost_1_11 <= slice2window_sum_1_23;
-        slice2winner1_best_index_1_11 <= 23;
+      if slice2winner1_best_cost_is_less(1, 11) then
+        slice2winner1_best_cost_1(11) <= slice2window_sum_1(23);
+        slice2winner1_best_index_11(1) <= 23;
       else
-        slice2winner1_best_cost_1_11 <= slice2window_sum_1_22;
-        slice2winner1_best_index_1_11 <= 22;
+        slice2winner1_best_cost_1(11) <= slice2window_sum_1(22);
+        slice2winner1_best_index_11(1) <= 22;
       end if;
       -- slice2winner2
-      slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
-      slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
-      slice2winner2_best_cost_0_2_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
-      slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
-      slice2winner2_best_cost_0_4_is_less := (slice2winner1_best_cost_0_9 - slice2winner1_best_cost_0_8) < 0;
-      slice2winner2_best_cost_0_5_is_less := (slice2winner1_best_cost_0_11 - slice2winner1_best_cost_0_10) < 0;
-      slice2winner2_best_cost_1_0_is_less := (slice2winner1_best_cost_1_1 - slice2winner1_best_cost_1_0) < 0;
-      slice2winner2_best_cost_1_1_is_less := (slice2winner1_best_cost_1_3 - slice2winner1_best_cost_1_2) < 0;
-      slice2winner2_best_cost_1_2_is_less := (slice2winner1_best_cost_1_5 - slice2winner1_best_cost_1_4) < 0;
-      slice2winner2_best_cost_1_3_is_less := (slice2winner1_best_cost_1_7 - slice2winner1_best_cost_1_6) < 0;
-      slice2winner2_best_cost_1_4_is_less := (slice2winner1_best_cost_1_9 - slice2winner1_best_cost_1_8) < 0;
-      slice2winner2_best_cost_1_5_is_less := (slice2winner1_best_cost_1_11 - slice2winner1_best_cost_1_10) < 0;
-      slice2winner2_best_cost_0_6 <= slice2winner1_best_cost_0_12;
-      slice2winner2_best_cost_1_6 <= slice2winner1_best_cost_1_12;
-      if slice2winner2_best_cost_0_0_is_less then
-        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1;
-        slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
+      for i in 0 to 5 loop
+        slice2winner2_best_cost_is_less(0, i) := (slice2winner1_best_cost_0(2 * i + 1) - slice2winner1_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      for i in 0 to 5 loop
+        slice2winner2_best_cost_is_less(1, i) := (slice2winner1_best_cost_1(2 * i + 1) - slice2winner1_best_cost_1(2 *
+          i)) < 0;
+      end loop;
+      slice2winner2_best_cost_0(6) <= slice2winner1_best_cost_0(12);
+      slice2winner2_best_cost_1(6) <= slice2winner1_best_cost_1(12);
+      if slice2winner2_best_cost_is_less(0, 0) then
+        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(1);
+        slice2winner2_best_index_0(0) <= slice2winner1_best_index_1(0);
       else
-        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
-        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
+        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(0);
+        slice2winner2_best_index_0(0) <= as_number(slice2winner1_best_index_0(0));
       end if;
-      if slice2winner2_best_cost_0_1_is_less then
-        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3;
-        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
+      if slice2winner2_best_cost_is_less(0, 1) then
+        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(3);
+        slice2winner2_best_index_1(0) <= slice2winner1_best_index_3(0);
       else
-        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_2;
-        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
+        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(2);
+        slice2winner2_best_index_1(0) <= slice2winner1_best_index_2(0);
       end if;
-      if slice2winner2_best_cost_0_2_is_less then
-        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5;
-        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
+      if slice2winner2_best_cost_is_less(0, 2) then
+        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(5);
+        slice2winner2_best_index_2(0) <= slice2winner1_best_index_5(0);
       else
-        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_4;
-        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
+        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(4);
+        slice2winner2_best_index_2(0) <= slice2winner1_best_index_4(0);
       end if;
-      if slice2winner2_best_cost_0_3_is_less then
-        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7;
-        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
+      if slice2winner2_best_cost_is_less(0, 3) then
+        slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(7);
+        slice2winner2_best_index_3(0) <= slice2winner1_best_index_7(0);
       else
-        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_6;
-        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
+        slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(6);
+        slice2winner2_best_index_3(0) <= slice2winner1_best_index_6(0);
       end if;
-      if slice2winner2_best_cost_0_4_is_less then
-        slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9;
-        slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9;
+      if slice2winner2_best_cost_is_less(0, 4) then
+        slice2winner2_best_cost_0(4) <= slice2winner1_best_cost_0(9);
+        slice2winner2_best_index_4(0) <= slice2winner1_best_index_9(0);
       else
-        slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_8;
-        slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_8;
+        slice2winner2_best_cost_0(4) <= slice2winner1_best_cost_0(8);
+        slice2winner2_best_index_4(0) <= slice2winner1_best_index_8(0);
       end if;
-      if slice2winner2_best_cost_0_5_is_less then
-        slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11;
-        slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11;
+      if slice2winner2_best_cost_is_less(0, 5) then
+        slice2winner2_best_cost_0(5) <= slice2winner1_best_cost_0(11);
+        slice2winner2_best_index_5(0) <= slice2winner1_best_index_11(0);
       else
-        slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_10;
-        slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_10;
+        slice2winner2_best_cost_0(5) <= slice2winner1_best_cost_0(10);
+        slice2winner2_best_index_5(0) <= slice2winner1_best_index_10(0);
       end if;
-      if slice2winner2_best_cost_1_0_is_less then
-        slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_1;
-        slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_1;
+      if slice2winner2_best_cost_is_less(1, 0) then
+        slice2winner2_best_cost_1(0) <= slice2winner1_best_cost_1(1);
+        slice2winner2_best_index_0(1) <= slice2winner1_best_index_1(1);
       else
-        slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
-        slice2winner2_best_index_1_0 <= as_number(slice2winner1_best_index_1_0);
+        slice2winner2_best_cost_1(0) <= slice2winner1_best_cost_1(0);
+        slice2winner2_best_index_0(1) <= as_number(slice2winner1_best_index_0(1));
       end if;
-      if slice2winner2_best_cost_1_1_is_less then
-        slice2winner2_best_cost_1_1 <= slice2winner1_best_cost_1_3;
-        slice2winner2_best_index_1_1 <= slice2winner1_best_index_1_3;
+      if slice2winner2_best_cost_is_less(1, 1) then
+        slice2winner2_best_cost_1(1) <= slice2winner1_best_cost_1(3);
+        slice2winner2_best_index_1(1) <= slice2winner1_best_index_3(1);
       else
-        slice2winner2_best_cost_1_1 <= slice2winner1_best_cost_1_2;
-        slice2winner2_best_index_1_1 <= slice2winner1_best_index_1_2;
+        slice2winner2_best_cost_1(1) <= slice2winner1_best_cost_1(2);
+        slice2winner2_best_index_1(1) <= slice2winner1_best_index_2(1);
       end if;
-      if slice2winner2_best_cost_1_2_is_less then
-        slice2winner2_best_cost_1_2 <= slice2winner1_best_cost_1_5;
-        slice2winner2_best_index_1_2 <= slice2winner1_best_index_1_5;
+      if slice2winner2_best_cost_is_less(1, 2) then
+        slice2winner2_best_cost_1(2) <= slice2winner1_best_cost_1(5);
+        slice2winner2_best_index_2(1) <= slice2winner1_best_index_5(1);
       else
-        slice2winner2_best_cost_1_2 <= slice2winner1_best_cost_1_4;
-        slice2winner2_best_index_1_2 <= slice2winner1_best_index_1_4;
+        slice2winner2_best_cost_1(2) <= slice2winner1_best_cost_1(4);
+        slice2winner2_best_index_2(1) <= slice2winner1_best_index_4(1);
       end if;
-      if slice2winner2_best_cost_1_3_is_less then
-        slice2winner2_best_cost_1_3 <= slice2winner1_best_cost_1_7;
-        slice2winner2_best_index_1_3 <= slice2winner1_best_index_1_7;
+      if slice2winner2_best_cost_is_less(1, 3) then
+        slice2winner2_best_cost_1(3) <= slice2winner1_best_cost_1(7);
+        slice2winner2_best_index_3(1) <= slice2winner1_best_index_7(1);
       else
-        slice2winner2_best_cost_1_3 <= slice2winner1_best_cost_1_6;
-        slice2winner2_best_index_1_3 <= slice2winner1_best_index_1_6;
+        slice2winner2_best_cost_1(3) <= slice2winner1_best_cost_1(6);
+        slice2winner2_best_index_3(1) <= slice2winner1_best_index_6(1);
       end if;
-      if slice2winner2_best_cost_1_4_is_less then
-        slice2winner2_best_cost_1_4 <= slice2winner1_best_cost_1_9;
-        slice2winner2_best_index_1_4 <= slice2winner1_best_index_1_9;
+      if slice2winner2_best_cost_is_less(1, 4) then
+        slice2winner2_best_cost_1(4) <= slice2winner1_best_cost_1(9);
+        slice2winner2_best_index_4(1) <= slice2winner1_best_index_9(1);
       else
-        slice2winner2_best_cost_1_4 <= slice2winner1_best_cost_1_8;
-        slice2winner2_best_index_1_4 <= slice2winner1_best_index_1_8;
+        slice2winner2_best_cost_1(4) <= slice2winner1_best_cost_1(8);
+        slice2winner2_best_index_4(1) <= slice2winner1_best_index_8(1);
       end if;
-      if slice2winner2_best_cost_1_5_is_less then
-        slice2winner2_best_cost_1_5 <= slice2winner1_best_cost_1_11;
-        slice2winner2_best_index_1_5 <= slice2winner1_best_index_1_11;
+      if slice2winner2_best_cost_is_less(1, 5) then
+        slice2winner2_best_cost_1(5) <= slice2winner1_best_cost_1(11);
+        slice2winner2_best_index_5(1) <= slice2winner1_best_index_11(1);
       else
-        slice2winner2_best_cost_1_5 <= slice2winner1_best_cost_1_10;
-        slice2winner2_best_index_1_5 <= slice2winner1_best_index_1_10;
+        slice2winner2_best_cost_1(5) <= slice2winner1_best_cost_1(10);
+        slice2winner2_best_index_5(1) <= slice2winner1_best_index_10(1);
       end if;
       -- slice2winner3
-      slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
-      slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
-      slice2winner3_best_cost_0_2_is_less := (slice2winner2_best_cost_0_5 - slice2winner2_best_cost_0_4) < 0;
-      slice2winner3_best_cost_1_0_is_less := (slice2winner2_best_cost_1_1 - slice2winner2_best_cost_1_0) < 0;
-      slice2winner3_best_cost_1_1_is_less := (slice2winner2_best_cost_1_3 - slice2winner2_best_cost_1_2) < 0;
-      slice2winner3_best_cost_1_2_is_less := (slice2winner2_best_cost_1_5 - slice2winner2_best_cost_1_4) < 0;
-      slice2winner3_best_cost_0_3 <= slice2winner2_best_cost_0_6;
-      slice2winner3_best_cost_1_3 <= slice2winner2_best_cost_1_6;
-      if slice2winner3_best_cost_0_0_is_less then
-        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1;
-        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
+      for i in 0 to 2 loop
+        slice2winner3_best_cost_is_less(0, i) := (slice2winner2_best_cost_0(2 * i + 1) - slice2winner2_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      for i in 0 to 2 loop
+        slice2winner3_best_cost_is_less(1, i) := (slice2winner2_best_cost_1(2 * i + 1) - slice2winner2_best_cost_1(2 *
+          i)) < 0;
+      end loop;
+      slice2winner3_best_cost_0(3) <= slice2winner2_best_cost_0(6);
+      slice2winner3_best_cost_1(3) <= slice2winner2_best_cost_1(6);
+      if slice2winner3_best_cost_is_less(0, 0) then
+        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(1);
+        slice2winner3_best_index_0(0) <= slice2winner2_best_index_1(0);
       else
-        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
-        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(0);
+        slice2winner3_best_index_0(0) <= slice2winner2_best_index_0(0);
       end if;
-      if slice2winner3_best_cost_0_1_is_less then
-        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3;
-        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
+      if slice2winner3_best_cost_is_less(0, 1) then
+        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(3);
+        slice2winner3_best_index_1(0) <= slice2winner2_best_index_3(0);
       else
-        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_2;
-        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
+        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(2);
+        slice2winner3_best_index_1(0) <= slice2winner2_best_index_2(0);
       end if;
-      if slice2winner3_best_cost_0_2_is_less then
-        slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5;
-        slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5;
+      if slice2winner3_best_cost_is_less(0, 2) then
+        slice2winner3_best_cost_0(2) <= slice2winner2_best_cost_0(5);
+        slice2winner3_best_index_2(0) <= slice2winner2_best_index_5(0);
       else
-        slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_4;
-        slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_4;
+        slice2winner3_best_cost_0(2) <= slice2winner2_best_cost_0(4);
+        slice2winner3_best_index_2(0) <= slice2winner2_best_index_4(0);
       end if;
-      if slice2winner3_best_cost_1_0_is_less then
-        slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_1;
-        slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_1;
+      if slice2winner3_best_cost_is_less(1, 0) then
+        slice2winner3_best_cost_1(0) <= slice2winner2_best_cost_1(1);
+        slice2winner3_best_index_0(1) <= slice2winner2_best_index_1(1);
       else
-        slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_0;
-        slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
+        slice2winner3_best_cost_1(0) <= slice2winner2_best_cost_1(0);
+        slice2winner3_best_index_0(1) <= slice2winner2_best_index_0(1);
       end if;
-      if slice2winner3_best_cost_1_1_is_less then
-        slice2winner3_best_cost_1_1 <= slice2winner2_best_cost_1_3;
-        slice2winner3_best_index_1_1 <= slice2winner2_best_index_1_3;
+      if slice2winner3_best_cost_is_less(1, 1) then
+        slice2winner3_best_cost_1(1) <= slice2winner2_best_cost_1(3);
+        slice2winner3_best_index_1(1) <= slice2winner2_best_index_3(1);
       else
-        slice2winner3_best_cost_1_1 <= slice2winner2_best_cost_1_2;
-        slice2winner3_best_index_1_1 <= slice2winner2_best_index_1_2;
+        slice2winner3_best_cost_1(1) <= slice2winner2_best_cost_1(2);
+        slice2winner3_best_index_1(1) <= slice2winner2_best_index_2(1);
       end if;
-      if slice2winner3_best_cost_1_2_is_less then
-        slice2winner3_best_cost_1_2 <= slice2winner2_best_cost_1_5;
-        slice2winner3_best_index_1_2 <= slice2winner2_best_index_1_5;
+      if slice2winner3_best_cost_is_less(1, 2) then
+        slice2winner3_best_cost_1(2) <= slice2winner2_best_cost_1(5);
+        slice2winner3_best_index_2(1) <= slice2winner2_best_index_5(1);
       else
-        slice2winner3_best_cost_1_2 <= slice2winner2_best_cost_1_4;
-        slice2winner3_best_index_1_2 <= slice2winner2_best_index_1_4;
+        slice2winner3_best_cost_1(2) <= slice2winner2_best_cost_1(4);
+        slice2winner3_best_index_2(1) <= slice2winner2_best_index_4(1);
       end if;
       -- slice2winner4
-      slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
-      slice2winner4_best_cost_0_1_is_less := (slice2winner3_best_cost_0_3 - slice2winner3_best_cost_0_2) < 0;
-      slice2winner4_best_cost_1_0_is_less := (slice2winner3_best_cost_1_1 - slice2winner3_best_cost_1_0) < 0;
-      slice2winner4_best_cost_1_1_is_less := (slice2winner3_best_cost_1_3 - slice2winner3_best_cost_1_2) < 0;
-      if slice2winner4_best_cost_0_0_is_less then
-        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1;
-        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
+      slice2winner4_best_cost_is_less(0, 0) := (slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) < 0;
+      slice2winner4_best_cost_is_less(0, 1) := (slice2winner3_best_cost_0(3) - slice2winner3_best_cost_0(2)) < 0;
+      slice2winner4_best_cost_is_less(1, 0) := (slice2winner3_best_cost_1(1) - slice2winner3_best_cost_1(0)) < 0;
+      slice2winner4_best_cost_is_less(1, 1) := (slice2winner3_best_cost_1(3) - slice2winner3_best_cost_1(2)) < 0;
+      if slice2winner4_best_cost_is_less(0, 0) then
+        slice2winner4_best_cost_0(0) <= slice2winner3_best_cost_0(1);
+        slice2winner4_best_index_0(0) <= slice2winner3_best_index_1(0);
       else
-        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_0;
-        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
+        slice2winner4_best_cost_0(0) <= slice2winner3_best_cost_0(0);
+        slice2winner4_best_index_0(0) <= slice2winner3_best_index_0(0);
       end if;
-      if slice2winner4_best_cost_0_1_is_less then
-        slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3;
-        slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      if slice2winner4_best_cost_is_less(0, 1) then
+        slice2winner4_best_cost_0(1) <= slice2winner3_best_cost_0(3);
+        slice2winner4_best_index_1(0) <= slice0winner3_best_index_0_3;
       else
-        slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_2;
-        slice2winner4_best_index_0_1 <= slice2winner3_best_index_0_2;
+        slice2winner4_best_cost_0(1) <= slice2winner3_best_cost_0(2);
+        slice2winner4_best_index_1(0) <= slice2winner3_best_index_2(0);
       end if;
-      if slice2winner4_best_cost_1_0_is_less then
-        slice2winner4_best_cost_1_0 <= slice2winner3_best_cost_1_1;
-        slice2winner4_best_index_1_0 <= slice2winner3_best_index_1_1;
+      if slice2winner4_best_cost_is_less(1, 0) then
+        slice2winner4_best_cost_1(0) <= slice2winner3_best_cost_1(1);
+        slice2winner4_best_index_0(1) <= slice2winner3_best_index_1(1);
       else
-        slice2winner4_best_cost_1_0 <= slice2winner3_best_cost_1_0;
-        slice2winner4_best_index_1_0 <= slice2winner3_best_index_1_0;
+        slice2winner4_best_cost_1(0) <= slice2winner3_best_cost_1(0);
+        slice2winner4_best_index_0(1) <= slice2winner3_best_index_0(1);
       end if;
-      if slice2winner4_best_cost_1_1_is_less then
-        slice2winner4_best_cost_1_1 <= slice2winner3_best_cost_1_3;
-        slice2winner4_best_index_1_1 <= slice0winner3_best_index_0_3;
+      if slice2winner4_best_cost_is_less(1, 1) then
+        slice2winner4_best_cost_1(1) <= slice2winner3_best_cost_1(3);
+        slice2winner4_best_index_1(1) <= slice0winner3_best_index_0_3;
       else
-        slice2winner4_best_cost_1_1 <= slice2winner3_best_cost_1_2;
-        slice2winner4_best_index_1_1 <= slice2winner3_best_index_1_2;
+        slice2winner4_best_cost_1(1) <= slice2winner3_best_cost_1(2);
+        slice2winner4_best_index_1(1) <= slice2winner3_best_index_2(1);
       end if;
       -- slice2winner5
-      slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0_1 - slice2winner4_best_cost_0_0) < 0;
-      slice2winner5_best_cost_1_0_is_less := (slice2winner4_best_cost_1_1 - slice2winner4_best_cost_1_0) < 0;
-      if slice2winner5_best_cost_0_0_is_less then
-        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1;
-        slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1;
+      slice2winner5_best_cost_0_is_less(0) := (slice2winner4_best_cost_0(1) - slice2winner4_best_cost_0(0)) < 0;
+      slice2winner5_best_cost_0_is_less(1) := (slice2winner4_best_cost_1(1) - slice2winner4_best_cost_1(0)) < 0;
+      if slice2winner5_best_cost_0_is_less(0) then
+        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0(1);
+        slice2winner5_best_index_0(0) <= slice2winner4_best_index_1(0);
       else
-        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_0;
-        slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_0;
+        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0(0);
+        slice2winner5_best_index_0(0) <= slice2winner4_best_index_0(0);
       end if;
-      if slice2winner5_best_cost_1_0_is_less then
-        slice2winner5_best_cost_1_0 <= slice2winner4_best_cost_1_1;
-        slice2winner5_best_index_1_0 <= slice2winner4_best_index_1_1;
+      if slice2winner5_best_cost_0_is_less(1) then
+        slice2winner5_best_cost_1_0 <= slice2winner4_best_cost_1(1);
+        slice2winner5_best_index_0(1) <= slice2winner4_best_index_1(1);
       else
-        slice2winner5_best_cost_1_0 <= slice2winner4_best_cost_1_0;
-        slice2winner5_best_index_1_0 <= slice2winner4_best_index_1_0;
+        slice2winner5_best_cost_1_0 <= slice2winner4_best_cost_1(0);
+        slice2winner5_best_index_0(1) <= slice2winner4_best_index_0(1);
       end if;
       -- slice2
-      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
-      slice2_best_cost_1_0_is_less := (slice1_best_cost_1_0 - slice2winner5_best_cost_1_0) < 0;
+      slice2_best_cost_0_is_less(0) := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
+      slice2_best_cost_0_is_less(1) := (slice1_best_cost_1_0 - slice2winner5_best_cost_1_0) < 0;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
-      if slice2_best_cost_0_0_is_less then
+      if slice2_best_cost_0_is_less(0) then
         slice2_best_cost_0_0 <= slice1_best_cost_0_0;
-        slice2_best_index_0_0 <= slice1_best_index_0_0;
+        slice2_best_index_0(0) <= slice1_best_index_0(0);
       else
         slice2_best_cost_0_0 <= slice2winner5_best_cost_0_0;
-        slice2_best_index_0_0 <= slice2winner5_best_index_0_0 + 25;
+        slice2_best_index_0(0) <= slice2winner5_best_index_0(0) + 25;
       end if;
-      if slice2_best_cost_1_0_is_less then
+      if slice2_best_cost_0_is_less(1) then
         slice2_best_cost_1_0 <= slice1_best_cost_1_0;
-        slice2_best_index_1_0 <= slice1_best_index_1_0;
+        slice2_best_index_0(1) <= slice1_best_index_0(1);
       else
         slice2_best_cost_1_0 <= slice2winner5_best_cost_1_0;
-        slice2_best_index_1_0 <= slice2winner5_best_index_1_0 + 25;
+        slice2_best_index_0(1) <= slice2winner5_best_index_0(1) + 25;
       end if;
       -- slice3shift
       if slice0cost_pair_tag_valid then
-        slice3shift_search_0_0 <= slice3shift_search_0_1;
-        slice3shift_search_0_1 <= slice3shift_search_0_2;
-        slice3shift_search_0_2 <= slice3shift_search_0_3;
-        slice3shift_search_0_3 <= slice3shift_search_0_4;
-        slice3shift_search_0_4 <= slice3shift_search_0_5;
-        slice3shift_search_0_5 <= slice3shift_search_0_6;
-        slice3shift_search_0_6 <= slice3shift_search_0_7;
-        slice3shift_search_0_7 <= slice3shift_search_0_8;
-        slice3shift_search_0_8 <= slice3shift_search_0_9;
-        slice3shift_search_0_9 <= slice3shift_search_0_10;
-        slice3shift_search_0_10 <= slice3shift_search_0_11;
-        slice3shift_search_0_11 <= slice3shift_search_0_12;
-        slice3shift_search_0_12 <= slice3shift_search_0_13;
-        slice3shift_search_0_13 <= slice3shift_search_0_14;
-        slice3shift_search_0_14 <= slice3shift_search_0_15;
-        slice3shift_search_0_15 <= slice3shift_search_0_16;
-        slice3shift_search_0_16 <= slice3shift_search_0_17;
-        slice3shift_search_0_17 <= slice3shift_search_0_18;
-        slice3shift_search_0_18 <= slice3shift_search_0_19;
-        slice3shift_search_0_19 <= slice3shift_search_0_20;
-        slice3shift_search_0_20 <= slice3shift_search_0_21;
-        slice3shift_search_0_21 <= slice3shift_search_0_22;
-        slice3shift_search_0_22 <= slice3shift_search_0_23;
-        slice3shift_search_0_23 <= slice3shift_search_0_24;
-        slice3shift_search_0_24 <= slice2shift_search_out_0;
-        slice3shift_search_1_0 <= slice3shift_search_1_1;
-        slice3shift_search_1_1 <= slice3shift_search_1_2;
-        slice3shift_search_1_2 <= slice3shift_search_1_3;
-        slice3shift_search_1_3 <= slice3shift_search_1_4;
-        slice3shift_search_1_4 <= slice3shift_search_1_5;
-        slice3shift_search_1_5 <= slice3shift_search_1_6;
-        slice3shift_search_1_6 <= slice3shift_search_1_7;
-        slice3shift_search_1_7 <= slice3shift_search_1_8;
-        slice3shift_search_1_8 <= slice3shift_search_1_9;
-        slice3shift_search_1_9 <= slice3shift_search_1_10;
-        slice3shift_search_1_10 <= slice3shift_search_1_11;
-        slice3shift_search_1_11 <= slice3shift_search_1_12;
-        slice3shift_search_1_12 <= slice3shift_search_1_13;
-        slice3shift_search_1_13 <= slice3shift_search_1_14;
-        slice3shift_search_1_14 <= slice3shift_search_1_15;
-        slice3shift_search_1_15 <= slice3shift_search_1_16;
-        slice3shift_search_1_16 <= slice3shift_search_1_17;
-        slice3shift_search_1_17 <= slice3shift_search_1_18;
-        slice3shift_search_1_18 <= slice3shift_search_1_19;
-        slice3shift_search_1_19 <= slice3shift_search_1_20;
-        slice3shift_search_1_20 <= slice3shift_search_1_21;
-        slice3shift_search_1_21 <= slice3shift_search_1_22;
-        slice3shift_search_1_22 <= slice3shift_search_1_23;
-        slice3shift_search_1_23 <= slice3shift_search_1_24;
-        slice3shift_search_1_24 <= slice2shift_search_out_1;
-        slice3shift_search_2_0 <= slice3shift_search_2_1;
-        slice3shift_search_2_1 <= slice3shift_search_2_2;
-        slice3shift_search_2_2 <= slice3shift_search_2_3;
-        slice3shift_search_2_3 <= slice3shift_search_2_4;
-        slice3shift_search_2_4 <= slice3shift_search_2_5;
-        slice3shift_search_2_5 <= slice3shift_search_2_6;
-        slice3shift_search_2_6 <= slice3shift_search_2_7;
-        slice3shift_search_2_7 <= slice3shift_search_2_8;
-        slice3shift_search_2_8 <= slice3shift_search_2_9;
-        slice3shift_search_2_9 <= slice3shift_search_2_10;
-        slice3shift_search_2_10 <= slice3shift_search_2_11;
-        slice3shift_search_2_11 <= slice3shift_search_2_12;
-        slice3shift_search_2_12 <= slice3shift_search_2_13;
-        slice3shift_search_2_13 <= slice3shift_search_2_14;
-        slice3shift_search_2_14 <= slice3shift_search_2_15;
-        slice3shift_search_2_15 <= slice3shift_search_2_16;
-        slice3shift_search_2_16 <= slice3shift_search_2_17;
-        slice3shift_search_2_17 <= slice3shift_search_2_18;
-        slice3shift_search_2_18 <= slice3shift_search_2_19;
-        slice3shift_search_2_19 <= slice3shift_search_2_20;
-        slice3shift_search_2_20 <= slice3shift_search_2_21;
-        slice3shift_search_2_21 <= slice3shift_search_2_22;
-        slice3shift_search_2_22 <= slice3shift_search_2_23;
-        slice3shift_search_2_23 <= slice3shift_search_2_24;
-        slice3shift_search_2_24 <= slice2shift_search_out_2;
-        slice3shift_search_3_0 <= slice3shift_search_3_1;
-        slice3shift_search_3_1 <= slice3shift_search_3_2;
-        slice3shift_search_3_2 <= slice3shift_search_3_3;
-        slice3shift_search_3_3 <= slice3shift_search_3_4;
-        slice3shift_search_3_4 <= slice3shift_search_3_5;
-        slice3shift_search_3_5 <= slice3shift_search_3_6;
-        slice3shift_search_3_6 <= slice3shift_search_3_7;
-        slice3shift_search_3_7 <= slice3shift_search_3_8;
-        slice3shift_search_3_8 <= slice3shift_search_3_9;
-        slice3shift_search_3_9 <= slice3shift_search_3_10;
-        slice3shift_search_3_10 <= slice3shift_search_3_11;
-        slice3shift_search_3_11 <= slice3shift_search_3_12;
-        slice3shift_search_3_12 <= slice3shift_search_3_13;
-        slice3shift_search_3_13 <= slice3shift_search_3_14;
-        slice3shift_search_3_14 <= slice3shift_search_3_15;
-        slice3shift_search_3_15 <= slice3shift_search_3_16;
-        slice3shift_search_3_16 <= slice3shift_search_3_17;
-        slice3shift_search_3_17 <= slice3shift_search_3_18;
-        slice3shift_search_3_18 <= slice3shift_search_3_19;
-        slice3shift_search_3_19 <= slice3shift_search_3_20;
-        slice3shift_search_3_20 <= slice3shift_search_3_21;
-        slice3shift_search_3_21 <= slice3shift_search_3_22;
-        slice3shift_search_3_22 <= slice3shift_search_3_23;
-        slice3shift_search_3_23 <= slice3shift_search_3_24;
-        slice3shift_search_3_24 <= slice2shift_search_out_3;
+        for i in 0 to 3 loop
+          for j in 0 to 23 loop
+            slice3shift_search(i, j) <= slice3shift_search(i, j + 1);
+          end loop;
+          slice3shift_search(i, 24) <= slice2shift_search_out(i);
+        end loop;
       end if;
-      slice3shift_reference_0 <= slice2shift_reference_0;
-      slice3shift_reference_1 <= slice2shift_reference_1;
-      slice3shift_reference_2 <= slice2shift_reference_2;
-      slice3shift_reference_3 <= slice2shift_reference_3;
+      slice3shift_reference(0) <= slice2shift_reference(0);
+      slice3shift_reference(1) <= slice2shift_reference(1);
+      slice3shift_reference(2) <= slice2shift_reference(2);
+      slice3shift_reference(3) <= slice2shift_reference(3);
       -- slice3cost
       if slice0cost_tag_valid then
         slice3cost_signs_difference_column <= slice2cost_signs_difference_column;
       end if;
-      if (slice3cost_signs_ready_words_0 mod 2) = 1 then
-        slice3cost_difference_0_0_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_0_choice := slice3shift_search_0_0;
-      end if;
-      if (slice3cost_signs_ready_words_0 mod 2) = 1 then
-        slice3cost_difference_0_0_choice_2 := slice3shift_search_0_0;
-      else
-        slice3cost_difference_0_0_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_1_value := ((slice3cost_signs_ready_words_0 / 2) mod 2) = 1;
-      if slice3cost_difference_0_1_value then
-        slice3cost_difference_0_1_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_1_choice := slice3shift_search_0_1;
-      end if;
-      if slice3cost_difference_0_1_value then
-        slice3cost_difference_0_1_choice_2 := slice3shift_search_0_1;
-      else
-        slice3cost_difference_0_1_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_2_value := ((slice3cost_signs_ready_words_0 / 4) mod 2) = 1;
-      if slice3cost_difference_0_2_value then
-        slice3cost_difference_0_2_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_2_choice := slice3shift_search_0_2;
-      end if;
-      if slice3cost_difference_0_2_value then
-        slice3cost_difference_0_2_choice_2 := slice3shift_search_0_2;
-      else
-        slice3cost_difference_0_2_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_3_value := ((slice3cost_signs_ready_words_0 / 8) mod 2) = 1;
-      if slice3cost_difference_0_3_value then
-        slice3cost_difference_0_3_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_3_choice := slice3shift_search_0_3;
-      end if;
-      if slice3cost_difference_0_3_value then
-        slice3cost_difference_0_3_choice_2 := slice3shift_search_0_3;
-      else
-        slice3cost_difference_0_3_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_4_value := ((slice3cost_signs_ready_words_0 / 16) mod 2) = 1;
-      if slice3cost_difference_0_4_value then
-        slice3cost_difference_0_4_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_4_choice := slice3shift_search_0_4;
-      end if;
-      if slice3cost_difference_0_4_value then
-        slice3cost_difference_0_4_choice_2 := slice3shift_search_0_4;
-      else
-        slice3cost_difference_0_4_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_5_value := ((slice3cost_signs_ready_words_0 / 32) mod 2) = 1;
-      if slice3cost_difference_0_5_value then
-        slice3cost_difference_0_5_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_5_choice := slice3shift_search_0_5;
-      end if;
-      if slice3cost_difference_0_5_value then
-        slice3cost_difference_0_5_choice_2 := slice3shift_search_0_5;
-      else
-        slice3cost_difference_0_5_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_6_value := ((slice3cost_signs_ready_words_0 / 64) mod 2) = 1;
-      if slice3cost_difference_0_6_value then
-        slice3cost_difference_0_6_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_6_choice := slice3shift_search_0_6;
-      end if;
-      if slice3cost_difference_0_6_value then
-        slice3cost_difference_0_6_choice_2 := slice3shift_search_0_6;
-      else
-        slice3cost_difference_0_6_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_7_value := ((slice3cost_signs_ready_words_0 / 128) mod 2) = 1;
-      if slice3cost_difference_0_7_value then
-        slice3cost_difference_0_7_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_7_choice := slice3shift_search_0_7;
-      end if;
-      if slice3cost_difference_0_7_value then
-        slice3cost_difference_0_7_choice_2 := slice3shift_search_0_7;
-      else
-        slice3cost_difference_0_7_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_8_value := ((slice3cost_signs_ready_words_0 / 256) mod 2) = 1;
-      if slice3cost_difference_0_8_value then
-        slice3cost_difference_0_8_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_8_choice := slice3shift_search_0_8;
-      end if;
-      if slice3cost_difference_0_8_value then
-        slice3cost_difference_0_8_choice_2 := slice3shift_search_0_8;
-      else
-        slice3cost_difference_0_8_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_9_value := ((slice3cost_signs_ready_words_0 / 512) mod 2) = 1;
-      if slice3cost_difference_0_9_value then
-        slice3cost_difference_0_9_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_9_choice := slice3shift_search_0_9;
-      end if;
-      if slice3cost_difference_0_9_value then
-        slice3cost_difference_0_9_choice_2 := slice3shift_search_0_9;
-      else
-        slice3cost_difference_0_9_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_10_value := ((slice3cost_signs_ready_words_0 / 1024) mod 2) = 1;
-      if slice3cost_difference_0_10_value then
-        slice3cost_difference_0_10_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_10_choice := slice3shift_search_0_10;
-      end if;
-      if slice3cost_difference_0_10_value then
-        slice3cost_difference_0_10_choice_2 := slice3shift_search_0_10;
-      else
-        slice3cost_difference_0_10_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_11_value := ((slice3cost_signs_ready_words_0 / 2048) mod 2) = 1;
-      if slice3cost_difference_0_11_value then
-        slice3cost_difference_0_11_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_11_choice := slice3shift_search_0_11;
-      end if;
-      if slice3cost_difference_0_11_value then
-        slice3cost_difference_0_11_choice_2 := slice3shift_search_0_11;
-      else
-        slice3cost_difference_0_11_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_12_value := ((slice3cost_signs_ready_words_0 / 4096) mod 2) = 1;
-      if slice3cost_difference_0_12_value then
-        slice3cost_difference_0_12_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_12_choice := slice3shift_search_0_12;
-      end if;
-      if slice3cost_difference_0_12_value then
-        slice3cost_difference_0_12_choice_2 := slice3shift_search_0_12;
-      else
-        slice3cost_difference_0_12_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_13_value := ((slice3cost_signs_ready_words_0 / 8192) mod 2) = 1;
-      if slice3cost_difference_0_13_value then
-        slice3cost_difference_0_13_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_13_choice := slice3shift_search_0_13;
-      end if;
-      if slice3cost_difference_0_13_value then
-        slice3cost_difference_0_13_choice_2 := slice3shift_search_0_13;
-      else
-        slice3cost_difference_0_13_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_14_value := ((slice3cost_signs_ready_words_0 / 16384) mod 2) = 1;
-      if slice3cost_difference_0_14_value then
-        slice3cost_difference_0_14_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_14_choice := slice3shift_search_0_14;
-      end if;
-      if slice3cost_difference_0_14_value then
-        slice3cost_difference_0_14_choice_2 := slice3shift_search_0_14;
-      else
-        slice3cost_difference_0_14_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_15_value := ((slice3cost_signs_ready_words_0 / 32768) mod 2) = 1;
-      if slice3cost_difference_0_15_value then
-        slice3cost_difference_0_15_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_15_choice := slice3shift_search_0_15;
-      end if;
-      if slice3cost_difference_0_15_value then
-        slice3cost_difference_0_15_choice_2 := slice3shift_search_0_15;
-      else
-        slice3cost_difference_0_15_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_16_value := ((slice3cost_signs_ready_words_0 / 65536) mod 2) = 1;
-      if slice3cost_difference_0_16_value then
-        slice3cost_difference_0_16_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_16_choice := slice3shift_search_0_16;
-      end if;
-      if slice3cost_difference_0_16_value then
-        slice3cost_difference_0_16_choice_2 := slice3shift_search_0_16;
-      else
-        slice3cost_difference_0_16_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_17_value := ((slice3cost_signs_ready_words_0 / 131072) mod 2) = 1;
-      if slice3cost_difference_0_17_value then
-        slice3cost_difference_0_17_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_17_choice := slice3shift_search_0_17;
-      end if;
-      if slice3cost_difference_0_17_value then
-        slice3cost_difference_0_17_choice_2 := slice3shift_search_0_17;
-      else
-        slice3cost_difference_0_17_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_18_value := ((slice3cost_signs_ready_words_0 / 262144) mod 2) = 1;
-      if slice3cost_difference_0_18_value then
-        slice3cost_difference_0_18_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_18_choice := slice3shift_search_0_18;
-      end if;
-      if slice3cost_difference_0_18_value then
-        slice3cost_difference_0_18_choice_2 := slice3shift_search_0_18;
-      else
-        slice3cost_difference_0_18_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_19_value := ((slice3cost_signs_ready_words_0 / 524288) mod 2) = 1;
-      if slice3cost_difference_0_19_value then
-        slice3cost_difference_0_19_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_19_choice := slice3shift_search_0_19;
-      end if;
-      if slice3cost_difference_0_19_value then
-        slice3cost_difference_0_19_choice_2 := slice3shift_search_0_19;
-      else
-        slice3cost_difference_0_19_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_20_value := ((slice3cost_signs_ready_words_0 / 1048576) mod 2) = 1;
-      if slice3cost_difference_0_20_value then
-        slice3cost_difference_0_20_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_20_choice := slice3shift_search_0_20;
-      end if;
-      if slice3cost_difference_0_20_value then
-        slice3cost_difference_0_20_choice_2 := slice3shift_search_0_20;
-      else
-        slice3cost_difference_0_20_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_21_value := ((slice3cost_signs_ready_words_0 / 2097152) mod 2) = 1;
-      if slice3cost_difference_0_21_value then
-        slice3cost_difference_0_21_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_21_choice := slice3shift_search_0_21;
-      end if;
-      if slice3cost_difference_0_21_value then
-        slice3cost_difference_0_21_choice_2 := slice3shift_search_0_21;
-      else
-        slice3cost_difference_0_21_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_22_value := ((slice3cost_signs_ready_words_0 / 4194304) mod 2) = 1;
-      if slice3cost_difference_0_22_value then
-        slice3cost_difference_0_22_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_22_choice := slice3shift_search_0_22;
-      end if;
-      if slice3cost_difference_0_22_value then
-        slice3cost_difference_0_22_choice_2 := slice3shift_search_0_22;
-      else
-        slice3cost_difference_0_22_choice_2 := slice3shift_reference_0;
-      end if;
-      slice3cost_difference_0_23_value := ((slice3cost_signs_ready_words_0 / 8388608) mod 2) = 1;
-      if slice3cost_difference_0_23_value then
-        slice3cost_difference_0_23_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_23_choice := slice3shift_search_0_23;
-      end if;
-      if slice3cost_difference_0_23_value then
-        slice3cost_difference_0_23_choice_2 := slice3shift_search_0_23;
-      else
-        slice3cost_difference_0_23_choice_2 := slice3shift_reference_0;
-      end if;
-      if (slice3cost_signs_ready_words_0 / 16777216) = 1 then
-        slice3cost_difference_0_24_choice := slice3shift_reference_0;
-      else
-        slice3cost_difference_0_24_choice := slice3shift_search_0_24;
-      end if;
-      if (slice3cost_signs_ready_words_0 / 16777216) = 1 then
-        slice3cost_difference_0_24_choice_2 := slice3shift_search_0_24;
-      else
-        slice3cost_difference_0_24_choice_2 := slice3shift_reference_0;
-      end if;
-      if (slice3cost_signs_ready_words_1 mod 2) = 1 then
-        slice3cost_difference_1_0_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_0_choice := slice3shift_search_1_0;
-      end if;
-      if (slice3cost_signs_ready_words_1 mod 2) = 1 then
-        slice3cost_difference_1_0_choice_2 := slice3shift_search_1_0;
-      else
-        slice3cost_difference_1_0_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_1_value := ((slice3cost_signs_ready_words_1 / 2) mod 2) = 1;
-      if slice3cost_difference_1_1_value then
-        slice3cost_difference_1_1_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_1_choice := slice3shift_search_1_1;
-      end if;
-      if slice3cost_difference_1_1_value then
-        slice3cost_difference_1_1_choice_2 := slice3shift_search_1_1;
-      else
-        slice3cost_difference_1_1_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_2_value := ((slice3cost_signs_ready_words_1 / 4) mod 2) = 1;
-      if slice3cost_difference_1_2_value then
-        slice3cost_difference_1_2_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_2_choice := slice3shift_search_1_2;
-      end if;
-      if slice3cost_difference_1_2_value then
-        slice3cost_difference_1_2_choice_2 := slice3shift_search_1_2;
-      else
-        slice3cost_difference_1_2_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_3_value := ((slice3cost_signs_ready_words_1 / 8) mod 2) = 1;
-      if slice3cost_difference_1_3_value then
-        slice3cost_difference_1_3_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_3_choice := slice3shift_search_1_3;
-      end if;
-      if slice3cost_difference_1_3_value then
-        slice3cost_difference_1_3_choice_2 := slice3shift_search_1_3;
-      else
-        slice3cost_difference_1_3_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_4_value := ((slice3cost_signs_ready_words_1 / 16) mod 2) = 1;
-      if slice3cost_difference_1_4_value then
-        slice3cost_difference_1_4_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_4_choice := slice3shift_search_1_4;
-      end if;
-      if slice3cost_difference_1_4_value then
-        slice3cost_difference_1_4_choice_2 := slice3shift_search_1_4;
-      else
-        slice3cost_difference_1_4_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_5_value := ((slice3cost_signs_ready_words_1 / 32) mod 2) = 1;
-      if slice3cost_difference_1_5_value then
-        slice3cost_difference_1_5_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_5_choice := slice3shift_search_1_5;
-      end if;
-      if slice3cost_difference_1_5_value then
-        slice3cost_difference_1_5_choice_2 := slice3shift_search_1_5;
-      else
-        slice3cost_difference_1_5_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_6_value := ((slice3cost_signs_ready_words_1 / 64) mod 2) = 1;
-      if slice3cost_difference_1_6_value then
-        slice3cost_difference_1_6_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_6_choice := slice3shift_search_1_6;
-      end if;
-      if slice3cost_difference_1_6_value then
-        slice3cost_difference_1_6_choice_2 := slice3shift_search_1_6;
-      else
-        slice3cost_difference_1_6_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_7_value := ((slice3cost_signs_ready_words_1 / 128) mod 2) = 1;
-      if slice3cost_difference_1_7_value then
-        slice3cost_difference_1_7_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_7_choice := slice3shift_search_1_7;
-      end if;
-      if slice3cost_difference_1_7_value then
-        slice3cost_difference_1_7_choice_2 := slice3shift_search_1_7;
-      else
-        slice3cost_difference_1_7_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_8_value := ((slice3cost_signs_ready_words_1 / 256) mod 2) = 1;
-      if slice3cost_difference_1_8_value then
-        slice3cost_difference_1_8_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_8_choice := slice3shift_search_1_8;
-      end if;
-      if slice3cost_difference_1_8_value then
-        slice3cost_difference_1_8_choice_2 := slice3shift_search_1_8;
-      else
-        slice3cost_difference_1_8_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_9_value := ((slice3cost_signs_ready_words_1 / 512) mod 2) = 1;
-      if slice3cost_difference_1_9_value then
-        slice3cost_difference_1_9_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_9_choice := slice3shift_search_1_9;
-      end if;
-      if slice3cost_difference_1_9_value then
-        slice3cost_difference_1_9_choice_2 := slice3shift_search_1_9;
-      else
-        slice3cost_difference_1_9_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_10_value := ((slice3cost_signs_ready_words_1 / 1024) mod 2) = 1;
-      if slice3cost_difference_1_10_value then
-        slice3cost_difference_1_10_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_10_choice := slice3shift_search_1_10;
-      end if;
-      if slice3cost_difference_1_10_value then
-        slice3cost_difference_1_10_choice_2 := slice3shift_search_1_10;
-      else
-        slice3cost_difference_1_10_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_11_value := ((slice3cost_signs_ready_words_1 / 2048) mod 2) = 1;
-      if slice3cost_difference_1_11_value then
-        slice3cost_difference_1_11_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_11_choice := slice3shift_search_1_11;
-      end if;
-      if slice3cost_difference_1_11_value then
-        slice3cost_difference_1_11_choice_2 := slice3shift_search_1_11;
-      else
-        slice3cost_difference_1_11_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_12_value := ((slice3cost_signs_ready_words_1 / 4096) mod 2) = 1;
-      if slice3cost_difference_1_12_value then
-        slice3cost_difference_1_12_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_12_choice := slice3shift_search_1_12;
-      end if;
-      if slice3cost_difference_1_12_value then
-        slice3cost_difference_1_12_choice_2 := slice3shift_search_1_12;
-      else
-        slice3cost_difference_1_12_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_13_value := ((slice3cost_signs_ready_words_1 / 8192) mod 2) = 1;
-      if slice3cost_difference_1_13_value then
-        slice3cost_difference_1_13_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_13_choice := slice3shift_search_1_13;
-      end if;
-      if slice3cost_difference_1_13_value then
-        slice3cost_difference_1_13_choice_2 := slice3shift_search_1_13;
-      else
-        slice3cost_difference_1_13_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_14_value := ((slice3cost_signs_ready_words_1 / 16384) mod 2) = 1;
-      if slice3cost_difference_1_14_value then
-        slice3cost_difference_1_14_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_14_choice := slice3shift_search_1_14;
-      end if;
-      if slice3cost_difference_1_14_value then
-        slice3cost_difference_1_14_choice_2 := slice3shift_search_1_14;
-      else
-        slice3cost_difference_1_14_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_15_value := ((slice3cost_signs_ready_words_1 / 32768) mod 2) = 1;
-      if slice3cost_difference_1_15_value then
-        slice3cost_difference_1_15_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_15_choice := slice3shift_search_1_15;
-      end if;
-      if slice3cost_difference_1_15_value then
-        slice3cost_difference_1_15_choice_2 := slice3shift_search_1_15;
-      else
-        slice3cost_difference_1_15_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_16_value := ((slice3cost_signs_ready_words_1 / 65536) mod 2) = 1;
-      if slice3cost_difference_1_16_value then
-        slice3cost_difference_1_16_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_16_choice := slice3shift_search_1_16;
-      end if;
-      if slice3cost_difference_1_16_value then
-        slice3cost_difference_1_16_choice_2 := slice3shift_search_1_16;
-      else
-        slice3cost_difference_1_16_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_17_value := ((slice3cost_signs_ready_words_1 / 131072) mod 2) = 1;
-      if slice3cost_difference_1_17_value then
-        slice3cost_difference_1_17_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_17_choice := slice3shift_search_1_17;
-      end if;
-      if slice3cost_difference_1_17_value then
-        slice3cost_difference_1_17_choice_2 := slice3shift_search_1_17;
-      else
-        slice3cost_difference_1_17_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_18_value := ((slice3cost_signs_ready_words_1 / 262144) mod 2) = 1;
-      if slice3cost_difference_1_18_value then
-        slice3cost_difference_1_18_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_18_choice := slice3shift_search_1_18;
-      end if;
-      if slice3cost_difference_1_18_value then
-        slice3cost_difference_1_18_choice_2 := slice3shift_search_1_18;
-      else
-        slice3cost_difference_1_18_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_19_value := ((slice3cost_signs_ready_words_1 / 524288) mod 2) = 1;
-      if slice3cost_difference_1_19_value then
-        slice3cost_difference_1_19_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_19_choice := slice3shift_search_1_19;
-      end if;
-      if slice3cost_difference_1_19_value then
-        slice3cost_difference_1_19_choice_2 := slice3shift_search_1_19;
-      else
-        slice3cost_difference_1_19_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_20_value := ((slice3cost_signs_ready_words_1 / 1048576) mod 2) = 1;
-      if slice3cost_difference_1_20_value then
-        slice3cost_difference_1_20_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_20_choice := slice3shift_search_1_20;
-      end if;
-      if slice3cost_difference_1_20_value then
-        slice3cost_difference_1_20_choice_2 := slice3shift_search_1_20;
-      else
-        slice3cost_difference_1_20_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_21_value := ((slice3cost_signs_ready_words_1 / 2097152) mod 2) = 1;
-      if slice3cost_difference_1_21_value then
-        slice3cost_difference_1_21_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_21_choice := slice3shift_search_1_21;
-      end if;
-      if slice3cost_difference_1_21_value then
-        slice3cost_difference_1_21_choice_2 := slice3shift_search_1_21;
-      else
-        slice3cost_difference_1_21_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_22_value := ((slice3cost_signs_ready_words_1 / 4194304) mod 2) = 1;
-      if slice3cost_difference_1_22_value then
-        slice3cost_difference_1_22_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_22_choice := slice3shift_search_1_22;
-      end if;
-      if slice3cost_difference_1_22_value then
-        slice3cost_difference_1_22_choice_2 := slice3shift_search_1_22;
-      else
-        slice3cost_difference_1_22_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_1_23_value := ((slice3cost_signs_ready_words_1 / 8388608) mod 2) = 1;
-      if slice3cost_difference_1_23_value then
-        slice3cost_difference_1_23_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_23_choice := slice3shift_search_1_23;
-      end if;
-      if slice3cost_difference_1_23_value then
-        slice3cost_difference_1_23_choice_2 := slice3shift_search_1_23;
-      else
-        slice3cost_difference_1_23_choice_2 := slice3shift_reference_1;
-      end if;
-      if (slice3cost_signs_ready_words_1 / 16777216) = 1 then
-        slice3cost_difference_1_24_choice := slice3shift_reference_1;
-      else
-        slice3cost_difference_1_24_choice := slice3shift_search_1_24;
-      end if;
-      if (slice3cost_signs_ready_words_1 / 16777216) = 1 then
-        slice3cost_difference_1_24_choice_2 := slice3shift_search_1_24;
-      else
-        slice3cost_difference_1_24_choice_2 := slice3shift_reference_1;
-      end if;
-      slice3cost_difference_2_0_difference := slice3shift_search_2_0 - slice3shift_reference_2;
-      slice3cost_difference_2_1_difference := slice3shift_search_2_1 - slice3shift_reference_2;
-      slice3cost_difference_2_2_difference := slice3shift_search_2_2 - slice3shift_reference_2;
-      slice3cost_difference_2_3_difference := slice3shift_search_2_3 - slice3shift_reference_2;
-      slice3cost_difference_2_4_difference := slice3shift_search_2_4 - slice3shift_reference_2;
-      slice3cost_difference_2_5_difference := slice3shift_search_2_5 - slice3shift_reference_2;
-      slice3cost_difference_2_6_difference := slice3shift_search_2_6 - slice3shift_reference_2;
-      slice3cost_difference_2_7_difference := slice3shift_search_2_7 - slice3shift_reference_2;
-      slice3cost_difference_2_8_difference := slice3shift_search_2_8 - slice3shift_reference_2;
-      slice3cost_difference_2_9_difference := slice3shift_search_2_9 - slice3shift_reference_2;
-      slice3cost_difference_2_10_difference := slice3shift_search_2_10 - slice3shift_reference_2;
-      slice3cost_difference_2_11_difference := slice3shift_search_2_11 - slice3shift_reference_2;
-      slice3cost_difference_2_12_difference := slice3shift_search_2_12 - slice3shift_reference_2;
-      slice3cost_difference_2_13_difference := slice3shift_search_2_13 - slice3shift_reference_2;
-      slice3cost_difference_2_14_difference := slice3shift_search_2_14 - slice3shift_reference_2;
-      slice3cost_difference_2_15_difference := slice3shift_search_2_15 - slice3shift_reference_2;
-      slice3cost_difference_2_16_difference := slice3shift_search_2_16 - slice3shift_reference_2;
-      slice3cost_difference_2_17_difference := slice3shift_search_2_17 - slice3shift_reference_2;
-      slice3cost_difference_2_18_difference := slice3shift_search_2_18 - slice3shift_reference_2;
-      slice3cost_difference_2_19_difference := slice3shift_search_2_19 - slice3shift_reference_2;
-      slice3cost_difference_2_20_difference := slice3shift_search_2_20 - slice3shift_reference_2;
-      slice3cost_difference_2_21_difference := slice3shift_search_2_21 - slice3shift_reference_2;
-      slice3cost_difference_2_22_difference := slice3shift_search_2_22 - slice3shift_reference_2;
-      slice3cost_difference_2_23_difference := slice3shift_search_2_23 - slice3shift_reference_2;
-      slice3cost_difference_2_24_difference := slice3shift_search_2_24 - slice3shift_reference_2;
-      slice3cost_difference_3_0_difference := slice3shift_search_3_0 - slice3shift_reference_3;
-      slice3cost_difference_3_1_difference := slice3shift_search_3_1 - slice3shift_reference_3;
-      slice3cost_difference_3_2_difference := slice3shift_search_3_2 - slice3shift_reference_3;
-      slice3cost_difference_3_3_difference := slice3shift_search_3_3 - slice3shift_reference_3;
-      slice3cost_difference_3_4_difference := slice3shift_search_3_4 - slice3shift_reference_3;
-      slice3cost_difference_3_5_difference := slice3shift_search_3_5 - slice3shift_reference_3;
-      slice3cost_difference_3_6_difference := slice3shift_search_3_6 - slice3shift_reference_3;
-      slice3cost_difference_3_7_difference := slice3shift_search_3_7 - slice3shift_reference_3;
-      slice3cost_difference_3_8_difference := slice3shift_search_3_8 - slice3shift_reference_3;
-      slice3cost_difference_3_9_difference := slice3shift_search_3_9 - slice3shift_reference_3;
-      slice3cost_difference_3_10_difference := slice3shift_search_3_10 - slice3shift_reference_3;
-      slice3cost_difference_3_11_difference := slice3shift_search_3_11 - slice3shift_reference_3;
-      slice3cost_difference_3_12_difference := slice3shift_search_3_12 - slice3shift_reference_3;
-      slice3cost_difference_3_13_difference := slice3shift_search_3_13 - slice3shift_reference_3;
-      slice3cost_difference_3_14_difference := slice3shift_search_3_14 - slice3shift_reference_3;
-      slice3cost_difference_3_15_difference := slice3shift_search_3_15 - slice3shift_reference_3;
-      slice3cost_difference_3_16_difference := slice3shift_search_3_16 - slice3shift_reference_3;
-      slice3cost_difference_3_17_difference := slice3shift_search_3_17 - slice3shift_reference_3;
-      slice3cost_difference_3_18_difference := slice3shift_search_3_18 - slice3shift_reference_3;
-      slice3cost_difference_3_19_difference := slice3shift_search_3_19 - slice3shift_reference_3;
-      slice3cost_difference_3_20_difference := slice3shift_search_3_20 - slice3shift_reference_3;
-      slice3cost_difference_3_21_difference := slice3shift_search_3_21 - slice3shift_reference_3;
-      slice3cost_difference_3_22_difference := slice3shift_search_3_22 - slice3shift_reference_3;
-      slice3cost_difference_3_23_difference := slice3shift_search_3_23 - slice3shift_reference_3;
-      slice3cost_difference_3_24_difference := slice3shift_search_3_24 - slice3shift_reference_3;
-      slice3cost_signs_ready_words_0 <= to_integer(slice3cost_signs_read_words_0);
-      slice3cost_signs_ready_words_1 <= to_integer(slice3cost_signs_read_words_1);
-      slice3cost_difference_0_0 <= (slice3cost_difference_0_0_choice - slice3cost_difference_0_0_choice_2) mod 256;
-      slice3cost_difference_0_1 <= (slice3cost_difference_0_1_choice - slice3cost_difference_0_1_choice_2) mod 256;
-      slice3cost_difference_0_2 <= (slice3cost_difference_0_2_choice - slice3cost_difference_0_2_choice_2) mod 256;
-      slice3cost_difference_0_3 <= (slice3cost_difference_0_3_choice - slice3cost_difference_0_3_choice_2) mod 256;
-      slice3cost_difference_0_4 <= (slice3cost_difference_0_4_choice - slice3cost_difference_0_4_choice_2) mod 256;
-      slice3cost_difference_0_5 <= (slice3cost_difference_0_5_choice - slice3cost_difference_0_5_choice_2) mod 256;
-      slice3cost_difference_0_6 <= (slice3cost_difference_0_6_choice - slice3cost_difference_0_6_choice_2) mod 256;
-      slice3cost_difference_0_7 <= (slice3cost_difference_0_7_choice - slice3cost_difference_0_7_choice_2) mod 256;
-      slice3cost_difference_0_8 <= (slice3cost_difference_0_8_choice - slice3cost_difference_0_8_choice_2) mod 256;
-      slice3cost_difference_0_9 <= (slice3cost_difference_0_9_choice - slice3cost_difference_0_9_choice_2) mod 256;
-      slice3cost_difference_0_10 <= (slice3cost_difference_0_10_choice - slice3cost_difference_0_10_choice_2) mod 256;
-      slice3cost_difference_0_11 <= (slice3cost_difference_0_11_choice - slice3cost_difference_0_11_choice_2) mod 256;
-      slice3cost_difference_0_12 <= (slice3cost_difference_0_12_choice - slice3cost_difference_0_12_choice_2) mod 256;
-      slice3cost_difference_0_13 <= (slice3cost_difference_0_13_choice - slice3cost_difference_0_13_choice_2) mod 256;
-      slice3cost_difference_0_14 <= (slice3cost_difference_0_14_choice - slice3cost_difference_0_14_choice_2) mod 256;
-      slice3cost_difference_0_15 <= (slice3cost_difference_0_15_choice - slice3cost_difference_0_15_choice_2) mod 256;
-      slice3cost_difference_0_16 <= (slice3cost_difference_0_16_choice - slice3cost_difference_0_16_choice_2) mod 256;
-      slice3cost_difference_0_17 <= (slice3cost_difference_0_17_choice - slice3cost_difference_0_17_choice_2) mod 256;
-      slice3cost_difference_0_18 <= (slice3cost_difference_0_18_choice - slice3cost_difference_0_18_choice_2) mod 256;
-      slice3cost_difference_0_19 <= (slice3cost_difference_0_19_choice - slice3cost_difference_0_19_choice_2) mod 256;
-      slice3cost_difference_0_20 <= (slice3cost_difference_0_20_choice - slice3cost_difference_0_20_choice_2) mod 256;
-      slice3cost_difference_0_21 <= (slice3cost_difference_0_21_choice - slice3cost_difference_0_21_choice_2) mod 256;
-      slice3cost_difference_0_22 <= (slice3cost_difference_0_22_choice - slice3cost_difference_0_22_choice_2) mod 256;
-      slice3cost_difference_0_23 <= (slice3cost_difference_0_23_choice - slice3cost_difference_0_23_choice_2) mod 256;
-      slice3cost_difference_0_24 <= (slice3cost_difference_0_24_choice - slice3cost_difference_0_24_choice_2) mod 256;
-      slice3cost_difference_1_0 <= (slice3cost_difference_1_0_choice - slice3cost_difference_1_0_choice_2) mod 256;
-      slice3cost_difference_1_1 <= (slice3cost_difference_1_1_choice - slice3cost_difference_1_1_choice_2) mod 256;
-      slice3cost_difference_1_2 <= (slice3cost_difference_1_2_choice - slice3cost_difference_1_2_choice_2) mod 256;
-      slice3cost_difference_1_3 <= (slice3cost_difference_1_3_choice - slice3cost_difference_1_3_choice_2) mod 256;
-      slice3cost_difference_1_4 <= (slice3cost_difference_1_4_choice - slice3cost_difference_1_4_choice_2) mod 256;
-      slice3cost_difference_1_5 <= (slice3cost_difference_1_5_choice - slice3cost_difference_1_5_choice_2) mod 256;
-      slice3cost_difference_1_6 <= (slice3cost_difference_1_6_choice - slice3cost_difference_1_6_choice_2) mod 256;
-      slice3cost_difference_1_7 <= (slice3cost_difference_1_7_choice - slice3cost_difference_1_7_choice_2) mod 256;
-      slice3cost_difference_1_8 <= (slice3cost_difference_1_8_choice - slice3cost_difference_1_8_choice_2) mod 256;
-      slice3cost_difference_1_9 <= (slice3cost_difference_1_9_choice - slice3cost_difference_1_9_choice_2) mod 256;
-      slice3cost_difference_1_10 <= (slice3cost_difference_1_10_choice - slice3cost_difference_1_10_choice_2) mod 256;
-      slice3cost_difference_1_11 <= (slice3cost_difference_1_11_choice - slice3cost_difference_1_11_choice_2) mod 256;
-      slice3cost_difference_1_12 <= (slice3cost_difference_1_12_choice - slice3cost_difference_1_12_choice_2) mod 256;
-      slice3cost_difference_1_13 <= (slice3cost_difference_1_13_choice - slice3cost_difference_1_13_choice_2) mod 256;
-      slice3cost_difference_1_14 <= (slice3cost_difference_1_14_choice - slice3cost_difference_1_14_choice_2) mod 256;
-      slice3cost_difference_1_15 <= (slice3cost_difference_1_15_choice - slice3cost_difference_1_15_choice_2) mod 256;
-      slice3cost_difference_1_16 <= (slice3cost_difference_1_16_choice - slice3cost_difference_1_16_choice_2) mod 256;
-      slice3cost_difference_1_17 <= (slice3cost_difference_1_17_choice - slice3cost_difference_1_17_choice_2) mod 256;
-      slice3cost_difference_1_18 <= (slice3cost_difference_1_18_choice - slice3cost_difference_1_18_choice_2) mod 256;
-      slice3cost_difference_1_19 <= (slice3cost_difference_1_19_choice - slice3cost_difference_1_19_choice_2) mod 256;
-      slice3cost_difference_1_20 <= (slice3cost_difference_1_20_choice - slice3cost_difference_1_20_choice_2) mod 256;
-      slice3cost_difference_1_21 <= (slice3cost_difference_1_21_choice - slice3cost_difference_1_21_choice_2) mod 256;
-      slice3cost_difference_1_22 <= (slice3cost_difference_1_22_choice - slice3cost_difference_1_22_choice_2) mod 256;
-      slice3cost_difference_1_23 <= (slice3cost_difference_1_23_choice - slice3cost_difference_1_23_choice_2) mod 256;
-      slice3cost_difference_1_24 <= (slice3cost_difference_1_24_choice - slice3cost_difference_1_24_choice_2) mod 256;
-      slice3cost_newest_negative_0_0 <= slice3cost_difference_2_0_difference < 0;
-      slice3cost_newest_negative_0_1 <= slice3cost_difference_2_1_difference < 0;
-      slice3cost_newest_negative_0_2 <= slice3cost_difference_2_2_difference < 0;
-      slice3cost_newest_negative_0_3 <= slice3cost_difference_2_3_difference < 0;
-      slice3cost_newest_negative_0_4 <= slice3cost_difference_2_4_difference < 0;
-      slice3cost_newest_negative_0_5 <= slice3cost_difference_2_5_difference < 0;
-      slice3cost_newest_negative_0_6 <= slice3cost_difference_2_6_difference < 0;
-      slice3cost_newest_negative_0_7 <= slice3cost_difference_2_7_difference < 0;
-      slice3cost_newest_negative_0_8 <= slice3cost_difference_2_8_difference < 0;
-      slice3cost_newest_negative_0_9 <= slice3cost_difference_2_9_difference < 0;
-      slice3cost_newest_negative_0_10 <= slice3cost_difference_2_10_difference < 0;
-      slice3cost_newest_negative_0_11 <= slice3cost_difference_2_11_difference < 0;
-      slice3cost_newest_negative_0_12 <= slice3cost_difference_2_12_difference < 0;
-      slice3cost_newest_negative_0_13 <= slice3cost_difference_2_13_difference < 0;
-      slice3cost_newest_negative_0_14 <= slice3cost_difference_2_14_difference < 0;
-      slice3cost_newest_negative_0_15 <= slice3cost_difference_2_15_difference < 0;
-      slice3cost_newest_negative_0_16 <= slice3cost_difference_2_16_difference < 0;
-      slice3cost_newest_negative_0_17 <= slice3cost_difference_2_17_difference < 0;
-      slice3cost_newest_negative_0_18 <= slice3cost_difference_2_18_difference < 0;
-      slice3cost_newest_negative_0_19 <= slice3cost_difference_2_19_difference < 0;
-      slice3cost_newest_negative_0_20 <= slice3cost_difference_2_20_difference < 0;
-      slice3cost_newest_negative_0_21 <= slice3cost_difference_2_21_difference < 0;
-      slice3cost_newest_negative_0_22 <= slice3cost_difference_2_22_difference < 0;
-      slice3cost_newest_negative_0_23 <= slice3cost_difference_2_23_difference < 0;
-      slice3cost_newest_negative_0_24 <= slice3cost_difference_2_24_difference < 0;
-      slice3cost_newest_negative_1_0 <= slice3cost_difference_3_0_difference < 0;
-      slice3cost_newest_negative_1_1 <= slice3cost_difference_3_1_difference < 0;
-      slice3cost_newest_negative_1_2 <= slice3cost_difference_3_2_difference < 0;
-      slice3cost_newest_negative_1_3 <= slice3cost_difference_3_3_difference < 0;
-      slice3cost_newest_negative_1_4 <= slice3cost_difference_3_4_difference < 0;
-      slice3cost_newest_negative_1_5 <= slice3cost_difference_3_5_difference < 0;
-      slice3cost_newest_negative_1_6 <= slice3cost_difference_3_6_difference < 0;
-      slice3cost_newest_negative_1_7 <= slice3cost_difference_3_7_difference < 0;
-      slice3cost_newest_negative_1_8 <= slice3cost_difference_3_8_difference < 0;
-      slice3cost_newest_negative_1_9 <= slice3cost_difference_3_9_difference < 0;
-      slice3cost_newest_negative_1_10 <= slice3cost_difference_3_10_difference < 0;
-      slice3cost_newest_negative_1_11 <= slice3cost_difference_3_11_difference < 0;
-      slice3cost_newest_negative_1_12 <= slice3cost_difference_3_12_difference < 0;
-      slice3cost_newest_negative_1_13 <= slice3cost_difference_3_13_difference < 0;
-      slice3cost_newest_negative_1_14 <= slice3cost_difference_3_14_difference < 0;
-      slice3cost_newest_negative_1_15 <= slice3cost_difference_3_15_difference < 0;
-      slice3cost_newest_negative_1_16 <= slice3cost_difference_3_16_difference < 0;
-      slice3cost_newest_negative_1_17 <= slice3cost_difference_3_17_difference < 0;
-      slice3cost_newest_negative_1_18 <= slice3cost_difference_3_18_difference < 0;
-      slice3cost_newest_negative_1_19 <= slice3cost_difference_3_19_difference < 0;
-      slice3cost_newest_negative_1_20 <= slice3cost_difference_3_20_difference < 0;
-      slice3cost_newest_negative_1_21 <= slice3cost_difference_3_21_difference < 0;
-      slice3cost_newest_negative_1_22 <= slice3cost_difference_3_22_difference < 0;
-      slice3cost_newest_negative_1_23 <= slice3cost_difference_3_23_difference < 0;
-      slice3cost_newest_negative_1_24 <= slice3cost_difference_3_24_difference < 0;
-      slice3cost_pair_0_0 <= as_number((slice3cost_difference_2_0 < 0)) + slice3cost_difference_1_0 +
-        folded(slice3cost_difference_2_0);
-      slice3cost_pair_0_1 <= as_number((slice3cost_difference_2_1 < 0)) + slice3cost_difference_1_1 +
-        folded(slice3cost_difference_2_1);
-      slice3cost_pair_0_2 <= as_number((slice3cost_difference_2_2 < 0)) + slice3cost_difference_1_2 +
-        folded(slice3cost_difference_2_2);
-      slice3cost_pair_0_3 <= as_number((slice3cost_difference_2_3 < 0)) + slice3cost_difference_1_3 +
-        folded(slice3cost_difference_2_3);
-      slice3cost_pair_0_4 <= as_number((slice3cost_difference_2_4 < 0)) + slice3cost_difference_1_4 +
-        folded(slice3cost_difference_2_4);
-      slice3cost_pair_0_5 <= as_number((slice3cost_difference_2_5 < 0)) + slice3cost_difference_1_5 +
-        folded(slice3cost_difference_2_5);
-      slice3cost_pair_0_6 <= as_number((slice3cost_difference_2_6 < 0)) + slice3cost_difference_1_6 +
-        folded(slice3cost_difference_2_6);
-      slice3cost_pair_0_7 <= as_number((slice3cost_difference_2_7 < 0)) + slice3cost_difference_1_7 +
-        folded(slice3cost_difference_2_7);
-      slice3cost_pair_0_8 <= as_number((slice3cost_difference_2_8 < 0)) + slice3cost_difference_1_8 +
-        folded(slice3cost_difference_2_8);
-      slice3cost_pair_0_9 <= as_number((slice3cost_difference_2_9 < 0)) + slice3cost_difference_1_9 +
-        folded(slice3cost_difference_2_9);
-      slice3cost_pair_0_10 <= as_number((slice3cost_difference_2_10 < 0)) + slice3cost_difference_1_10 +
-        folded(slice3cost_difference_2_10);
-      slice3cost_pair_0_11 <= as_number((slice3cost_difference_2_11 < 0)) + slice3cost_difference_1_11 +
-        folded(slice3cost_difference_2_11);
-      slice3cost_pair_0_12 <= as_number((slice3cost_difference_2_12 < 0)) + slice3cost_difference_1_12 +
-        folded(slice3cost_difference_2_12);
-      slice3cost_pair_0_13 <= as_number((slice3cost_difference_2_13 < 0)) + slice3cost_difference_1_13 +
-        folded(slice3cost_difference_2_13);
-      slice3cost_pair_0_14 <= as_number((slice3cost_difference_2_14 < 0)) + slice3cost_difference_1_14 +
-        folded(slice3cost_difference_2_14);
-      slice3cost_pair_0_15 <= as_number((slice3cost_difference_2_15 < 0)) + slice3cost_difference_1_15 +
-        folded(slice3cost_difference_2_15);
-      slice3cost_pair_0_16 <= as_number((slice3cost_difference_2_16 < 0)) + slice3cost_difference_1_16 +
-        folded(slice3cost_difference_2_16);
-      slice3cost_pair_0_17 <= as_number((slice3cost_difference_2_17 < 0)) + slice3cost_difference_1_17 +
-        folded(slice3cost_difference_2_17);
-      slice3cost_pair_0_18 <= as_number((slice3cost_difference_2_18 < 0)) + slice3cost_difference_1_18 +
-        folded(slice3cost_difference_2_18);
-      slice3cost_pair_0_19 <= as_number((slice3cost_difference_2_19 < 0)) + slice3cost_difference_1_19 +
-        folded(slice3cost_difference_2_19);
-      slice3cost_pair_0_20 <= as_number((slice3cost_difference_2_20 < 0)) + slice3cost_difference_1_20 +
-        folded(slice3cost_difference_2_20);
-      slice3cost_pair_0_21 <= as_number((slice3cost_difference_2_21 < 0)) + slice3cost_difference_1_21 +
-        folded(slice3cost_difference_2_21);
-      slice3cost_pair_0_22 <= as_number((slice3cost_difference_2_22 < 0)) + slice3cost_difference_1_22 +
-        folded(slice3cost_difference_2_22);
-      slice3cost_pair_0_23 <= as_number((slice3cost_difference_2_23 < 0)) + slice3cost_difference_1_23 +
-        folded(slice3cost_difference_2_23);
-      slice3cost_pair_0_24 <= as_number((slice3cost_difference_2_24 < 0)) + slice3cost_difference_1_24 +
-        folded(slice3cost_difference_2_24);
-      slice3cost_single_0_0 <= slice3cost_difference_0_0;
-      slice3cost_single_0_1 <= slice3cost_difference_0_1;
-      slice3cost_single_0_2 <= slice3cost_difference_0_2;
-      slice3cost_single_0_3 <= slice3cost_difference_0_3;
-      slice3cost_single_0_4 <= slice3cost_difference_0_4;
-      slice3cost_single_0_5 <= slice3cost_difference_0_5;
-      slice3cost_single_0_6 <= slice3cost_difference_0_6;
-      slice3cost_single_0_7 <= slice3cost_difference_0_7;
-      slice3cost_single_0_8 <= slice3cost_difference_0_8;
-      slice3cost_single_0_9 <= slice3cost_difference_0_9;
-      slice3cost_single_0_10 <= slice3cost_difference_0_10;
-      slice3cost_single_0_11 <= slice3cost_difference_0_11;
-      slice3cost_single_0_12 <= slice3cost_difference_0_12;
-      slice3cost_single_0_13 <= slice3cost_difference_0_13;
-      slice3cost_single_0_14 <= slice3cost_difference_0_14;
-      slice3cost_single_0_15 <= slice3cost_difference_0_15;
-      slice3cost_single_0_16 <= slice3cost_difference_0_16;
-      slice3cost_single_0_17 <= slice3cost_difference_0_17;
-      slice3cost_single_0_18 <= slice3cost_difference_0_18;
-      slice3cost_single_0_19 <= slice3cost_difference_0_19;
-      slice3cost_single_0_20 <= slice3cost_difference_0_20;
-      slice3cost_single_0_21 <= slice3cost_difference_0_21;
-      slice3cost_single_0_22 <= slice3cost_difference_0_22;
-      slice3cost_single_0_23 <= slice3cost_difference_0_23;
-      slice3cost_single_0_24 <= slice3cost_difference_0_24;
-      slice3cost_single_3_0 <= folded(slice3cost_difference_3_0);
-      slice3cost_single_3_1 <= folded(slice3cost_difference_3_1);
-      slice3cost_single_3_2 <= folded(slice3cost_difference_3_2);
-      slice3cost_single_3_3 <= folded(slice3cost_difference_3_3);
-      slice3cost_single_3_4 <= folded(slice3cost_difference_3_4);
-      slice3cost_single_3_5 <= folded(slice3cost_difference_3_5);
-      slice3cost_single_3_6 <= folded(slice3cost_difference_3_6);
-      slice3cost_single_3_7 <= folded(slice3cost_difference_3_7);
-      slice3cost_single_3_8 <= folded(slice3cost_difference_3_8);
-      slice3cost_single_3_9 <= folded(slice3cost_difference_3_9);
-      slice3cost_single_3_10 <= folded(slice3cost_difference_3_10);
-      slice3cost_single_3_11 <= folded(slice3cost_difference_3_11);
-      slice3cost_single_3_12 <= folded(slice3cost_difference_3_12);
-      slice3cost_single_3_13 <= folded(slice3cost_difference_3_13);
-      slice3cost_single_3_14 <= folded(slice3cost_difference_3_14);
-      slice3cost_single_3_15 <= folded(slice3cost_difference_3_15);
-      slice3cost_single_3_16 <= folded(slice3cost_difference_3_16);
-      slice3cost_single_3_17 <= folded(slice3cost_difference_3_17);
-      slice3cost_single_3_18 <= folded(slice3cost_difference_3_18);
-      slice3cost_single_3_19 <= folded(slice3cost_difference_3_19);
-      slice3cost_single_3_20 <= folded(slice3cost_difference_3_20);
-      slice3cost_single_3_21 <= folded(slice3cost_difference_3_21);
-      slice3cost_single_3_22 <= folded(slice3cost_difference_3_22);
-      slice3cost_single_3_23 <= folded(slice3cost_difference_3_23);
-      slice3cost_single_3_24 <= folded(slice3cost_difference_3_24);
-      slice3cost_single_negative_3_0 <= slice3cost_difference_3_0 < 0;
-      slice3cost_single_negative_3_1 <= slice3cost_difference_3_1 < 0;
-      slice3cost_single_negative_3_2 <= slice3cost_difference_3_2 < 0;
-      slice3cost_single_negative_3_3 <= slice3cost_difference_3_3 < 0;
-      slice3cost_single_negative_3_4 <= slice3cost_difference_3_4 < 0;
-      slice3cost_single_negative_3_5 <= slice3cost_difference_3_5 < 0;
-      slice3cost_single_negative_3_6 <= slice3cost_difference_3_6 < 0;
-      slice3cost_single_negative_3_7 <= slice3cost_difference_3_7 < 0;
-      slice3cost_single_negative_3_8 <= slice3cost_difference_3_8 < 0;
-      slice3cost_single_negative_3_9 <= slice3cost_difference_3_9 < 0;
-      slice3cost_single_negative_3_10 <= slice3cost_difference_3_10 < 0;
-      slice3cost_single_negative_3_11 <= slice3cost_difference_3_11 < 0;
-      slice3cost_single_negative_3_12 <= slice3cost_difference_3_12 < 0;
-      slice3cost_single_negative_3_13 <= slice3cost_difference_3_13 < 0;
-      slice3cost_single_negative_3_14 <= slice3cost_difference_3_14 < 0;
-      slice3cost_single_negative_3_15 <= slice3cost_difference_3_15 < 0;
-      slice3cost_single_negative_3_16 <= slice3cost_difference_3_16 < 0;
-      slice3cost_single_negative_3_17 <= slice3cost_difference_3_17 < 0;
-      slice3cost_single_negative_3_18 <= slice3cost_difference_3_18 < 0;
-      slice3cost_single_negative_3_19 <= slice3cost_difference_3_19 < 0;
-      slice3cost_single_negative_3_20 <= slice3cost_difference_3_20 < 0;
-      slice3cost_single_negative_3_21 <= slice3cost_difference_3_21 < 0;
-      slice3cost_single_negative_3_22 <= slice3cost_difference_3_22 < 0;
-      slice3cost_single_negative_3_23 <= slice3cost_difference_3_23 < 0;
-      slice3cost_single_negative_3_24 <= slice3cost_difference_3_24 < 0;
-      if (slice0cost_tag_newest_inside mod 2) = 1 then
-        slice3cost_difference_2_0 <= slice3cost_difference_2_0_difference;
-        slice3cost_difference_2_1 <= slice3cost_difference_2_1_difference;
-        slice3cost_difference_2_2 <= slice3cost_difference_2_2_difference;
-        slice3cost_difference_2_3 <= slice3cost_difference_2_3_difference;
-        slice3cost_difference_2_4 <= slice3cost_difference_2_4_difference;
-        slice3cost_difference_2_5 <= slice3cost_difference_2_5_difference;
-        slice3cost_difference_2_6 <= slice3cost_difference_2_6_difference;
-        slice3cost_difference_2_7 <= slice3cost_difference_2_7_difference;
-        slice3cost_difference_2_8 <= slice3cost_difference_2_8_difference;
-        slice3cost_difference_2_9 <= slice3cost_difference_2_9_difference;
-        slice3cost_difference_2_10 <= slice3cost_difference_2_10_difference;
-        slice3cost_difference_2_11 <= slice3cost_difference_2_11_difference;
-        slice3cost_difference_2_12 <= slice3cost_difference_2_12_difference;
-        slice3cost_difference_2_13 <= slice3cost_difference_2_13_difference;
-        slice3cost_difference_2_14 <= slice3cost_difference_2_14_difference;
-        slice3cost_difference_2_15 <= slice3cost_difference_2_15_difference;
-        slice3cost_difference_2_16 <= slice3cost_difference_2_16_difference;
-        slice3cost_difference_2_17 <= slice3cost_difference_2_17_difference;
-        slice3cost_difference_2_18 <= slice3cost_difference_2_18_difference;
-        slice3cost_difference_2_19 <= slice3cost_difference_2_19_difference;
-        slice3cost_difference_2_20 <= slice3cost_difference_2_20_difference;
-        slice3cost_difference_2_21 <= slice3cost_difference_2_21_difference;
-        slice3cost_difference_2_22 <= slice3cost_difference_2_22_difference;
-        slice3cost_difference_2_23 <= slice3cost_difference_2_23_difference;
-        slice3cost_difference_2_24 <= slice3cost_difference_2_24_difference;
-      else
-        slice3cost_difference_2_0 <= 0;
-        slice3cost_difference_2_1 <= 0;
-        slice3cost_difference_2_2 <= 0;
-        slice3cost_difference_2_3 <= 0;
-        slice3cost_difference_2_4 <= 0;
-        slice3cost_difference_2_5 <= 0;
-        slice3cost_difference_2_6 <= 0;
-        slice3cost_difference_2_7 <= 0;
-        slice3cost_difference_2_8 <= 0;
-        slice3cost_difference_2_9 <= 0;
-        slice3cost_difference_2_10 <= 0;
-        slice3cost_difference_2_11 <= 0;
-        slice3cost_difference_2_12 <= 0;
-        slice3cost_difference_2_13 <= 0;
-        slice3cost_difference_2_14 <= 0;
-        slice3cost_difference_2_15 <= 0;
-        slice3cost_difference_2_16 <= 0;
-        slice3cost_difference_2_17 <= 0;
-        slice3cost_difference_2_18 <= 0;
-        slice3cost_difference_2_19 <= 0;
-        slice3cost_difference_2_20 <= 0;
-        slice3cost_difference_2_21 <= 0;
-        slice3cost_difference_2_22 <= 0;
-        slice3cost_difference_2_23 <= 0;
-        slice3cost_difference_2_24 <= 0;
-      end if;
-      if (slice0cost_tag_newest_inside / 2) = 1 then
-        slice3cost_difference_3_0 <= slice3cost_difference_3_0_difference;
-        slice3cost_difference_3_1 <= slice3cost_difference_3_1_difference;
-        slice3cost_difference_3_2 <= slice3cost_difference_3_2_difference;
-        slice3cost_difference_3_3 <= slice3cost_difference_3_3_difference;
-        slice3cost_difference_3_4 <= slice3cost_difference_3_4_difference;
-        slice3cost_difference_3_5 <= slice3cost_difference_3_5_difference;
-        slice3cost_difference_3_6 <= slice3cost_difference_3_6_difference;
-        slice3cost_difference_3_7 <= slice3cost_difference_3_7_difference;
-        slice3cost_difference_3_8 <= slice3cost_difference_3_8_difference;
-        slice3cost_difference_3_9 <= slice3cost_difference_3_9_difference;
-        slice3cost_difference_3_10 <= slice3cost_difference_3_10_difference;
-        slice3cost_difference_3_11 <= slice3cost_difference_3_11_difference;
-        slice3cost_difference_3_12 <= slice3cost_difference_3_12_difference;
-        slice3cost_difference_3_13 <= slice3cost_difference_3_13_difference;
-        slice3cost_difference_3_14 <= slice3cost_difference_3_14_difference;
-        slice3cost_difference_3_15 <= slice3cost_difference_3_15_difference;
-        slice3cost_difference_3_16 <= slice3cost_difference_3_16_difference;
-        slice3cost_difference_3_17 <= slice3cost_difference_3_17_difference;
-        slice3cost_difference_3_18 <= slice3cost_difference_3_18_difference;
-        slice3cost_difference_3_19 <= slice3cost_difference_3_19_difference;
-        slice3cost_difference_3_20 <= slice3cost_difference_3_20_difference;
-        slice3cost_difference_3_21 <= slice3cost_difference_3_21_difference;
-        slice3cost_difference_3_22 <= slice3cost_difference_3_22_difference;
-        slice3cost_difference_3_23 <= slice3cost_difference_3_23_difference;
-        slice3cost_difference_3_24 <= slice3cost_difference_3_24_difference;
-      else
-        slice3cost_difference_3_0 <= 0;
-        slice3cost_difference_3_1 <= 0;
-        slice3cost_difference_3_2 <= 0;
-        slice3cost_difference_3_3 <= 0;
-        slice3cost_difference_3_4 <= 0;
-        slice3cost_difference_3_5 <= 0;
-        slice3cost_difference_3_6 <= 0;
-        slice3cost_difference_3_7 <= 0;
-        slice3cost_difference_3_8 <= 0;
-        slice3cost_difference_3_9 <= 0;
-        slice3cost_difference_3_10 <= 0;
-        slice3cost_difference_3_11 <= 0;
-        slice3cost_difference_3_12 <= 0;
-        slice3cost_difference_3_13 <= 0;
-        slice3cost_difference_3_14 <= 0;
-        slice3cost_difference_3_15 <= 0;
-        slice3cost_difference_3_16 <= 0;
-        slice3cost_difference_3_17 <= 0;
-        slice3cost_difference_3_18 <= 0;
-        slice3cost_difference_3_19 <= 0;
-        slice3cost_difference_3_20 <= 0;
-        slice3cost_difference_3_21 <= 0;
-        slice3cost_difference_3_22 <= 0;
-        slice3cost_difference_3_23 <= 0;
-        slice3cost_difference_3_24 <= 0;
-      end if;
+      if is_set(slice3cost_signs_ready_words(0), 0) then
+        slice3cost_difference_choice(0, 0) := slice3shift_reference(0);
+      else
+        slice3cost_difference_choice(0, 0) := slice3shift_search(0, 0);
+      end if;
+      if is_set(slice3cost_signs_ready_words(0), 0) then
+        slice3cost_difference_choice_2(0, 0) := slice3shift_search(0, 0);
+      else
+        slice3cost_difference_choice_2(0, 0) := slice3shift_reference(0);
+      end if;
+      for i in 1 to 23 loop
+        slice3cost_difference_value(0, i) := is_set(slice3cost_signs_ready_words(0), i);
+        if slice3cost_difference_value(0, i) then
+          slice3cost_difference_choice(0, i) := slice3shift_reference(0);
+        else
+          slice3cost_difference_choice(0, i) := slice3shift_search(0, i);
+        end if;
+        if slice3cost_difference_value(0, i) then
+          slice3cost_difference_choice_2(0, i) := slice3shift_search(0, i);
+        else
+          slice3cost_difference_choice_2(0, i) := slice3shift_reference(0);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if is_set(slice3cost_signs_ready_words(i), 24 - 24 * i) then
+          slice3cost_difference_choice(i, 24 - 24 * i) := slice3shift_reference(i);
+        else
+          slice3cost_difference_choice(i, 24 - 24 * i) := slice3shift_search(i, 24 - 24 * i);
+        end if;
+        if is_set(slice3cost_signs_ready_words(i), 24 - 24 * i) then
+          slice3cost_difference_choice_2(i, 24 - 24 * i) := slice3shift_search(i, 24 - 24 * i);
+        else
+          slice3cost_difference_choice_2(i, 24 - 24 * i) := slice3shift_reference(i);
+        end if;
+      end loop;
+      for i in 1 to 23 loop
+        slice3cost_difference_value(1, i) := is_set(slice3cost_signs_ready_words(1), i);
+        if slice3cost_difference_value(1, i) then
+          slice3cost_difference_choice(1, i) := slice3shift_reference(1);
+        else
+          slice3cost_difference_choice(1, i) := slice3shift_search(1, i);
+        end if;
+        if slice3cost_difference_value(1, i) then
+          slice3cost_difference_choice_2(1, i) := slice3shift_search(1, i);
+        else
+          slice3cost_difference_choice_2(1, i) := slice3shift_reference(1);
+        end if;
+      end loop;
+      if is_set(slice3cost_signs_ready_words(1), 24) then
+        slice3cost_difference_choice(1, 24) := slice3shift_reference(1);
+      else
+        slice3cost_difference_choice(1, 24) := slice3shift_search(1, 24);
+      end if;
+      if is_set(slice3cost_signs_ready_words(1), 24) then
+        slice3cost_difference_choice_2(1, 24) := slice3shift_search(1, 24);
+      else
+        slice3cost_difference_choice_2(1, 24) := slice3shift_reference(1);
+      end if;
+      for i in 0 to 24 loop
+        slice3cost_difference_difference(2, i) := slice3shift_search(2, i) - slice3shift_reference(2);
+      end loop;
+      for i in 0 to 24 loop
+        slice3cost_difference_difference(3, i) := slice3shift_search(3, i) - slice3shift_reference(3);
+      end loop;
+      slice3cost_signs_ready_words(0) <= to_integer(slice3cost_signs_read_words(0));
+      slice3cost_signs_ready_words(1) <= to_integer(slice3cost_signs_read_words(1));
+      for i in 0 to 1 loop
+        for j in 0 to 24 loop
+          slice3cost_difference(i, j) <= (slice3cost_difference_choice(i, j) - slice3cost_difference_choice_2(i, j))
+            mod 256;
+        end loop;
+      end loop;
+      for i in 0 to 24 loop
+        slice3cost_newest_negative(0, i) <= slice3cost_difference_difference(2, i) < 0;
+      end loop;
+      for i in 0 to 24 loop
+        slice3cost_newest_negative(1, i) <= slice3cost_difference_difference(3, i) < 0;
+      end loop;
+      for i in 0 to 24 loop
+        slice3cost_pair_0(i) <= as_number((slice3cost_differences(2, i) < 0)) + slice3cost_difference(1, i) +
+          folded(slice3cost_differences(2, i));
+      end loop;
+      for i in 0 to 24 loop
+        slice3cost_single_0(i) <= slice3cost_difference(0, i);
+      end loop;
+      for i in 0 to 24 loop
+        slice3cost_single_3(i) <= folded(slice3cost_differences(3, i));
+      end loop;
+      for i in 0 to 24 loop
+        slice3cost_single_negative_3(i) <= slice3cost_differences(3, i) < 0;
+      end loop;
+      for i in 0 to 1 loop
+        if is_set(slice0cost_tag_newest_inside, i) then
+          for j in 0 to 24 loop
+            slice3cost_differences(i + 2, j) <= slice3cost_difference_difference(i + 2, j);
+          end loop;
+        else
+          for j in 0 to 24 loop
+            slice3cost_differences(i + 2, j) <= 0;
+          end loop;
+        end if;
+      end loop;
       if slice2cost_tag_border_column then
-        slice3cost_column_0_0 <= 0;
-        slice3cost_column_0_1 <= 0;
-        slice3cost_column_0_2 <= 0;
-        slice3cost_column_0_3 <= 0;
-        slice3cost_column_0_4 <= 0;
-        slice3cost_column_0_5 <= 0;
-        slice3cost_column_0_6 <= 0;
-        slice3cost_column_0_7 <= 0;
-        slice3cost_column_0_8 <= 0;
-        slice3cost_column_0_9 <= 0;
-        slice3cost_column_0_10 <= 0;
-        slice3cost_column_0_11 <= 0;
-        slice3cost_column_0_12 <= 0;
-        slice3cost_column_0_13 <= 0;
-        slice3cost_column_0_14 <= 0;
-        slice3cost_column_0_15 <= 0;
-        slice3cost_column_0_16 <= 0;
-        slice3cost_column_0_17 <= 0;
-        slice3cost_column_0_18 <= 0;
-        slice3cost_column_0_19 <= 0;
-        slice3cost_column_0_20 <= 0;
-        slice3cost_column_0_21 <= 0;
-        slice3cost_column_0_22 <= 0;
-        slice3cost_column_0_23 <= 0;
-        slice3cost_column_0_24 <= 0;
-        slice3cost_column_1_0 <= 0;
-        slice3cost_column_1_1 <= 0;
-        slice3cost_column_1_2 <= 0;
-        slice3cost_column_1_3 <= 0;
-        slice3cost_column_1_4 <= 0;
-        slice3cost_column_1_5 <= 0;
-        slice3cost_column_1_6 <= 0;
-        slice3cost_column_1_7 <= 0;
-        slice3cost_column_1_8 <= 0;
-        slice3cost_column_1_9 <= 0;
-        slice3cost_column_1_10 <= 0;
-        slice3cost_column_1_11 <= 0;
-        slice3cost_column_1_12 <= 0;
-        slice3cost_column_1_13 <= 0;
-        slice3cost_column_1_14 <= 0;
-        slice3cost_column_1_15 <= 0;
-        slice3cost_column_1_16 <= 0;
-        slice3cost_column_1_17 <= 0;
-        slice3cost_column_1_18 <= 0;
-        slice3cost_column_1_19 <= 0;
-        slice3cost_column_1_20 <= 0;
-        slice3cost_column_1_21 <= 0;
-        slice3cost_column_1_22 <= 0;
-        slice3cost_column_1_23 <= 0;
-        slice3cost_column_1_24 <= 0;
+        for i in 0 to 24 loop
+          slice3cost_column_0(i) <= 0;
+        end loop;
+        for i in 0 to 24 loop
+          slice3cost_column_1(i) <= 0;
+        end loop;
       else
-        slice3cost_column_0_0 <= slice3cost_pair_0_0 + slice3cost_single_0_0;
-        slice3cost_column_0_1 <= slice3cost_pair_0_1 + slice3cost_single_0_1;
-        slice3cost_column_0_2 <= slice3cost_pair_0_2 + slice3cost_single_0_2;
-        slice3cost_column_0_3 <= slice3cost_pair_0_3 + slice3cost_single_0_3;
-        slice3cost_column_0_4 <= slice3cost_pair_0_4 + slice3cost_single_0_4;
-        slice3cost_column_0_5 <= slice3cost_pair_0_5 + slice3cost_single_0_5;
-        slice3cost_column_0_6 <= slice3cost_pair_0_6 + slice3cost_single_0_6;
-        slice3cost_column_0_7 <= slice3cost_pair_0_7 + slice3cost_single_0_7;
-        slice3cost_column_0_8 <= slice3cost_pair_0_8 + slice3cost_single_0_8;
-        slice3cost_column_0_9 <= slice3cost_pair_0_9 + slice3cost_single_0_9;
-        slice3cost_column_0_10 <= slice3cost_pair_0_10 + slice3cost_single_0_10;
-        slice3cost_column_0_11 <= slice3cost_pair_0_11 + slice3cost_single_0_11;
-        slice3cost_column_0_12 <= slice3cost_pair_0_12 + slice3cost_single_0_12;
-        slice3cost_column_0_13 <= slice3cost_pair_0_13 + slice3cost_single_0_13;
-        slice3cost_column_0_14 <= slice3cost_pair_0_14 + slice3cost_single_0_14;
-        slice3cost_column_0_15 <= slice3cost_pair_0_15 + slice3cost_single_0_15;
-        slice3cost_column_0_16 <= slice3cost_pair_0_16 + slice3cost_single_0_16;
-        slice3cost_column_0_17 <= slice3cost_pair_0_17 + slice3cost_single_0_17;
-        slice3cost_column_0_18 <= slice3cost_pair_0_18 + slice3cost_single_0_18;
-        slice3cost_column_0_19 <= slice3cost_pair_0_19 + slice3cost_single_0_19;
-        slice3cost_column_0_20 <= slice3cost_pair_0_20 + slice3cost_single_0_20;
-        slice3cost_column_0_21 <= slice3cost_pair_0_21 + slice3cost_single_0_21;
-        slice3cost_column_0_22 <= slice3cost_pair_0_22 + slice3cost_single_0_22;
-        slice3cost_column_0_23 <= slice3cost_pair_0_23 + slice3cost_single_0_23;
-        slice3cost_column_0_24 <= slice3cost_pair_0_24 + slice3cost_single_0_24;
-        slice3cost_column_1_0 <= as_number(slice3cost_single_negative_3_0) + slice3cost_pair_0_0 +
-          slice3cost_single_3_0;
-        slice3cost_column_1_1 <= as_number(slice3cost_single_negative_3_1) + slice3cost_pair_0_1 +
-          slice3cost_single_3_1;
-        slice3cost_column_1_2 <= as_number(slice3cost_single_negative_3_2) + slice3cost_pair_0_2 +
-          slice3cost_single_3_2;
-        slice3cost_column_1_3 <= as_number(slice3cost_single_negative_3_3) + slice3cost_pair_0_3 +
-          slice3cost_single_3_3;
-        slice3cost_column_1_4 <= as_number(slice3cost_single_negative_3_4) + slice3cost_pair_0_4 +
-          slice3cost_single_3_4;
-        slice3cost_column_1_5 <= as_number(slice3cost_single_negative_3_5) + slice3cost_pair_0_5 +
-          slice3cost_single_3_5;
-        slice3cost_column_1_6 <= as_number(slice3cost_single_negative_3_6) + slice3cost_pair_0_6 +
-          slice3cost_single_3_6;
-        slice3cost_column_1_7 <= as_number(slice3cost_single_negative_3_7) + slice3cost_pair_0_7 +
-          slice3cost_single_3_7;
-        slice3cost_column_1_8 <= as_number(slice3cost_single_negative_3_8) + slice3cost_pair_0_8 +
-          slice3cost_single_3_8;
-        slice3cost_column_1_9 <= as_number(slice3cost_single_negative_3_9) + slice3cost_pair_0_9 +
-          slice3cost_single_3_9;
-        slice3cost_column_1_10 <= as_number(slice3cost_single_negative_3_10) + slice3cost_pair_0_10 +
-          slice3cost_single_3_10;
-        slice3cost_column_1_11 <= as_number(slice3cost_single_negative_3_11) + slice3cost_pair_0_11 +
-          slice3cost_single_3_11;
-        slice3cost_column_1_12 <= as_number(slice3cost_single_negative_3_12) + slice3cost_pair_0_12 +
-          slice3cost_single_3_12;
-        slice3cost_column_1_13 <= as_number(slice3cost_single_negative_3_13) + slice3cost_pair_0_13 +
-          slice3cost_single_3_13;
-        slice3cost_column_1_14 <= as_number(slice3cost_single_negative_3_14) + slice3cost_pair_0_14 +
-          slice3cost_single_3_14;
-        slice3cost_column_1_15 <= as_number(slice3cost_single_negative_3_15) + slice3cost_pair_0_15 +
-          slice3cost_single_3_15;
-        slice3cost_column_1_16 <= as_number(slice3cost_single_negative_3_16) + slice3cost_pair_0_16 +
-          slice3cost_single_3_16;
-        slice3cost_column_1_17 <= as_number(slice3cost_single_negative_3_17) + slice3cost_pair_0_17 +
-          slice3cost_single_3_17;
-        slice3cost_column_1_18 <= as_number(slice3cost_single_negative_3_18) + slice3cost_pair_0_18 +
-          slice3cost_single_3_18;
-        slice3cost_column_1_19 <= as_number(slice3cost_single_negative_3_19) + slice3cost_pair_0_19 +
-          slice3cost_single_3_19;
-        slice3cost_column_1_20 <= as_number(slice3cost_single_negative_3_20) + slice3cost_pair_0_20 +
-          slice3cost_single_3_20;
-        slice3cost_column_1_21 <= as_number(slice3cost_single_negative_3_21) + slice3cost_pair_0_21 +
-          slice3cost_single_3_21;
-        slice3cost_column_1_22 <= as_number(slice3cost_single_negative_3_22) + slice3cost_pair_0_22 +
-          slice3cost_single_3_22;
-        slice3cost_column_1_23 <= as_number(slice3cost_single_negative_3_23) + slice3cost_pair_0_23 +
-          slice3cost_single_3_23;
-        slice3cost_column_1_24 <= as_number(slice3cost_single_negative_3_24) + slice3cost_pair_0_24 +
-          slice3cost_single_3_24;
+        for i in 0 to 24 loop
+          slice3cost_column_0(i) <= slice3cost_pair_0(i) + slice3cost_single_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice3cost_column_1(i) <= as_number(slice3cost_single_negative_3(i)) + slice3cost_pair_0(i) +
+            slice3cost_single_3(i);
+        end loop;
       end if;
       if slice0window_tag_valid then
         slice3cost_signs_write_column <= slice2cost_signs_write_column;
-        slice3cost_signs_write_words_0 <= (as_number(slice3cost_newest_negative_0_23) * 8388608) +
-          (as_number(slice3cost_newest_negative_0_24) * 16777216) + (as_number(slice3cost_newest_negative_0_22) *
-          4194304) + (as_number(slice3cost_newest_negative_0_21) * 2097152) +
-          (as_number(slice3cost_newest_negative_0_20) * 1048576) + (as_number(slice3cost_newest_negative_0_19) *
-          524288) + (as_number(slice3cost_newest_negative_0_18) * 262144) + (as_number(slice3cost_newest_negative_0_17)
-          * 131072) + (as_number(slice3cost_newest_negative_0_16) * 65536) +
-          (as_number(slice3cost_newest_negative_0_15) * 32768) + (as_number(slice3cost_newest_negative_0_14) * 16384) +
-          (as_number(slice3cost_newest_negative_0_13) * 8192) + (as_number(slice3cost_newest_negative_0_12) * 4096) +
-          (as_number(slice3cost_newest_negative_0_11) * 2048) + (as_number(slice3cost_newest_negative_0_10) * 1024) +
-          (as_number(slice3cost_newest_negative_0_9) * 512) + (as_number(slice3cost_newest_negative_0_8) * 256) +
-          (as_number(slice3cost_newest_negative_0_6) * 64) + (as_number(slice3cost_newest_negative_0_7) * 128) +
-          (as_number(slice3cost_newest_negative_0_5) * 32) + (as_number(slice3cost_newest_negative_0_4) * 16) +
-          (as_number(slice3cost_newest_negative_0_3) * 8) + (as_number(slice3cost_newest_negative_0_2) * 4) +
-          as_number(slice3cost_newest_negative_0_0) + (as_number(slice3cost_newest_negative_0_1) * 2);
-        slice3cost_signs_write_words_1 <= (as_number(slice3cost_newest_negative_1_23) * 8388608) +
-          (as_number(slice3cost_newest_negative_1_24) * 16777216) + (as_number(slice3cost_newest_negative_1_22) *
-          4194304) + (as_number(slice3cost_newest_negative_1_21) * 2097152) +
-          (as_number(slice3cost_newest_negative_1_20) * 1048576) + (as_number(slice3cost_newest_negative_1_19) *
-          524288) + (as_number(slice3cost_newest_negative_1_18) * 262144) + (as_number(slice3cost_newest_negative_1_17)
-          * 131072) + (as_number(slice3cost_newest_negative_1_16) * 65536) +
-          (as_number(slice3cost_newest_negative_1_15) * 32768) + (as_number(slice3cost_newest_negative_1_14) * 16384) +
-          (as_number(slice3cost_newest_negative_1_13) * 8192) + (as_number(slice3cost_newest_negative_1_12) * 4096) +
-          (as_number(slice3cost_newest_negative_1_11) * 2048) + (as_number(slice3cost_newest_negative_1_10) * 1024) +
-          (as_number(slice3cost_newest_negative_1_9) * 512) + (as_number(slice3cost_newest_negative_1_8) * 256) +
-          (as_number(slice3cost_newest_negative_1_6) * 64) + (as_number(slice3cost_newest_negative_1_7) * 128) +
-          (as_number(slice3cost_newest_negative_1_5) * 32) + (as_number(slice3cost_newest_negative_1_4) * 16) +
-          (as_number(slice3cost_newest_negative_1_3) * 8) + (as_number(slice3cost_newest_negative_1_2) * 4) +
-          as_number(slice3cost_newest_negative_1_0) + (as_number(slice3cost_newest_negative_1_1) * 2);
+        for i in 0 to 1 loop
+          slice3cost_signs_write_words(i) <= (as_number(slice3cost_newest_negative(i, 23)) * 8388608) +
+            (as_number(slice3cost_newest_negative(i, 24)) * 16777216) + (as_number(slice3cost_newest_negative(i, 22)) *
+            4194304) + (as_number(slice3cost_newest_negative(i, 21)) * 2097152) +
+            (as_number(slice3cost_newest_negative(i, 20)) * 1048576) + (as_number(slice3cost_newest_negative(i, 19)) *
+            524288) + (as_number(slice3cost_newest_negative(i, 18)) * 262144) +
+            (as_number(slice3cost_newest_negative(i, 17)) * 131072) + (as_number(slice3cost_newest_negative(i, 16)) *
+            65536) + (as_number(slice3cost_newest_negative(i, 15)) * 32768) + (as_number(slice3cost_newest_negative(i,
+            14)) * 16384) + (as_number(slice3cost_newest_negative(i, 13)) * 8192) +
+            (as_number(slice3cost_newest_negative(i, 12)) * 4096) + (as_number(slice3cost_newest_negative(i, 11)) *
+            2048) + (as_number(slice3cost_newest_negative(i, 10)) * 1024) + (as_number(slice3cost_newest_negative(i,
+            9)) * 512) + (as_number(slice3cost_newest_negative(i, 8)) * 256) + (as_number(slice3cost_newest_negative(i,
+            6)) * 64) + (as_number(slice3cost_newest_negative(i, 7)) * 128) + (as_number(slice3cost_newest_negative(i,
+            5)) * 32) + (as_number(slice3cost_newest_negative(i, 4)) * 16) + (as_number(slice3cost_newest_negative(i,
+            3)) * 8) + (as_number(slice3cost_newest_negative(i, 2)) * 4) + as_number(slice3cost_newest_negative(i, 0))
+            + (as_number(slice3cost_newest_negative(i, 1)) * 2);
+        end loop;
       end if;
       -- slice3window
       if slice0winner2_tag_valid then
-        slice3window_partial_0_0_0 <= slice3cost_column_0_0;
-        slice3window_partial_0_0_1 <= slice3cost_column_0_1;
-        slice3window_partial_0_0_2 <= slice3cost_column_0_2;
-        slice3window_partial_0_0_3 <= slice3cost_column_0_3;
-        slice3window_partial_0_0_4 <= slice3cost_column_0_4;
-        slice3window_partial_0_0_5 <= slice3cost_column_0_5;
-        slice3window_partial_0_0_6 <= slice3cost_column_0_6;
-        slice3window_partial_0_0_7 <= slice3cost_column_0_7;
-        slice3window_partial_0_0_8 <= slice3cost_column_0_8;
-        slice3window_partial_0_0_9 <= slice3cost_column_0_9;
-        slice3window_partial_0_0_10 <= slice3cost_column_0_10;
-        slice3window_partial_0_0_11 <= slice3cost_column_0_11;
-        slice3window_partial_0_0_12 <= slice3cost_column_0_12;
-        slice3window_partial_0_0_13 <= slice3cost_column_0_13;
-        slice3window_partial_0_0_14 <= slice3cost_column_0_14;
-        slice3window_partial_0_0_15 <= slice3cost_column_0_15;
-        slice3window_partial_0_0_16 <= slice3cost_column_0_16;
-        slice3window_partial_0_0_17 <= slice3cost_column_0_17;
-        slice3window_partial_0_0_18 <= slice3cost_column_0_18;
-        slice3window_partial_0_0_19 <= slice3cost_column_0_19;
-        slice3window_partial_0_0_20 <= slice3cost_column_0_20;
-        slice3window_partial_0_0_21 <= slice3cost_column_0_21;
-        slice3window_partial_0_0_22 <= slice3cost_column_0_22;
-        slice3window_partial_0_0_23 <= slice3cost_column_0_23;
-        slice3window_partial_0_0_24 <= slice3cost_column_0_24;
-        slice3window_partial_0_1_0 <= slice3cost_column_0_0 + slice3window_partial_0_0_0;
-        slice3window_partial_0_1_1 <= slice3cost_column_0_1 + slice3window_partial_0_0_1;
-        slice3window_partial_0_1_2 <= slice3cost_column_0_2 + slice3window_partial_0_0_2;
-        slice3window_partial_0_1_3 <= slice3cost_column_0_3 + slice3window_partial_0_0_3;
-        slice3window_partial_0_1_4 <= slice3cost_column_0_4 + slice3window_partial_0_0_4;
-        slice3window_partial_0_1_5 <= slice3cost_column_0_5 + slice3window_partial_0_0_5;
-        slice3window_partial_0_1_6 <= slice3cost_column_0_6 + slice3window_partial_0_0_6;
-        slice3window_partial_0_1_7 <= slice3cost_column_0_7 + slice3window_partial_0_0_7;
-        slice3window_partial_0_1_8 <= slice3cost_column_0_8 + slice3window_partial_0_0_8;
-        slice3window_partial_0_1_9 <= slice3cost_column_0_9 + slice3window_partial_0_0_9;
-        slice3window_partial_0_1_10 <= slice3cost_column_0_10 + slice3window_partial_0_0_10;
-        slice3window_partial_0_1_11 <= slice3cost_column_0_11 + slice3window_partial_0_0_11;
-        slice3window_partial_0_1_12 <= slice3cost_column_0_12 + slice3window_partial_0_0_12;
-        slice3window_partial_0_1_13 <= slice3cost_column_0_13 + slice3window_partial_0_0_13;
-        slice3window_partial_0_1_14 <= slice3cost_column_0_14 + slice3window_partial_0_0_14;
-        slice3window_partial_0_1_15 <= slice3cost_column_0_15 + slice3window_partial_0_0_15;
-        slice3window_partial_0_1_16 <= slice3cost_column_0_16 + slice3window_partial_0_0_16;
-        slice3window_partial_0_1_17 <= slice3cost_column_0_17 + slice3window_partial_0_0_17;
-        slice3window_partial_0_1_18 <= slice3cost_column_0_18 + slice3window_partial_0_0_18;
-        slice3window_partial_0_1_19 <= slice3cost_column_0_19 + slice3window_partial_0_0_19;
-        slice3window_partial_0_1_20 <= slice3cost_column_0_20 + slice3window_partial_0_0_20;
-        slice3window_partial_0_1_21 <= slice3cost_column_0_21 + slice3window_partial_0_0_21;
-        slice3window_partial_0_1_22 <= slice3cost_column_0_22 + slice3window_partial_0_0_22;
-        slice3window_partial_0_1_23 <= slice3cost_column_0_23 + slice3window_partial_0_0_23;
-        slice3window_partial_0_1_24 <= slice3cost_column_0_24 + slice3window_partial_0_0_24;
-        slice3window_partial_1_0_0 <= slice3cost_column_1_0;
-        slice3window_partial_1_0_1 <= slice3cost_column_1_1;
-        slice3window_partial_1_0_2 <= slice3cost_column_1_2;
-        slice3window_partial_1_0_3 <= slice3cost_column_1_3;
-        slice3window_partial_1_0_4 <= slice3cost_column_1_4;
-        slice3window_partial_1_0_5 <= slice3cost_column_1_5;
-        slice3window_partial_1_0_6 <= slice3cost_column_1_6;
-        slice3window_partial_1_0_7 <= slice3cost_column_1_7;
-        slice3window_partial_1_0_8 <= slice3cost_column_1_8;
-        slice3window_partial_1_0_9 <= slice3cost_column_1_9;
-        slice3window_partial_1_0_10 <= slice3cost_column_1_10;
-        slice3window_partial_1_0_11 <= slice3cost_column_1_11;
-        slice3window_partial_1_0_12 <= slice3cost_column_1_12;
-        slice3window_partial_1_0_13 <= slice3cost_column_1_13;
-        slice3window_partial_1_0_14 <= slice3cost_column_1_14;
-        slice3window_partial_1_0_15 <= slice3cost_column_1_15;
-        slice3window_partial_1_0_16 <= slice3cost_column_1_16;
-        slice3window_partial_1_0_17 <= slice3cost_column_1_17;
-        slice3window_partial_1_0_18 <= slice3cost_column_1_18;
-        slice3window_partial_1_0_19 <= slice3cost_column_1_19;
-        slice3window_partial_1_0_20 <= slice3cost_column_1_20;
-        slice3window_partial_1_0_21 <= slice3cost_column_1_21;
-        slice3window_partial_1_0_22 <= slice3cost_column_1_22;
-        slice3window_partial_1_0_23 <= slice3cost_column_1_23;
-        slice3window_partial_1_0_24 <= slice3cost_column_1_24;
-        slice3window_partial_1_1_0 <= slice3cost_column_1_0 + slice3window_partial_1_0_0;
-        slice3window_partial_1_1_1 <= slice3cost_column_1_1 + slice3window_partial_1_0_1;
-        slice3window_partial_1_1_2 <= slice3cost_column_1_2 + slice3window_partial_1_0_2;
-        slice3window_partial_1_1_3 <= slice3cost_column_1_3 + slice3window_partial_1_0_3;
-        slice3window_partial_1_1_4 <= slice3cost_column_1_4 + slice3window_partial_1_0_4;
-        slice3window_partial_1_1_5 <= slice3cost_column_1_5 + slice3window_partial_1_0_5;
-        slice3window_partial_1_1_6 <= slice3cost_column_1_6 + slice3window_partial_1_0_6;
-        slice3window_partial_1_1_7 <= slice3cost_column_1_7 + slice3window_partial_1_0_7;
-        slice3window_partial_1_1_8 <= slice3cost_column_1_8 + slice3window_partial_1_0_8;
-        slice3window_partial_1_1_9 <= slice3cost_column_1_9 + slice3window_partial_1_0_9;
-        slice3window_partial_1_1_10 <= slice3cost_column_1_10 + slice3window_partial_1_0_10;
-        slice3window_partial_1_1_11 <= slice3cost_column_1_11 + slice3window_partial_1_0_11;
-        slice3window_partial_1_1_12 <= slice3cost_column_1_12 + slice3window_partial_1_0_12;
-        slice3window_partial_1_1_13 <= slice3cost_column_1_13 + slice3window_partial_1_0_13;
-        slice3window_partial_1_1_14 <= slice3cost_column_1_14 + slice3window_partial_1_0_14;
-        slice3window_partial_1_1_15 <= slice3cost_column_1_15 + slice3window_partial_1_0_15;
-        slice3window_partial_1_1_16 <= slice3cost_column_1_16 + slice3window_partial_1_0_16;
-        slice3window_partial_1_1_17 <= slice3cost_column_1_17 + slice3window_partial_1_0_17;
-        slice3window_partial_1_1_18 <= slice3cost_column_1_18 + slice3window_partial_1_0_18;
-        slice3window_partial_1_1_19 <= slice3cost_column_1_19 + slice3window_partial_1_0_19;
-        slice3window_partial_1_1_20 <= slice3cost_column_1_20 + slice3window_partial_1_0_20;
-        slice3window_partial_1_1_21 <= slice3cost_column_1_21 + slice3window_partial_1_0_21;
-        slice3window_partial_1_1_22 <= slice3cost_column_1_22 + slice3window_partial_1_0_22;
-        slice3window_partial_1_1_23 <= slice3cost_column_1_23 + slice3window_partial_1_0_23;
-        slice3window_partial_1_1_24 <= slice3cost_column_1_24 + slice3window_partial_1_0_24;
+        for i in 0 to 24 loop
+          slice3window_partial_0_0(i) <= slice3cost_column_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice3window_partial_0_1(i) <= slice3cost_column_0(i) + slice3window_partial_0_0(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice3window_partial_1_0(i) <= slice3cost_column_1(i);
+        end loop;
+        for i in 0 to 24 loop
+          slice3window_partial_1_1(i) <= slice3cost_column_1(i) + slice3window_partial_1_0(i);
+        end loop;
       end if;
-      slice3window_sum_0_0 <= slice3cost_column_0_0 + slice3window_partial_0_1_0;
-      slice3window_sum_0_1 <= slice3cost_column_0_1 + slice3window_partial_0_1_1;
-      slice3window_sum_0_2 <= slice3cost_column_0_2 + slice3window_partial_0_1_2;
-      slice3window_sum_0_3 <= slice3cost_column_0_3 + slice3window_partial_0_1_3;
-      slice3window_sum_0_4 <= slice3cost_column_0_4 + slice3window_partial_0_1_4;
-      slice3window_sum_0_5 <= slice3cost_column_0_5 + slice3window_partial_0_1_5;
-      slice3window_sum_0_6 <= slice3cost_column_0_6 + slice3window_partial_0_1_6;
-      slice3window_sum_0_7 <= slice3cost_column_0_7 + slice3window_partial_0_1_7;
-      slice3window_sum_0_8 <= slice3cost_column_0_8 + slice3window_partial_0_1_8;
-      slice3window_sum_0_9 <= slice3cost_column_0_9 + slice3window_partial_0_1_9;
-      slice3window_sum_0_10 <= slice3cost_column_0_10 + slice3window_partial_0_1_10;
-      slice3window_sum_0_11 <= slice3cost_column_0_11 + slice3window_partial_0_1_11;
-      slice3window_sum_0_12 <= slice3cost_column_0_12 + slice3window_partial_0_1_12;
-      slice3window_sum_0_13 <= slice3cost_column_0_13 + slice3window_partial_0_1_13;
-      slice3window_sum_0_14 <= slice3cost_column_0_14 + slice3window_partial_0_1_14;
-      slice3window_sum_0_15 <= slice3cost_column_0_15 + slice3window_partial_0_1_15;
-      slice3window_sum_0_16 <= slice3cost_column_0_16 + slice3window_partial_0_1_16;
-      slice3window_sum_0_17 <= slice3cost_column_0_17 + slice3window_partial_0_1_17;
-      slice3window_sum_0_18 <= slice3cost_column_0_18 + slice3window_partial_0_1_18;
-      slice3window_sum_0_19 <= slice3cost_column_0_19 + slice3window_partial_0_1_19;
-      slice3window_sum_0_20 <= slice3cost_column_0_20 + slice3window_partial_0_1_20;
-      slice3window_sum_0_21 <= slice3cost_column_0_21 + slice3window_partial_0_1_21;
-      slice3window_sum_0_22 <= slice3cost_column_0_22 + slice3window_partial_0_1_22;
-      slice3window_sum_0_23 <= slice3cost_column_0_23 + slice3window_partial_0_1_23;
-      slice3window_sum_0_24 <= slice3cost_column_0_24 + slice3window_partial_0_1_24;
-      slice3window_sum_1_0 <= slice3cost_column_1_0 + slice3window_partial_1_1_0;
-      slice3window_sum_1_1 <= slice3cost_column_1_1 + slice3window_partial_1_1_1;
-      slice3window_sum_1_2 <= slice3cost_column_1_2 + slice3window_partial_1_1_2;
-      slice3window_sum_1_3 <= slice3cost_column_1_3 + slice3window_partial_1_1_3;
-      slice3window_sum_1_4 <= slice3cost_column_1_4 + slice3window_partial_1_1_4;
-      slice3window_sum_1_5 <= slice3cost_column_1_5 + slice3window_partial_1_1_5;
-      slice3window_sum_1_6 <= slice3cost_column_1_6 + slice3window_partial_1_1_6;
-      slice3window_sum_1_7 <= slice3cost_column_1_7 + slice3window_partial_1_1_7;
-      slice3window_sum_1_8 <= slice3cost_column_1_8 + slice3window_partial_1_1_8;
-      slice3window_sum_1_9 <= slice3cost_column_1_9 + slice3window_partial_1_1_9;
-      slice3window_sum_1_10 <= slice3cost_column_1_10 + slice3window_partial_1_1_10;
-      slice3window_sum_1_11 <= slice3cost_column_1_11 + slice3window_partial_1_1_11;
-      slice3window_sum_1_12 <= slice3cost_column_1_12 + slice3window_partial_1_1_12;
-      slice3window_sum_1_13 <= slice3cost_column_1_13 + slice3window_partial_1_1_13;
-      slice3window_sum_1_14 <= slice3cost_column_1_14 + slice3window_partial_1_1_14;
-      slice3window_sum_1_15 <= slice3cost_column_1_15 + slice3window_partial_1_1_15;
-      slice3window_sum_1_16 <= slice3cost_column_1_16 + slice3window_partial_1_1_16;
-      slice3window_sum_1_17 <= slice3cost_column_1_17 + slice3window_partial_1_1_17;
-      slice3window_sum_1_18 <= slice3cost_column_1_18 + slice3window_partial_1_1_18;
-      slice3window_sum_1_19 <= slice3cost_column_1_19 + slice3window_partial_1_1_19;
-      slice3window_sum_1_20 <= slice3cost_column_1_20 + slice3window_partial_1_1_20;
-      slice3window_sum_1_21 <= slice3cost_column_1_21 + slice3window_partial_1_1_21;
-      slice3window_sum_1_22 <= slice3cost_column_1_22 + slice3window_partial_1_1_22;
-      slice3window_sum_1_23 <= slice3cost_column_1_23 + slice3window_partial_1_1_23;
-      slice3window_sum_1_24 <= slice3cost_column_1_24 + slice3window_partial_1_1_24;
+      for i in 0 to 24 loop
+        slice3window_sum_0(i) <= slice3cost_column_0(i) + slice3window_partial_0_1(i);
+      end loop;
+      for i in 0 to 24 loop
+        slice3window_sum_1(i) <= slice3cost_column_1(i) + slice3window_partial_1_1(i);
+      end loop;
       -- slice3winner1
-      slice3winner1_best_cost_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
-      slice3winner1_best_cost_0_1_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
-      slice3winner1_best_cost_0_2_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
-      slice3winner1_best_cost_0_3_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
-      slice3winner1_best_cost_0_4_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
-      slice3winner1_best_cost_0_5_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
-      slice3winner1_best_cost_0_6_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
-      slice3winner1_best_cost_0_7_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
-      slice3winner1_best_cost_0_8_is_less := (slice3window_sum_0_17 - slice3window_sum_0_16) < 0;
-      slice3winner1_best_cost_0_9_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
-      slice3winner1_best_cost_0_10_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
-      slice3winner1_best_cost_0_11_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
-      slice3winner1_best_cost_1_0_is_less := (slice3window_sum_1_1 - slice3window_sum_1_0) < 0;
-      slice3winner1_best_cost_1_1_is_less := (slice3window_sum_1_3 - slice3window_sum_1_2) < 0;
-      slice3winner1_best_cost_1_2_is_less := (slice3window_sum_1_5 - slice3window_sum_1_4) < 0;
-      slice3winner1_best_cost_1_3_is_less := (slice3window_sum_1_7 - slice3window_sum_1_6) < 0;
-      slice3winner1_best_cost_1_4_is_less := (slice3window_sum_1_9 - slice3window_sum_1_8) < 0;
-      slice3winner1_best_cost_1_5_is_less := (slice3window_sum_1_11 - slice3window_sum_1_10) < 0;
-      slice3winner1_best_cost_1_6_is_less := (slice3window_sum_1_13 - slice3window_sum_1_12) < 0;
-      slice3winner1_best_cost_1_7_is_less := (slice3window_sum_1_15 - slice3window_sum_1_14) < 0;
-      slice3winner1_best_cost_1_8_is_less := (slice3window_sum_1_17 - slice3window_sum_1_16) < 0;
-      slice3winner1_best_cost_1_9_is_less := (slice3window_sum_1_19 - slice3window_sum_1_18) < 0;
-      slice3winner1_best_cost_1_10_is_less := (slice3window_sum_1_21 - slice3window_sum_1_20) < 0;
-      slice3winner1_best_cost_1_11_is_less := (slice3window_sum_1_23 - slice3window_sum_1_22) < 0;
-      slice3winner1_best_cost_0_12 <= slice3window_sum_0_24;
-      slice3winner1_best_cost_1_12 <= slice3window_sum_1_24;
-      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
-      slice3winner1_best_index_1_0 <= slice3winner1_best_cost_1_0_is_less;
-      if slice3winner1_best_cost_0_0_is_less then
-        slice3winner1_best_cost_0_0 <= slice3window_sum_0_1;
+      for i in 0 to 11 loop
+        slice3winner1_best_cost_is_less(0, i) := (slice3window_sum_0(2 * i + 1) - slice3window_sum_0(2 * i)) < 0;
+      end loop;
+      for i in 0 to 11 loop
+        slice3winner1_best_cost_is_less(1, i) := (slice3window_sum_1(2 * i + 1) - slice3window_sum_1(2 * i)) < 0;
+      end loop;
+      slice3winner1_best_cost_0(12) <= slice3window_sum_0(24);
+      slice3winner1_best_cost_1(12) <= slice3window_sum_1(24);
+      slice3winner1_best_index_0(0) <= slice3winner1_best_cost_is_less(0, 0);
+      slice3winner1_best_index_0(1) <= slice3winner1_best_cost_is_less(1, 0);
+      if slice3winner1_best_cost_is_less(0, 0) then
+        slice3winner1_best_cost_0(0) <= slice3window_sum_0(1);
       else
-        slice3winner1_best_cost_0_0 <= slice3window_sum_0_0;
+        slice3winner1_best_cost_0(0) <= slice3window_sum_0(0);
       end if;
-      if slice3winner1_best_cost_0_1_is_less then
-        slice3winner1_best_cost_0_1 <= slice3window_sum_0_3;
-        slice3winner1_best_index_0_1 <= 3;
+      if slice3winner1_best_cost_is_less(0, 1) then
+        slice3winner1_best_cost_0(1) <= slice3window_sum_0(3);
+        slice3winner1_best_index_1(0) <= 3;
       else
-        slice3winner1_best_cost_0_1 <= slice3window_sum_0_2;
-        slice3winner1_best_index_0_1 <= 2;
+        slice3winner1_best_cost_0(1) <= slice3window_sum_0(2);
+        slice3winner1_best_index_1(0) <= 2;
       end if;
-      if slice3winner1_best_cost_0_2_is_less then
-        slice3winner1_best_cost_0_2 <= slice3window_sum_0_5;
-        slice3winner1_best_index_0_2 <= 5;
+      if slice3winner1_best_cost_is_less(0, 2) then
+        slice3winner1_best_cost_0(2) <= slice3window_sum_0(5);
+        slice3winner1_best_index_2(0) <= 5;
       else
-        slice3winner1_best_cost_0_2 <= slice3window_sum_0_4;
-        slice3winner1_best_index_0_2 <= 4;
+        slice3winner1_best_cost_0(2) <= slice3window_sum_0(4);
+        slice3winner1_best_index_2(0) <= 4;
       end if;
-      if slice3winner1_best_cost_0_3_is_less then
-        slice3winner1_best_cost_0_3 <= slice3window_sum_0_7;
-        slice3winner1_best_index_0_3 <= 7;
+      if slice3winner1_best_cost_is_less(0, 3) then
+        slice3winner1_best_cost_0(3) <= slice3window_sum_0(7);
+        slice3winner1_best_index_3(0) <= 7;
       else
-        slice3winner1_best_cost_0_3 <= slice3window_sum_0_6;
-        slice3winner1_best_index_0_3 <= 6;
+        slice3winner1_best_cost_0(3) <= slice3window_sum_0(6);
+        slice3winner1_best_index_3(0) <= 6;
       end if;
-      if slice3winner1_best_cost_0_4_is_less then
-        slice3winner1_best_cost_0_4 <= slice3window_sum_0_9;
-        slice3winner1_best_index_0_4 <= 9;
+      if slice3winner1_best_cost_is_less(0, 4) then
+        slice3winner1_best_cost_0(4) <= slice3window_sum_0(9);
+        slice3winner1_best_index_4(0) <= 9;
       else
-        slice3winner1_best_cost_0_4 <= slice3window_sum_0_8;
-        slice3winner1_best_index_0_4 <= 8;
+        slice3winner1_best_cost_0(4) <= slice3window_sum_0(8);
+        slice3winner1_best_index_4(0) <= 8;
       end if;
-      if slice3winner1_best_cost_0_5_is_less then
-        slice3winner1_best_cost_0_5 <= slice3window_sum_0_11;
-        slice3winner1_best_index_0_5 <= 11;
+      if slice3winner1_best_cost_is_less(0, 5) then
+        slice3winner1_best_cost_0(5) <= slice3window_sum_0(11);
+        slice3winner1_best_index_5(0) <= 11;
       else
-        slice3winner1_best_cost_0_5 <= slice3window_sum_0_10;
-        slice3winner1_best_index_0_5 <= 10;
+        slice3winner1_best_cost_0(5) <= slice3window_sum_0(10);
+        slice3winner1_best_index_5(0) <= 10;
       end if;
-      if slice3winner1_best_cost_0_6_is_less then
-        slice3winner1_best_cost_0_6 <= slice3window_sum_0_13;
-        slice3winner1_best_index_0_6 <= 13;
+      if slice3winner1_best_cost_is_less(0, 6) then
+        slice3winner1_best_cost_0(6) <= slice3window_sum_0(13);
+        slice3winner1_best_index_6(0) <= 13;
       else
-        slice3winner1_best_cost_0_6 <= slice3window_sum_0_12;
-        slice3winner1_best_index_0_6 <= 12;
+        slice3winner1_best_cost_0(6) <= slice3window_sum_0(12);
+        slice3winner1_best_index_6(0) <= 12;
       end if;
-      if slice3winner1_best_cost_0_7_is_less then
-        slice3winner1_best_cost_0_7 <= slice3window_sum_0_15;
-        slice3winner1_best_index_0_7 <= 15;
+      if slice3winner1_best_cost_is_less(0, 7) then
+        slice3winner1_best_cost_0(7) <= slice3window_sum_0(15);
+        slice3winner1_best_index_7(0) <= 15;
       else
-        slice3winner1_best_cost_0_7 <= slice3window_sum_0_14;
-        slice3winner1_best_index_0_7 <= 14;
+        slice3winner1_best_cost_0(7) <= slice3window_sum_0(14);
+        slice3winner1_best_index_7(0) <= 14;
       end if;
-      if slice3winner1_best_cost_0_8_is_less then
-        slice3winner1_best_cost_0_8 <= slice3window_sum_0_17;
-        slice3winner1_best_index_0_8 <= 17;
+      if slice3winner1_best_cost_is_less(0, 8) then
+        slice3winner1_best_cost_0(8) <= slice3window_sum_0(17);
+        slice3winner1_best_index_8(0) <= 17;
       else
-        slice3winner1_best_cost_0_8 <= slice3window_sum_0_16;
-        slice3winner1_best_index_0_8 <= 16;
+        slice3winner1_best_cost_0(8) <= slice3window_sum_0(16);
+        slice3winner1_best_index_8(0) <= 16;
       end if;
-      if slice3winner1_best_cost_0_9_is_less then
-        slice3winner1_best_cost_0_9 <= slice3window_sum_0_19;
-        slice3winner1_best_index_0_9 <= 19;
+      if slice3winner1_best_cost_is_less(0, 9) then
+        slice3winner1_best_cost_0(9) <= slice3window_sum_0(19);
+        slice3winner1_best_index_9(0) <= 19;
       else
-        slice3winner1_best_cost_0_9 <= slice3window_sum_0_18;
-        slice3winner1_best_index_0_9 <= 18;
+        slice3winner1_best_cost_0(9) <= slice3window_sum_0(18);
+        slice3winner1_best_index_9(0) <= 18;
       end if;
-      if slice3winner1_best_cost_0_10_is_less then
-        slice3winner1_best_cost_0_10 <= slice3window_sum_0_21;
-        slice3winner1_best_index_0_10 <= 21;
+      if slice3winner1_best_cost_is_less(0, 10) then
+        slice3winner1_best_cost_0(10) <= slice3window_sum_0(21);
+        slice3winner1_best_index_10(0) <= 21;
       else
-        slice3winner1_best_cost_0_10 <= slice3window_sum_0_20;
-        slice3winner1_best_index_0_10 <= 20;
+        slice3winner1_best_cost_0(10) <= slice3window_sum_0(20);
+        slice3winner1_best_index_10(0) <= 20;
       end if;
-      if slice3winner1_best_cost_0_11_is_less then
-        slice3winner1_best_cost_0_11 <= slice3window_sum_0_23;
-        slice3winner1_best_index_0_11 <= 23;
+      if slice3winner1_best_cost_is_less(0, 11) then
+        slice3winner1_best_cost_0(11) <= slice3window_sum_0(23);
+        slice3winner1_best_index_11(0) <= 23;
       else
-        slice3winner1_best_cost_0_11 <= slice3window_sum_0_22;
-        slice3winner1_best_index_0_11 <= 22;
+        slice3winner1_best_cost_0(11) <= slice3window_sum_0(22);
+        slice3winner1_best_index_11(0) <= 22;
       end if;
-      if slice3winner1_best_cost_1_0_is_less then
-        slice3winner1_best_cost_1_0 <= slice3window_sum_1_1;
+      if slice3winner1_best_cost_is_less(1, 0) then
+        slice3winner1_best_cost_1(0) <= slice3window_sum_1(1);
       else
-        slice3winner1_best_cost_1_0 <= slice3window_sum_1_0;
+        slice3winner1_best_cost_1(0) <= slice3window_sum_1(0);
       end if;
-      if slice3winner1_best_cost_1_1_is_less then
-        slice3winner1_best_cost_1_1 <= slice3window_sum_1_3;
-        slice3winner1_best_index_1_1 <= 3;
+      if slice3winner1_best_cost_is_less(1, 1) then
+        slice3winner1_best_cost_1(1) <= slice3window_sum_1(3);
+        slice3winner1_best_index_1(1) <= 3;
       else
-        slice3winner1_best_cost_1_1 <= slice3window_sum_1_2;
-        slice3winner1_best_index_1_1 <= 2;
+        slice3winner1_best_cost_1(1) <= slice3window_sum_1(2);
+        slice3winner1_best_index_1(1) <= 2;
       end if;
-      if slice3winner1_best_cost_1_2_is_less then
-        slice3winner1_best_cost_1_2 <= slice3window_sum_1_5;
-        slice3winner1_best_index_1_2 <= 5;
+      if slice3winner1_best_cost_is_less(1, 2) then
+        slice3winner1_best_cost_1(2) <= slice3window_sum_1(5);
+        slice3winner1_best_index_2(1) <= 5;
       else
-        slice3winner1_best_cost_1_2 <= slice3window_sum_1_4;
-        slice3winner1_best_index_1_2 <= 4;
+        slice3winner1_best_cost_1(2) <= slice3window_sum_1(4);
+        slice3winner1_best_index_2(1) <= 4;
       end if;
-      if slice3winner1_best_cost_1_3_is_less then
-        slice3winner1_best_cost_1_3 <= slice3window_sum_1_7;
-        slice3winner1_best_index_1_3 <= 7;
+      if slice3winner1_best_cost_is_less(1, 3) then
+        slice3winner1_best_cost_1(3) <= slice3window_sum_1(7);
+        slice3winner1_best_index_3(1) <= 7;
       else
-        slice3winner1_best_cost_1_3 <= slice3window_sum_1_6;
-        slice3winner1_best_index_1_3 <= 6;
+        slice3winner1_best_cost_1(3) <= slice3window_sum_1(6);
+        slice3winner1_best_index_3(1) <= 6;
       end if;
-      if slice3winner1_best_cost_1_4_is_less then
-        slice3winner1_best_cost_1_4 <= slice3window_sum_1_9;
-        slice3winner1_best_index_1_4 <= 9;
+      if slice3winner1_best_cost_is_less(1, 4) then
+        slice3winner1_best_cost_1(4) <= slice3window_sum_1(9);
+        slice3winner1_best_index_4(1) <= 9;
       else
-        slice3winner1_best_cost_1_4 <= slice3window_sum_1_8;
-        slice3winner1_best_index_1_4 <= 8;
+        slice3winner1_best_cost_1(4) <= slice3window_sum_1(8);
+        slice3winner1_best_index_4(1) <= 8;
       end if;
-      if slice3winner1_best_cost_1_5_is_less then
-        slice3winner1_best_cost_1_5 <= slice3window_sum_1_11;
-        slice3winner1_best_index_1_5 <= 11;
+      if slice3winner1_best_cost_is_less(1, 5) then
+        slice3winner1_best_cost_1(5) <= slice3window_sum_1(11);
+        slice3winner1_best_index_5(1) <= 11;
       else
-        slice3winner1_best_cost_1_5 <= slice3window_sum_1_10;
-        slice3winner1_best_index_1_5 <= 10;
+        slice3winner1_best_cost_1(5) <= slice3window_sum_1(10);
+        slice3winner1_best_index_5(1) <= 10;
       end if;
-      if slice3winner1_best_cost_1_6_is_less then
-        slice3winner1_best_cost_1_6 <= slice3window_sum_1_13;
-        slice3winner1_best_index_1_6 <= 13;
+      if slice3winner1_best_cost_is_less(1, 6) then
+        slice3winner1_best_cost_1(6) <= slice3window_sum_1(13);
+        slice3winner1_best_index_6(1) <= 13;
       else
-        slice3winner1_best_cost_1_6 <= slice3window_sum_1_12;
-        slice3winner1_best_index_1_6 <= 12;
+        slice3winner1_best_cost_1(6) <= slice3window_sum_1(12);
+        slice3winner1_best_index_6(1) <= 12;
       end if;
-      if slice3winner1_best_cost_1_7_is_less then
-        slice3winner1_best_cost_1_7 <= slice3window_sum_1_15;
-        slice3winner1_best_index_1_7 <= 15;
+      if slice3winner1_best_cost_is_less(1, 7) then
+        slice3winner1_best_cost_1(7) <= slice3window_sum_1(15);
+        slice3winner1_best_index_7(1) <= 15;
       else
-        slice3winner1_best_cost_1_7 <= slice3window_sum_1_14;
-        slice3winner1_best_index_1_7 <= 14;
+        slice3winner1_best_cost_1(7) <= slice3window_sum_1(14);
+        slice3winner1_best_index_7(1) <= 14;
       end if;
-      if slice3winner1_best_cost_1_8_is_less then
-        slice3winner1_best_cost_1_8 <= slice3window_sum_1_17;
-        slice3winner1_best_index_1_8 <= 17;
+      if slice3winner1_best_cost_is_less(1, 8) then
+        slice3winner1_best_cost_1(8) <= slice3window_sum_1(17);
+        slice3winner1_best_index_8(1) <= 17;
       else
-        slice3winner1_best_cost_1_8 <= slice3window_sum_1_16;
-        slice3winner1_best_index_1_8 <= 16;
+        slice3winner1_best_cost_1(8) <= slice3window_sum_1(16);
+        slice3winner1_best_index_8(1) <= 16;
       end if;
-      if slice3winner1_best_cost_1_9_is_less then
-        slice3winner1_best_cost_1_9 <= slice3window_sum_1_19;
-        slice3winner1_best_index_1_9 <= 19;
+      if slice3winner1_best_cost_is_less(1, 9) then
+        slice3winner1_best_cost_1(9) <= slice3window_sum_1(19);
+        slice3winner1_best_index_9(1) <= 19;
       else
-        slice3winner1_best_cost_1_9 <= slice3window_sum_1_18;
-        slice3winner1_best_index_1_9 <= 18;
+        slice3winner1_best_cost_1(9) <= slice3window_sum_1(18);
+        slice3winner1_best_index_9(1) <= 18;
       end if;
-      if slice3winner1_best_cost_1_10_is_less then
-        slice3winner1_best_cost_1_10 <= slice3window_sum_1_21;
-        slice3winner1_best_index_1_10 <= 21;
+      if slice3winner1_best_cost_is_less(1, 10) then
+        slice3winner1_best_cost_1(10) <= slice3window_sum_1(21);
+        slice3winner1_best_index_10(1) <= 21;
       else
-        slice3winner1_best_cost_1_10 <= slice3window_sum_1_20;
-        slice3winner1_best_index_1_10 <= 20;
+        slice3winner1_best_cost_1(10) <= slice3window_sum_1(20);
+        slice3winner1_best_index_10(1) <= 20;
       end if;
-      if slice3winner1_best_cost_1_11_is_less then
-        slice3winner1_best_cost_1_11 <= slice3window_sum_1_23;
-        slice3winner1_best_index_1_11 <= 23;
+      if slice3winner1_best_cost_is_less(1, 11) then
+        slice3winner1_best_cost_1(11) <= slice3window_sum_1(23);
+        slice3winner1_best_index_11(1) <= 23;
       else
-        slice3winner1_best_cost_1_11 <= slice3window_sum_1_22;
-        slice3winner1_best_index_1_11 <= 22;
+        slice3winner1_best_cost_1(11) <= slice3window_sum_1(22);
+        slice3winner1_best_index_11(1) <= 22;
       end if;
       -- slice3winner2
-      slice3winner2_best_cost_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
-      slice3winner2_best_cost_0_1_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
-      slice3winner2_best_cost_0_2_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
-      slice3winner2_best_cost_0_3_is_less := (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0;
-      slice3winner2_best_cost_0_4_is_less := (slice3winner1_best_cost_0_9 - slice3winner1_best_cost_0_8) < 0;
-      slice3winner2_best_cost_0_5_is_less := (slice3winner1_best_cost_0_11 - slice3winner1_best_cost_0_10) < 0;
-      slice3winner2_best_cost_1_0_is_less := (slice3winner1_best_cost_1_1 - slice3winner1_best_cost_1_0) < 0;
-      slice3winner2_best_cost_1_1_is_less := (slice3winner1_best_cost_1_3 - slice3winner1_best_cost_1_2) < 0;
-      slice3winner2_best_cost_1_2_is_less := (slice3winner1_best_cost_1_5 - slice3winner1_best_cost_1_4) < 0;
-      slice3winner2_best_cost_1_3_is_less := (slice3winner1_best_cost_1_7 - slice3winner1_best_cost_1_6) < 0;
-      slice3winner2_best_cost_1_4_is_less := (slice3winner1_best_cost_1_9 - slice3winner1_best_cost_1_8) < 0;
-      slice3winner2_best_cost_1_5_is_less := (slice3winner1_best_cost_1_11 - slice3winner1_best_cost_1_10) < 0;
-      slice3winner2_best_cost_0_6 <= slice3winner1_best_cost_0_12;
-      slice3winner2_best_cost_1_6 <= slice3winner1_best_cost_1_12;
-      if slice3winner2_best_cost_0_0_is_less then
-        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1;
-        slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1;
+      for i in 0 to 5 loop
+        slice3winner2_best_cost_is_less(0, i) := (slice3winner1_best_cost_0(2 * i + 1) - slice3winner1_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      for i in 0 to 5 loop
+        slice3winner2_best_cost_is_less(1, i) := (slice3winner1_best_cost_1(2 * i + 1) - slice3winner1_best_cost_1(2 *
+          i)) < 0;
+      end loop;
+      slice3winner2_best_cost_0(6) <= slice3winner1_best_cost_0(12);
+      slice3winner2_best_cost_1(6) <= slice3winner1_best_cost_1(12);
+      if slice3winner2_best_cost_is_less(0, 0) then
+        slice3winner2_best_cost_0(0) <= slice3winner1_best_cost_0(1);
+        slice3winner2_best_index_0(0) <= slice3winner1_best_index_1(0);
       else
-        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_0;
-        slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0);
+        slice3winner2_best_cost_0(0) <= slice3winner1_best_cost_0(0);
+        slice3winner2_best_index_0(0) <= as_number(slice3winner1_best_index_0(0));
       end if;
-      if slice3winner2_best_cost_0_1_is_less then
-        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3;
-        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3;
+      if slice3winner2_best_cost_is_less(0, 1) then
+        slice3winner2_best_cost_0(1) <= slice3winner1_best_cost_0(3);
+        slice3winner2_best_index_1(0) <= slice3winner1_best_index_3(0);
       else
-        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_2;
-        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2;
+        slice3winner2_best_cost_0(1) <= slice3winner1_best_cost_0(2);
+        slice3winner2_best_index_1(0) <= slice3winner1_best_index_2(0);
       end if;
-      if slice3winner2_best_cost_0_2_is_less then
-        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5;
-        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5;
+      if slice3winner2_best_cost_is_less(0, 2) then
+        slice3winner2_best_cost_0(2) <= slice3winner1_best_cost_0(5);
+        slice3winner2_best_index_2(0) <= slice3winner1_best_index_5(0);
       else
-        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_4;
-        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4;
+        slice3winner2_best_cost_0(2) <= slice3winner1_best_cost_0(4);
+        slice3winner2_best_index_2(0) <= slice3winner1_best_index_4(0);
       end if;
-      if slice3winner2_best_cost_0_3_is_less then
-        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7;
-        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7;
+      if slice3winner2_best_cost_is_less(0, 3) then
+        slice3winner2_best_cost_0(3) <= slice3winner1_best_cost_0(7);
+        slice3winner2_best_index_3(0) <= slice3winner1_best_index_7(0);
       else
-        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_6;
-        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_6;
+        slice3winner2_best_cost_0(3) <= slice3winner1_best_cost_0(6);
+        slice3winner2_best_index_3(0) <= slice3winner1_best_index_6(0);
       end if;
-      if slice3winner2_best_cost_0_4_is_less then
-        slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9;
-        slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9;
+      if slice3winner2_best_cost_is_less(0, 4) then
+        slice3winner2_best_cost_0(4) <= slice3winner1_best_cost_0(9);
+        slice3winner2_best_index_4(0) <= slice3winner1_best_index_9(0);
       else
-        slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_8;
-        slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_8;
+        slice3winner2_best_cost_0(4) <= slice3winner1_best_cost_0(8);
+        slice3winner2_best_index_4(0) <= slice3winner1_best_index_8(0);
       end if;
-      if slice3winner2_best_cost_0_5_is_less then
-        slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11;
-        slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11;
+      if slice3winner2_best_cost_is_less(0, 5) then
+        slice3winner2_best_cost_0(5) <= slice3winner1_best_cost_0(11);
+        slice3winner2_best_index_5(0) <= slice3winner1_best_index_11(0);
       else
-        slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_10;
-        slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_10;
+        slice3winner2_best_cost_0(5) <= slice3winner1_best_cost_0(10);
+        slice3winner2_best_index_5(0) <= slice3winner1_best_index_10(0);
       end if;
-      if slice3winner2_best_cost_1_0_is_less then
-        slice3winner2_best_cost_1_0 <= slice3winner1_best_cost_1_1;
-        slice3winner2_best_index_1_0 <= slice3winner1_best_index_1_1;
+      if slice3winner2_best_cost_is_less(1, 0) then
+        slice3winner2_best_cost_1(0) <= slice3winner1_best_cost_1(1);
+        slice3winner2_best_index_0(1) <= slice3winner1_best_index_1(1);
       else
-        slice3winner2_best_cost_1_0 <= slice3winner1_best_cost_1_0;
-        slice3winner2_best_index_1_0 <= as_number(slice3winner1_best_index_1_0);
+        slice3winner2_best_cost_1(0) <= slice3winner1_best_cost_1(0);
+        slice3winner2_best_index_0(1) <= as_number(slice3winner1_best_index_0(1));
       end if;
-      if slice3winner2_best_cost_1_1_is_less then
-        slice3winner2_best_cost_1_1 <= slice3winner1_best_cost_1_3;
-        slice3winner2_best_index_1_1 <= slice3winner1_best_index_1_3;
+      if slice3winner2_best_cost_is_less(1, 1) then
+        slice3winner2_best_cost_1(1) <= slice3winner1_best_cost_1(3);
+        slice3winner2_best_index_1(1) <= slice3winner1_best_index_3(1);
       else
-        slice3winner2_best_cost_1_1 <= slice3winner1_best_cost_1_2;
-        slice3winner2_best_index_1_1 <= slice3winner1_best_index_1_2;
+        slice3winner2_best_cost_1(1) <= slice3winner1_best_cost_1(2);
+        slice3winner2_best_index_1(1) <= slice3winner1_best_index_2(1);
       end if;
-      if slice3winner2_best_cost_1_2_is_less then
-        slice3winner2_best_cost_1_2 <= slice3winner1_best_cost_1_5;
-        slice3winner2_best_index_1_2 <= slice3winner1_best_index_1_5;
+      if slice3winner2_best_cost_is_less(1, 2) then
+        slice3winner2_best_cost_1(2) <= slice3winner1_best_cost_1(5);
+        slice3winner2_best_index_2(1) <= slice3winner1_best_index_5(1);
       else
-        slice3winner2_best_cost_1_2 <= slice3winner1_best_cost_1_4;
-        slice3winner2_best_index_1_2 <= slice3winner1_best_index_1_4;
+        slice3winner2_best_cost_1(2) <= slice3winner1_best_cost_1(4);
+        slice3winner2_best_index_2(1) <= slice3winner1_best_index_4(1);
       end if;
-      if slice3winner2_best_cost_1_3_is_less then
-        slice3winner2_best_cost_1_3 <= slice3winner1_best_cost_1_7;
-        slice3winner2_best_index_1_3 <= slice3winner1_best_index_1_7;
+      if slice3winner2_best_cost_is_less(1, 3) then
+        slice3winner2_best_cost_1(3) <= slice3winner1_best_cost_1(7);
+        slice3winner2_best_index_3(1) <= slice3winner1_best_index_7(1);
       else
-        slice3winner2_best_cost_1_3 <= slice3winner1_best_cost_1_6;
-        slice3winner2_best_index_1_3 <= slice3winner1_best_index_1_6;
+        slice3winner2_best_cost_1(3) <= slice3winner1_best_cost_1(6);
+        slice3winner2_best_index_3(1) <= slice3winner1_best_index_6(1);
       end if;
-      if slice3winner2_best_cost_1_4_is_less then
-        slice3winner2_best_cost_1_4 <= slice3winner1_best_cost_1_9;
-        slice3winner2_best_index_1_4 <= slice3winner1_best_index_1_9;
+      if slice3winner2_best_cost_is_less(1, 4) then
+        slice3winner2_best_cost_1(4) <= slice3winner1_best_cost_1(9);
+        slice3winner2_best_index_4(1) <= slice3winner1_best_index_9(1);
       else
-        slice3winner2_best_cost_1_4 <= slice3winner1_best_cost_1_8;
-        slice3winner2_best_index_1_4 <= slice3winner1_best_index_1_8;
+        slice3winner2_best_cost_1(4) <= slice3winner1_best_cost_1(8);
+        slice3winner2_best_index_4(1) <= slice3winner1_best_index_8(1);
       end if;
-      if slice3winner2_best_cost_1_5_is_less then
-        slice3winner2_best_cost_1_5 <= slice3winner1_best_cost_1_11;
-        slice3winner2_best_index_1_5 <= slice3winner1_best_index_1_11;
+      if slice3winner2_best_cost_is_less(1, 5) then
+        slice3winner2_best_cost_1(5) <= slice3winner1_best_cost_1(11);
+        slice3winner2_best_index_5(1) <= slice3winner1_best_index_11(1);
       else
-        slice3winner2_best_cost_1_5 <= slice3winner1_best_cost_1_10;
-        slice3winner2_best_index_1_5 <= slice3winner1_best_index_1_10;
+        slice3winner2_best_cost_1(5) <= slice3winner1_best_cost_1(10);
+        slice3winner2_best_index_5(1) <= slice3winner1_best_index_10(1);
       end if;
       -- slice3winner3
-      slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
-      slice3winner3_best_cost_0_1_is_less := (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0;
-      slice3winner3_best_cost_0_2_is_less := (slice3winner2_best_cost_0_5 - slice3winner2_best_cost_0_4) < 0;
-      slice3winner3_best_cost_1_0_is_less := (slice3winner2_best_cost_1_1 - slice3winner2_best_cost_1_0) < 0;
-      slice3winner3_best_cost_1_1_is_less := (slice3winner2_best_cost_1_3 - slice3winner2_best_cost_1_2) < 0;
-      slice3winner3_best_cost_1_2_is_less := (slice3winner2_best_cost_1_5 - slice3winner2_best_cost_1_4) < 0;
-      slice3winner3_best_cost_0_3 <= slice3winner2_best_cost_0_6;
-      slice3winner3_best_cost_1_3 <= slice3winner2_best_cost_1_6;
-      if slice3winner3_best_cost_0_0_is_less then
-        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1;
-        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1;
+      for i in 0 to 2 loop
+        slice3winner3_best_cost_is_less(0, i) := (slice3winner2_best_cost_0(2 * i + 1) - slice3winner2_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      for i in 0 to 2 loop
+        slice3winner3_best_cost_is_less(1, i) := (slice3winner2_best_cost_1(2 * i + 1) - slice3winner2_best_cost_1(2 *
+          i)) < 0;
+      end loop;
+      slice3winner3_best_cost_0(3) <= slice3winner2_best_cost_0(6);
+      slice3winner3_best_cost_1(3) <= slice3winner2_best_cost_1(6);
+      if slice3winner3_best_cost_is_less(0, 0) then
+        slice3winner3_best_cost_0(0) <= slice3winner2_best_cost_0(1);
+        slice3winner3_best_index_0(0) <= slice3winner2_best_index_1(0);
       else
-        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_0;
-        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0;
+        slice3winner3_best_cost_0(0) <= slice3winner2_best_cost_0(0);
+        slice3winner3_best_index_0(0) <= slice3winner2_best_index_0(0);
       end if;
-      if slice3winner3_best_cost_0_1_is_less then
-        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3;
-        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3;
+      if slice3winner3_best_cost_is_less(0, 1) then
+        slice3winner3_best_cost_0(1) <= slice3winner2_best_cost_0(3);
+        slice3winner3_best_index_1(0) <= slice3winner2_best_index_3(0);
       else
-        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_2;
-        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2;
+        slice3winner3_best_cost_0(1) <= slice3winner2_best_cost_0(2);
+        slice3winner3_best_index_1(0) <= slice3winner2_best_index_2(0);
       end if;
-      if slice3winner3_best_cost_0_2_is_less then
-        slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5;
-        slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5;
+      if slice3winner3_best_cost_is_less(0, 2) then
+        slice3winner3_best_cost_0(2) <= slice3winner2_best_cost_0(5);
+        slice3winner3_best_index_2(0) <= slice3winner2_best_index_5(0);
       else
-        slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_4;
-        slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_4;
+        slice3winner3_best_cost_0(2) <= slice3winner2_best_cost_0(4);
+        slice3winner3_best_index_2(0) <= slice3winner2_best_index_4(0);
       end if;
-      if slice3winner3_best_cost_1_0_is_less then
-        slice3winner3_best_cost_1_0 <= slice3winner2_best_cost_1_1;
-        slice3winner3_best_index_1_0 <= slice3winner2_best_index_1_1;
+      if slice3winner3_best_cost_is_less(1, 0) then
+        slice3winner3_best_cost_1(0) <= slice3winner2_best_cost_1(1);
+        slice3winner3_best_index_0(1) <= slice3winner2_best_index_1(1);
       else
-        slice3winner3_best_cost_1_0 <= slice3winner2_best_cost_1_0;
-        slice3winner3_best_index_1_0 <= slice3winner2_best_index_1_0;
+        slice3winner3_best_cost_1(0) <= slice3winner2_best_cost_1(0);
+        slice3winner3_best_index_0(1) <= slice3winner2_best_index_0(1);
       end if;
-      if slice3winner3_best_cost_1_1_is_less then
-        slice3winner3_best_cost_1_1 <= slice3winner2_best_cost_1_3;
-        slice3winner3_best_index_1_1 <= slice3winner2_best_index_1_3;
+      if slice3winner3_best_cost_is_less(1, 1) then
+        slice3winner3_best_cost_1(1) <= slice3winner2_best_cost_1(3);
+        slice3winner3_best_index_1(1) <= slice3winner2_best_index_3(1);
       else
-        slice3winner3_best_cost_1_1 <= slice3winner2_best_cost_1_2;
-        slice3winner3_best_index_1_1 <= slice3winner2_best_index_1_2;
+        slice3winner3_best_cost_1(1) <= slice3winner2_best_cost_1(2);
+        slice3winner3_best_index_1(1) <= slice3winner2_best_index_2(1);
       end if;
-      if slice3winner3_best_cost_1_2_is_less then
-        slice3winner3_best_cost_1_2 <= slice3winner2_best_cost_1_5;
-        slice3winner3_best_index_1_2 <= slice3winner2_best_index_1_5;
+      if slice3winner3_best_cost_is_less(1, 2) then
+        slice3winner3_best_cost_1(2) <= slice3winner2_best_cost_1(5);
+        slice3winner3_best_index_2(1) <= slice3winner2_best_index_5(1);
       else
-        slice3winner3_best_cost_1_2 <= slice3winner2_best_cost_1_4;
-        slice3winner3_best_index_1_2 <= slice3winner2_best_index_1_4;
+        slice3winner3_best_cost_1(2) <= slice3winner2_best_cost_1(4);
+        slice3winner3_best_index_2(1) <= slice3winner2_best_index_4(1);
       end if;
       -- slice3winner4
-      slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0;
-      slice3winner4_best_cost_0_1_is_less := (slice3winner3_best_cost_0_3 - slice3winner3_best_cost_0_2) < 0;
-      slice3winner4_best_cost_1_0_is_less := (slice3winner3_best_cost_1_1 - slice3winner3_best_cost_1_0) < 0;
-      slice3winner4_best_cost_1_1_is_less := (slice3winner3_best_cost_1_3 - slice3winner3_best_cost_1_2) < 0;
-      if slice3winner4_best_cost_0_0_is_less then
-        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1;
-        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1;
+      slice3winner4_best_cost_is_less(0, 0) := (slice3winner3_best_cost_0(1) - slice3winner3_best_cost_0(0)) < 0;
+      slice3winner4_best_cost_is_less(0, 1) := (slice3winner3_best_cost_0(3) - slice3winner3_best_cost_0(2)) < 0;
+      slice3winner4_best_cost_is_less(1, 0) := (slice3winner3_best_cost_1(1) - slice3winner3_best_cost_1(0)) < 0;
+      slice3winner4_best_cost_is_less(1, 1) := (slice3winner3_best_cost_1(3) - slice3winner3_best_cost_1(2)) < 0;
+      if slice3winner4_best_cost_is_less(0, 0) then
+        slice3winner4_best_cost_0(0) <= slice3winner3_best_cost_0(1);
+        slice3winner4_best_index_0(0) <= slice3winner3_best_index_1(0);
       else
-        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_0;
-        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0;
+        slice3winner4_best_cost_0(0) <= slice3winner3_best_cost_0(0);
+        slice3winner4_best_index_0(0) <= slice3winner3_best_index_0(0);
       end if;
-      if slice3winner4_best_cost_0_1_is_less then
-        slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3;
-        slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      if slice3winner4_best_cost_is_less(0, 1) then
+        slice3winner4_best_cost_0(1) <= slice3winner3_best_cost_0(3);
+        slice3winner4_best_index_1(0) <= slice0winner3_best_index_0_3;
       else
-        slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_2;
-        slice3winner4_best_index_0_1 <= slice3winner3_best_index_0_2;
+        slice3winner4_best_cost_0(1) <= slice3winner3_best_cost_0(2);
+        slice3winner4_best_index_1(0) <= slice3winner3_best_index_2(0);
       end if;
-      if slice3winner4_best_cost_1_0_is_less then
-        slice3winner4_best_cost_1_0 <= slice3winner3_best_cost_1_1;
-        slice3winner4_best_index_1_0 <= slice3winner3_best_index_1_1;
+      if slice3winner4_best_cost_is_less(1, 0) then
+        slice3winner4_best_cost_1(0) <= slice3winner3_best_cost_1(1);
+        slice3winner4_best_index_0(1) <= slice3winner3_best_index_1(1);
       else
-        slice3winner4_best_cost_1_0 <= slice3winner3_best_cost_1_0;
-        slice3winner4_best_index_1_0 <= slice3winner3_best_index_1_0;
+        slice3winner4_best_cost_1(0) <= slice3winner3_best_cost_1(0);
+        slice3winner4_best_index_0(1) <= slice3winner3_best_index_0(1);
       end if;
-      if slice3winner4_best_cost_1_1_is_less then
-        slice3winner4_best_cost_1_1 <= slice3winner3_best_cost_1_3;
-        slice3winner4_best_index_1_1 <= slice0winner3_best_index_0_3;
+      if slice3winner4_best_cost_is_less(1, 1) then
+        slice3winner4_best_cost_1(1) <= slice3winner3_best_cost_1(3);
+        slice3winner4_best_index_1(1) <= slice0winner3_best_index_0_3;
       else
-        slice3winner4_best_cost_1_1 <= slice3winner3_best_cost_1_2;
-        slice3winner4_best_index_1_1 <= slice3winner3_best_index_1_2;
+        slice3winner4_best_cost_1(1) <= slice3winner3_best_cost_1(2);
+        slice3winner4_best_index_1(1) <= slice3winner3_best_index_2(1);
       end if;
       -- slice3winner5
-      slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0_1 - slice3winner4_best_cost_0_0) < 0;
-      slice3winner5_best_cost_1_0_is_less := (slice3winner4_best_cost_1_1 - slice3winner4_best_cost_1_0) < 0;
-      if slice3winner5_best_cost_0_0_is_less then
-        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1;
-        slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1;
+      slice3winner5_best_cost_0_is_less(0) := (slice3winner4_best_cost_0(1) - slice3winner4_best_cost_0(0)) < 0;
+      slice3winner5_best_cost_0_is_less(1) := (slice3winner4_best_cost_1(1) - slice3winner4_best_cost_1(0)) < 0;
+      if slice3winner5_best_cost_0_is_less(0) then
+        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0(1);
+        slice3winner5_best_index_0(0) <= slice3winner4_best_index_1(0);
       else
-        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_0;
-        slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_0;
+        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0(0);
+        slice3winner5_best_index_0(0) <= slice3winner4_best_index_0(0);
       end if;
-      if slice3winner5_best_cost_1_0_is_less then
-        slice3winner5_best_cost_1_0 <= slice3winner4_best_cost_1_1;
-        slice3winner5_best_index_1_0 <= slice3winner4_best_index_1_1;
+      if slice3winner5_best_cost_0_is_less(1) then
+        slice3winner5_best_cost_1_0 <= slice3winner4_best_cost_1(1);
+        slice3winner5_best_index_0(1) <= slice3winner4_best_index_1(1);
       else
-        slice3winner5_best_cost_1_0 <= slice3winner4_best_cost_1_0;
-        slice3winner5_best_index_1_0 <= slice3winner4_best_index_1_0;
+        slice3winner5_best_cost_1_0 <= slice3winner4_best_cost_1(0);
+        slice3winner5_best_index_0(1) <= slice3winner4_best_index_0(1);
       end if;
       -- slice3
       slice3_best_tag_valid <= slice2_best_tag_valid;
@@ -9168,14 +3177,14 @@ begin
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
       slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
       if (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0 then
-        slice3_best_index_0_0 <= slice2_best_index_0_0;
+        slice3_best_index_0(0) <= slice2_best_index_0(0);
       else
-        slice3_best_index_0_0 <= slice3winner5_best_index_0_0;
+        slice3_best_index_0(0) <= slice3winner5_best_index_0(0);
       end if;
       if (slice2_best_cost_1_0 - slice3winner5_best_cost_1_0) < 0 then
-        slice3_best_index_1_0 <= slice2_best_index_1_0;
+        slice3_best_index_0(1) <= slice2_best_index_0(1);
       else
-        slice3_best_index_1_0 <= slice3winner5_best_index_1_0;
+        slice3_best_index_0(1) <= slice3winner5_best_index_0(1);
       end if;
       if reset = '1' then
         raster_features_valid <= false;

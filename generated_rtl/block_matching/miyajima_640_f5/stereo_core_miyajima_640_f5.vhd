@@ -4,6 +4,7 @@
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config miyajima_640_f5
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+-- Where a comment behind a declaration has #, the C++ has the indices.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -86,10 +87,18 @@ architecture rtl of stereo_core_miyajima_640_f5 is
     return '0';
   end function;
 
-  signal in_start_of_frame : boolean;
-  signal in_valid : boolean;
-  signal in_left_pixel : natural range 0 to 255;
-  signal in_right_pixel : natural range 0 to 255;
+  type boolean_1d is array (natural range <>) of boolean;
+  type integer_minus_2047_to_2047_1d is array (natural range <>) of integer range -2047 to 2047;
+  type integer_minus_255_to_255_1d is array (natural range <>) of integer range -255 to 255;
+  type integer_minus_255_to_255_2d is array (natural range <>, natural range <>) of integer range -255 to 255;
+  type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
+  type natural_2047_1d is array (natural range <>) of natural range 0 to 2047;
+  type natural_255_1d is array (natural range <>) of natural range 0 to 255;
+  type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
+  type natural_4194303_1d is array (natural range <>) of natural range 0 to 4194303;
+  type unsigned_22_1d is array (natural range <>) of unsigned(21 downto 0);
+  signal in_start_of_frame, in_valid : boolean;
+  signal in_left_pixel, in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
   signal raster_features_valid : boolean;
@@ -98,8 +107,9 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   -- delay
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 255;
   signal delay_column : natural range 0 to 1023;
-  signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_row_start, delay_tag_first_group : boolean;
-  signal delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_row_inside : boolean_1d(0 to 1);
+  signal delay_tag_valid, delay_tag_row_start, delay_tag_first_group, delay_tag_output_column : boolean;
+  signal delay_tag_start_of_frame : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_search_rows_ready_words_0 : unsigned(31 downto 0);
   signal rows_search_rows_write_words_0, rows_reference_rows_read_words_0 : unsigned(31 downto 0);
@@ -110,12 +120,13 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal rows_search_rows_ready_words_1, rows_search_rows_write_words_1 : natural range 0 to 16777215;
   signal rows_reference_rows_ready_words_1, rows_reference_rows_write_words_1 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_row_start : boolean;
-  signal rows_read_tag_first_group, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_tag_valid, rows_ready_tag_row_start : boolean;
-  signal rows_ready_tag_first_group, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
-  signal rows_tag_valid, rows_tag_row_start, rows_tag_first_group, rows_tag_output_column : boolean;
-  signal rows_tag_start_of_frame : boolean;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_first_group, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_start_of_frame : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag_valid, rows_ready_tag_row_start, rows_ready_tag_first_group : boolean;
+  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_tag_valid, rows_tag_row_start : boolean;
+  signal rows_tag_first_group, rows_tag_output_column, rows_tag_start_of_frame : boolean;
   signal rows_search, rows_reference : natural range 0 to 65535;
   -- passes
   signal passes_row, passes_coming_first_group, passes_coming_output, passes_coming_starts, passes_row_ended : boolean;
@@ -132,63 +143,18 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal passes_column : natural range 0 to 511;
   signal passes_search_start : natural range 0 to 1023;
   signal passes_read_search_0, passes_read_reference_0 : unsigned(15 downto 0);
-  signal passes_search_0, passes_search_1, passes_reference_0, passes_reference_1 : natural range 0 to 255;
+  signal passes_search : natural_255_1d(0 to 1);
+  signal passes_reference : natural_255_1d(0 to 1);
   -- slice0shift
-  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
-  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 255;
-  signal slice0shift_search_0_6, slice0shift_search_0_7, slice0shift_search_0_8 : natural range 0 to 255;
-  signal slice0shift_search_0_9, slice0shift_search_0_10, slice0shift_search_0_11 : natural range 0 to 255;
-  signal slice0shift_search_0_12, slice0shift_search_0_13, slice0shift_search_0_14 : natural range 0 to 255;
-  signal slice0shift_search_0_15, slice0shift_search_0_16, slice0shift_search_0_17 : natural range 0 to 255;
-  signal slice0shift_search_0_18, slice0shift_search_0_19, slice0shift_search_0_20 : natural range 0 to 255;
-  signal slice0shift_search_0_21, slice0shift_search_0_22, slice0shift_search_0_23 : natural range 0 to 255;
-  signal slice0shift_search_0_24, slice0shift_search_1_0, slice0shift_search_1_1 : natural range 0 to 255;
-  signal slice0shift_search_1_2, slice0shift_search_1_3, slice0shift_search_1_4 : natural range 0 to 255;
-  signal slice0shift_search_1_5, slice0shift_search_1_6, slice0shift_search_1_7 : natural range 0 to 255;
-  signal slice0shift_search_1_8, slice0shift_search_1_9, slice0shift_search_1_10 : natural range 0 to 255;
-  signal slice0shift_search_1_11, slice0shift_search_1_12, slice0shift_search_1_13 : natural range 0 to 255;
-  signal slice0shift_search_1_14, slice0shift_search_1_15, slice0shift_search_1_16 : natural range 0 to 255;
-  signal slice0shift_search_1_17, slice0shift_search_1_18, slice0shift_search_1_19 : natural range 0 to 255;
-  signal slice0shift_search_1_20, slice0shift_search_1_21, slice0shift_search_1_22 : natural range 0 to 255;
-  signal slice0shift_search_1_23, slice0shift_search_1_24, slice0shift_reference_0 : natural range 0 to 255;
-  signal slice0shift_reference_1, slice0shift_search_out_0, slice0shift_search_out_1 : natural range 0 to 255;
+  signal slice0shift_search : natural_255_2d(0 to 1, 0 to 24);
+  signal slice0shift_reference : natural_255_1d(0 to 1);
+  signal slice0shift_search_out : natural_255_1d(0 to 1);
   signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
   signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
   signal slice0shift_tag_map_column : boolean;
   -- slice0cost
-  signal slice0cost_pixels_first_0_0, slice0cost_pixels_first_0_1 : integer range -255 to 255;
-  signal slice0cost_pixels_first_0_2, slice0cost_pixels_first_0_3 : integer range -255 to 255;
-  signal slice0cost_pixels_first_0_4, slice0cost_pixels_first_0_5 : integer range -255 to 255;
-  signal slice0cost_pixels_first_0_6, slice0cost_pixels_first_0_7 : integer range -255 to 255;
-  signal slice0cost_pixels_first_0_8, slice0cost_pixels_first_0_9 : integer range -255 to 255;
-  signal slice0cost_pixels_first_0_10, slice0cost_pixels_first_0_11 : integer range -255 to 255;
-  signal slice0cost_pixels_first_0_12, slice0cost_pixels_first_0_13 : integer range -255 to 255;
-  signal slice0cost_pixels_first_0_14, slice0cost_pixels_first_0_15 : integer range -255 to 255;
-  signal slice0cost_pixels_first_0_16, slice0cost_pixels_first_0_17 : integer range -255 to 255;
-  signal slice0cost_pixels_first_0_18, slice0cost_pixels_first_0_19 : integer range -255 to 255;
-  signal slice0cost_pixels_first_0_20, slice0cost_pixels_first_0_21 : integer range -255 to 255;
-  signal slice0cost_pixels_first_0_22, slice0cost_pixels_first_0_23 : integer range -255 to 255;
-  signal slice0cost_pixels_first_0_24, slice0cost_pixels_first_1_0 : integer range -255 to 255;
-  signal slice0cost_pixels_first_1_1, slice0cost_pixels_first_1_2 : integer range -255 to 255;
-  signal slice0cost_pixels_first_1_3, slice0cost_pixels_first_1_4 : integer range -255 to 255;
-  signal slice0cost_pixels_first_1_5, slice0cost_pixels_first_1_6 : integer range -255 to 255;
-  signal slice0cost_pixels_first_1_7, slice0cost_pixels_first_1_8 : integer range -255 to 255;
-  signal slice0cost_pixels_first_1_9, slice0cost_pixels_first_1_10 : integer range -255 to 255;
-  signal slice0cost_pixels_first_1_11, slice0cost_pixels_first_1_12 : integer range -255 to 255;
-  signal slice0cost_pixels_first_1_13, slice0cost_pixels_first_1_14 : integer range -255 to 255;
-  signal slice0cost_pixels_first_1_15, slice0cost_pixels_first_1_16 : integer range -255 to 255;
-  signal slice0cost_pixels_first_1_17, slice0cost_pixels_first_1_18 : integer range -255 to 255;
-  signal slice0cost_pixels_first_1_19, slice0cost_pixels_first_1_20 : integer range -255 to 255;
-  signal slice0cost_pixels_first_1_21, slice0cost_pixels_first_1_22 : integer range -255 to 255;
-  signal slice0cost_pixels_first_1_23, slice0cost_pixels_first_1_24, slice0cost_change_0_0 : integer range -255 to 255;
-  signal slice0cost_change_0_1, slice0cost_change_0_2, slice0cost_change_0_3 : integer range -255 to 255;
-  signal slice0cost_change_0_4, slice0cost_change_0_5, slice0cost_change_0_6 : integer range -255 to 255;
-  signal slice0cost_change_0_7, slice0cost_change_0_8, slice0cost_change_0_9 : integer range -255 to 255;
-  signal slice0cost_change_0_10, slice0cost_change_0_11, slice0cost_change_0_12 : integer range -255 to 255;
-  signal slice0cost_change_0_13, slice0cost_change_0_14, slice0cost_change_0_15 : integer range -255 to 255;
-  signal slice0cost_change_0_16, slice0cost_change_0_17, slice0cost_change_0_18 : integer range -255 to 255;
-  signal slice0cost_change_0_19, slice0cost_change_0_20, slice0cost_change_0_21 : integer range -255 to 255;
-  signal slice0cost_change_0_22, slice0cost_change_0_23, slice0cost_change_0_24 : integer range -255 to 255;
+  signal slice0cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 24);
+  signal slice0cost_change_0 : integer_minus_255_to_255_1d(0 to 24);
   signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
   signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_border_column : boolean;
   signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_leaves_window : boolean;
@@ -200,97 +166,32 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal slice0cost_ready_tag_leaves_window, slice0cost_ready_tag_map_column, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_first_group, slice0cost_tag_border_column, slice0cost_tag_first_cost : boolean;
   signal slice0cost_tag_leaves_window, slice0cost_tag_map_column : boolean;
-  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_0_5 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_0_6, slice0cost_pixels_cost_0_7, slice0cost_pixels_cost_0_8 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_0_9, slice0cost_pixels_cost_0_10, slice0cost_pixels_cost_0_11 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_0_12, slice0cost_pixels_cost_0_13, slice0cost_pixels_cost_0_14 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_0_15, slice0cost_pixels_cost_0_16, slice0cost_pixels_cost_0_17 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_0_18, slice0cost_pixels_cost_0_19, slice0cost_pixels_cost_0_20 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_0_21, slice0cost_pixels_cost_0_22, slice0cost_pixels_cost_0_23 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_0_24, slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3, slice0cost_pixels_cost_1_4 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_1_5, slice0cost_pixels_cost_1_6, slice0cost_pixels_cost_1_7 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_1_8, slice0cost_pixels_cost_1_9, slice0cost_pixels_cost_1_10 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_1_11, slice0cost_pixels_cost_1_12, slice0cost_pixels_cost_1_13 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_1_14, slice0cost_pixels_cost_1_15, slice0cost_pixels_cost_1_16 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_1_17, slice0cost_pixels_cost_1_18, slice0cost_pixels_cost_1_19 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_1_20, slice0cost_pixels_cost_1_21, slice0cost_pixels_cost_1_22 : natural range 0 to 255;
-  signal slice0cost_pixels_cost_1_23, slice0cost_pixels_cost_1_24 : natural range 0 to 255;
+  signal slice0cost_pixels_cost : natural_255_2d(0 to 1, 0 to 24);
   signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 4095;
   signal slice0cost_write_column : natural range 0 to 4095;
-  signal slice0cost_read_words_0, slice0cost_read_words_1, slice0cost_read_words_2 : unsigned(21 downto 0);
-  signal slice0cost_read_words_3, slice0cost_read_words_4, slice0cost_read_words_5 : unsigned(21 downto 0);
-  signal slice0cost_read_words_6, slice0cost_read_words_7, slice0cost_read_words_8 : unsigned(21 downto 0);
-  signal slice0cost_read_words_9, slice0cost_read_words_10, slice0cost_read_words_11 : unsigned(21 downto 0);
+  signal slice0cost_read_words : unsigned_22_1d(0 to 11);
   signal slice0cost_read_words_12 : unsigned(10 downto 0);
-  signal slice0cost_ready_words_0, slice0cost_ready_words_1, slice0cost_ready_words_2 : natural range 0 to 4194303;
-  signal slice0cost_ready_words_3, slice0cost_ready_words_4, slice0cost_ready_words_5 : natural range 0 to 4194303;
-  signal slice0cost_ready_words_6, slice0cost_ready_words_7, slice0cost_ready_words_8 : natural range 0 to 4194303;
-  signal slice0cost_ready_words_9, slice0cost_ready_words_10, slice0cost_ready_words_11 : natural range 0 to 4194303;
-  signal slice0cost_write_words_0, slice0cost_write_words_1, slice0cost_write_words_2 : natural range 0 to 4194303;
-  signal slice0cost_write_words_3, slice0cost_write_words_4, slice0cost_write_words_5 : natural range 0 to 4194303;
-  signal slice0cost_write_words_6, slice0cost_write_words_7, slice0cost_write_words_8 : natural range 0 to 4194303;
-  signal slice0cost_write_words_9, slice0cost_write_words_10, slice0cost_write_words_11 : natural range 0 to 4194303;
-  signal slice0cost_ready_words_12, slice0cost_column_0_0, slice0cost_column_0_1 : natural range 0 to 2047;
-  signal slice0cost_column_0_2, slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 2047;
-  signal slice0cost_column_0_5, slice0cost_column_0_6, slice0cost_column_0_7 : natural range 0 to 2047;
-  signal slice0cost_column_0_8, slice0cost_column_0_9, slice0cost_column_0_10 : natural range 0 to 2047;
-  signal slice0cost_column_0_11, slice0cost_column_0_12, slice0cost_column_0_13 : natural range 0 to 2047;
-  signal slice0cost_column_0_14, slice0cost_column_0_15, slice0cost_column_0_16 : natural range 0 to 2047;
-  signal slice0cost_column_0_17, slice0cost_column_0_18, slice0cost_column_0_19 : natural range 0 to 2047;
-  signal slice0cost_column_0_20, slice0cost_column_0_21, slice0cost_column_0_22 : natural range 0 to 2047;
-  signal slice0cost_column_0_23, slice0cost_column_0_24, slice0cost_write_words_12 : natural range 0 to 2047;
+  signal slice0cost_ready_words : natural_4194303_1d(0 to 11);
+  signal slice0cost_write_words : natural_4194303_1d(0 to 11);
+  signal slice0cost_ready_words_12 : natural range 0 to 2047;
+  signal slice0cost_column_0 : natural_2047_1d(0 to 24);
+  signal slice0cost_write_words_12 : natural range 0 to 2047;
   -- slice0window
   signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 7;
-  signal slice0window_leaving_0, slice0window_leaving_1, slice0window_leaving_2 : unsigned(21 downto 0);
-  signal slice0window_leaving_3, slice0window_leaving_4, slice0window_leaving_5 : unsigned(21 downto 0);
-  signal slice0window_leaving_6, slice0window_leaving_7, slice0window_leaving_8 : unsigned(21 downto 0);
-  signal slice0window_leaving_9, slice0window_leaving_10, slice0window_leaving_11 : unsigned(21 downto 0);
+  signal slice0window_leaving : unsigned_22_1d(0 to 11);
   signal slice0window_leaving_12 : unsigned(10 downto 0);
-  signal slice0window_entering_0_0, slice0window_entering_0_1, slice0window_entering_0_2 : natural range 0 to 2047;
-  signal slice0window_entering_0_3, slice0window_entering_0_4, slice0window_entering_0_5 : natural range 0 to 2047;
-  signal slice0window_entering_0_6, slice0window_entering_0_7, slice0window_entering_0_8 : natural range 0 to 2047;
-  signal slice0window_entering_0_9, slice0window_entering_0_10, slice0window_entering_0_11 : natural range 0 to 2047;
-  signal slice0window_entering_0_12, slice0window_entering_0_13, slice0window_entering_0_14 : natural range 0 to 2047;
-  signal slice0window_entering_0_15, slice0window_entering_0_16, slice0window_entering_0_17 : natural range 0 to 2047;
-  signal slice0window_entering_0_18, slice0window_entering_0_19, slice0window_entering_0_20 : natural range 0 to 2047;
-  signal slice0window_entering_0_21, slice0window_entering_0_22, slice0window_entering_0_23 : natural range 0 to 2047;
-  signal slice0window_entering_0_24 : natural range 0 to 2047;
+  signal slice0window_entering_0 : natural_2047_1d(0 to 24);
   signal slice0window_entering_tag_valid, slice0window_entering_tag_first_cost : boolean;
   signal slice0window_entering_tag_leaves_window, slice0window_entering_tag_map_column : boolean;
   signal slice0window_change_tag_valid, slice0window_change_tag_first_cost : boolean;
   signal slice0window_change_tag_leaves_window, slice0window_change_tag_map_column : boolean;
-  signal slice0window_centre_map_column_0, slice0window_centre_map_column_1, slice0window_centre_map_column_2 : boolean;
-  signal slice0window_centre_first_column_0, slice0window_centre_first_column_1 : boolean;
-  signal slice0window_centre_first_column_2, slice0window_tag_valid, slice0window_tag_map_column : boolean;
-  signal slice0window_tag_first_column : boolean;
-  signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -2047 to 2047;
-  signal slice0window_change_0_3, slice0window_change_0_4, slice0window_change_0_5 : integer range -2047 to 2047;
-  signal slice0window_change_0_6, slice0window_change_0_7, slice0window_change_0_8 : integer range -2047 to 2047;
-  signal slice0window_change_0_9, slice0window_change_0_10, slice0window_change_0_11 : integer range -2047 to 2047;
-  signal slice0window_change_0_12, slice0window_change_0_13, slice0window_change_0_14 : integer range -2047 to 2047;
-  signal slice0window_change_0_15, slice0window_change_0_16, slice0window_change_0_17 : integer range -2047 to 2047;
-  signal slice0window_change_0_18, slice0window_change_0_19, slice0window_change_0_20 : integer range -2047 to 2047;
-  signal slice0window_change_0_21, slice0window_change_0_22, slice0window_change_0_23 : integer range -2047 to 2047;
-  signal slice0window_change_0_24 : integer range -2047 to 2047;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 16383;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 16383;
-  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 16383;
-  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 16383;
-  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 16383;
-  signal slice0window_sum_0_15, slice0window_sum_0_16, slice0window_sum_0_17 : natural range 0 to 16383;
-  signal slice0window_sum_0_18, slice0window_sum_0_19, slice0window_sum_0_20 : natural range 0 to 16383;
-  signal slice0window_sum_0_21, slice0window_sum_0_22, slice0window_sum_0_23 : natural range 0 to 16383;
-  signal slice0window_sum_0_24 : natural range 0 to 16383;
+  signal slice0window_centre_map_column : boolean_1d(0 to 2);
+  signal slice0window_centre_first_column : boolean_1d(0 to 2);
+  signal slice0window_tag_valid, slice0window_tag_map_column, slice0window_tag_first_column : boolean;
+  signal slice0window_change_0 : integer_minus_2047_to_2047_1d(0 to 24);
+  signal slice0window_sum_0 : natural_16383_1d(0 to 24);
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 16383;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 16383;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 16383;
-  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 16383;
-  signal slice0winner1_best_cost_0_8, slice0winner1_best_cost_0_9 : natural range 0 to 16383;
-  signal slice0winner1_best_cost_0_10, slice0winner1_best_cost_0_11 : natural range 0 to 16383;
-  signal slice0winner1_best_cost_0_12 : natural range 0 to 16383;
+  signal slice0winner1_best_cost_0 : natural_16383_1d(0 to 12);
   signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
   signal slice0winner1_tag_first_column : boolean;
   signal slice0winner1_best_index_0_1 : natural range 0 to 3;
@@ -306,10 +207,7 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal slice0winner1_best_index_0_11 : natural range 0 to 23;
   signal slice0winner1_best_index_0_12 : natural range 0 to 24;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 16383;
-  signal slice0winner2_best_cost_0_4, slice0winner2_best_cost_0_5 : natural range 0 to 16383;
-  signal slice0winner2_best_cost_0_6 : natural range 0 to 16383;
+  signal slice0winner2_best_cost_0 : natural_16383_1d(0 to 6);
   signal slice0winner2_best_index_0_0 : natural range 0 to 3;
   signal slice0winner2_best_index_0_1 : natural range 0 to 7;
   signal slice0winner2_best_index_0_2 : natural range 0 to 11;
@@ -319,15 +217,14 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal slice0winner2_best_index_0_6 : natural range 0 to 24;
   signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_first_column : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 16383;
-  signal slice0winner3_best_cost_0_2, slice0winner3_best_cost_0_3 : natural range 0 to 16383;
+  signal slice0winner3_best_cost_0 : natural_16383_1d(0 to 3);
   signal slice0winner3_best_index_0_0 : natural range 0 to 7;
   signal slice0winner3_best_index_0_1 : natural range 0 to 15;
   signal slice0winner3_best_index_0_2 : natural range 0 to 23;
   signal slice0winner3_best_index_0_3 : natural range 0 to 24;
   signal slice0winner3_tag_valid, slice0winner3_tag_map_column, slice0winner3_tag_first_column : boolean;
   -- slice0winner4
-  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 16383;
+  signal slice0winner4_best_cost_0 : natural_16383_1d(0 to 1);
   signal slice0winner4_best_index_0_0 : natural range 0 to 15;
   signal slice0winner4_best_index_0_1 : natural range 0 to 24;
   signal slice0winner4_tag_valid, slice0winner4_tag_map_column, slice0winner4_tag_first_column : boolean;
@@ -340,91 +237,30 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal slice0_best_index_0_0 : natural range 0 to 39;
   signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_first_column : boolean;
   -- slice1shift
-  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
-  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 255;
-  signal slice1shift_search_0_6, slice1shift_search_0_7, slice1shift_search_0_8 : natural range 0 to 255;
-  signal slice1shift_search_0_9, slice1shift_search_0_10, slice1shift_search_0_11 : natural range 0 to 255;
-  signal slice1shift_search_0_12, slice1shift_search_0_13, slice1shift_search_0_14 : natural range 0 to 255;
-  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 255;
-  signal slice1shift_search_1_3, slice1shift_search_1_4, slice1shift_search_1_5 : natural range 0 to 255;
-  signal slice1shift_search_1_6, slice1shift_search_1_7, slice1shift_search_1_8 : natural range 0 to 255;
-  signal slice1shift_search_1_9, slice1shift_search_1_10, slice1shift_search_1_11 : natural range 0 to 255;
-  signal slice1shift_search_1_12, slice1shift_search_1_13, slice1shift_search_1_14 : natural range 0 to 255;
-  signal slice1shift_reference_0, slice1shift_reference_1 : natural range 0 to 255;
+  signal slice1shift_search : natural_255_2d(0 to 1, 0 to 14);
+  signal slice1shift_reference : natural_255_1d(0 to 1);
   -- slice1cost
-  signal slice1cost_pixels_first_0_0, slice1cost_pixels_first_0_1 : integer range -255 to 255;
-  signal slice1cost_pixels_first_0_2, slice1cost_pixels_first_0_3 : integer range -255 to 255;
-  signal slice1cost_pixels_first_0_4, slice1cost_pixels_first_0_5 : integer range -255 to 255;
-  signal slice1cost_pixels_first_0_6, slice1cost_pixels_first_0_7 : integer range -255 to 255;
-  signal slice1cost_pixels_first_0_8, slice1cost_pixels_first_0_9 : integer range -255 to 255;
-  signal slice1cost_pixels_first_0_10, slice1cost_pixels_first_0_11 : integer range -255 to 255;
-  signal slice1cost_pixels_first_0_12, slice1cost_pixels_first_0_13 : integer range -255 to 255;
-  signal slice1cost_pixels_first_0_14, slice1cost_pixels_first_1_0 : integer range -255 to 255;
-  signal slice1cost_pixels_first_1_1, slice1cost_pixels_first_1_2 : integer range -255 to 255;
-  signal slice1cost_pixels_first_1_3, slice1cost_pixels_first_1_4 : integer range -255 to 255;
-  signal slice1cost_pixels_first_1_5, slice1cost_pixels_first_1_6 : integer range -255 to 255;
-  signal slice1cost_pixels_first_1_7, slice1cost_pixels_first_1_8 : integer range -255 to 255;
-  signal slice1cost_pixels_first_1_9, slice1cost_pixels_first_1_10 : integer range -255 to 255;
-  signal slice1cost_pixels_first_1_11, slice1cost_pixels_first_1_12 : integer range -255 to 255;
-  signal slice1cost_pixels_first_1_13, slice1cost_pixels_first_1_14, slice1cost_change_0_0 : integer range -255 to 255;
-  signal slice1cost_change_0_1, slice1cost_change_0_2, slice1cost_change_0_3 : integer range -255 to 255;
-  signal slice1cost_change_0_4, slice1cost_change_0_5, slice1cost_change_0_6 : integer range -255 to 255;
-  signal slice1cost_change_0_7, slice1cost_change_0_8, slice1cost_change_0_9 : integer range -255 to 255;
-  signal slice1cost_change_0_10, slice1cost_change_0_11, slice1cost_change_0_12 : integer range -255 to 255;
-  signal slice1cost_change_0_13, slice1cost_change_0_14 : integer range -255 to 255;
-  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 255;
-  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_0_5 : natural range 0 to 255;
-  signal slice1cost_pixels_cost_0_6, slice1cost_pixels_cost_0_7, slice1cost_pixels_cost_0_8 : natural range 0 to 255;
-  signal slice1cost_pixels_cost_0_9, slice1cost_pixels_cost_0_10, slice1cost_pixels_cost_0_11 : natural range 0 to 255;
-  signal slice1cost_pixels_cost_0_12, slice1cost_pixels_cost_0_13, slice1cost_pixels_cost_0_14 : natural range 0 to 255;
-  signal slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2 : natural range 0 to 255;
-  signal slice1cost_pixels_cost_1_3, slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_1_5 : natural range 0 to 255;
-  signal slice1cost_pixels_cost_1_6, slice1cost_pixels_cost_1_7, slice1cost_pixels_cost_1_8 : natural range 0 to 255;
-  signal slice1cost_pixels_cost_1_9, slice1cost_pixels_cost_1_10, slice1cost_pixels_cost_1_11 : natural range 0 to 255;
-  signal slice1cost_pixels_cost_1_12, slice1cost_pixels_cost_1_13, slice1cost_pixels_cost_1_14 : natural range 0 to 255;
+  signal slice1cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 14);
+  signal slice1cost_change_0 : integer_minus_255_to_255_1d(0 to 14);
+  signal slice1cost_pixels_cost : natural_255_2d(0 to 1, 0 to 14);
   signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 4095;
   signal slice1cost_write_column : natural range 0 to 4095;
-  signal slice1cost_read_words_0, slice1cost_read_words_1, slice1cost_read_words_2 : unsigned(21 downto 0);
-  signal slice1cost_read_words_3, slice1cost_read_words_4, slice1cost_read_words_5 : unsigned(21 downto 0);
-  signal slice1cost_read_words_6 : unsigned(21 downto 0);
+  signal slice1cost_read_words : unsigned_22_1d(0 to 6);
   signal slice1cost_read_words_7 : unsigned(10 downto 0);
-  signal slice1cost_ready_words_0, slice1cost_ready_words_1, slice1cost_ready_words_2 : natural range 0 to 4194303;
-  signal slice1cost_ready_words_3, slice1cost_ready_words_4, slice1cost_ready_words_5 : natural range 0 to 4194303;
-  signal slice1cost_ready_words_6, slice1cost_write_words_0, slice1cost_write_words_1 : natural range 0 to 4194303;
-  signal slice1cost_write_words_2, slice1cost_write_words_3, slice1cost_write_words_4 : natural range 0 to 4194303;
-  signal slice1cost_write_words_5, slice1cost_write_words_6 : natural range 0 to 4194303;
-  signal slice1cost_ready_words_7, slice1cost_column_0_0, slice1cost_column_0_1 : natural range 0 to 2047;
-  signal slice1cost_column_0_2, slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 2047;
-  signal slice1cost_column_0_5, slice1cost_column_0_6, slice1cost_column_0_7 : natural range 0 to 2047;
-  signal slice1cost_column_0_8, slice1cost_column_0_9, slice1cost_column_0_10 : natural range 0 to 2047;
-  signal slice1cost_column_0_11, slice1cost_column_0_12, slice1cost_column_0_13 : natural range 0 to 2047;
-  signal slice1cost_column_0_14, slice1cost_write_words_7 : natural range 0 to 2047;
+  signal slice1cost_ready_words : natural_4194303_1d(0 to 6);
+  signal slice1cost_write_words : natural_4194303_1d(0 to 6);
+  signal slice1cost_ready_words_7 : natural range 0 to 2047;
+  signal slice1cost_column_0 : natural_2047_1d(0 to 14);
+  signal slice1cost_write_words_7 : natural range 0 to 2047;
   -- slice1window
   signal slice1window_ring_read_address, slice1window_ring_write_address : natural range 0 to 7;
-  signal slice1window_leaving_0, slice1window_leaving_1, slice1window_leaving_2 : unsigned(21 downto 0);
-  signal slice1window_leaving_3, slice1window_leaving_4, slice1window_leaving_5 : unsigned(21 downto 0);
-  signal slice1window_leaving_6 : unsigned(21 downto 0);
+  signal slice1window_leaving : unsigned_22_1d(0 to 6);
   signal slice1window_leaving_7 : unsigned(10 downto 0);
-  signal slice1window_entering_0_0, slice1window_entering_0_1, slice1window_entering_0_2 : natural range 0 to 2047;
-  signal slice1window_entering_0_3, slice1window_entering_0_4, slice1window_entering_0_5 : natural range 0 to 2047;
-  signal slice1window_entering_0_6, slice1window_entering_0_7, slice1window_entering_0_8 : natural range 0 to 2047;
-  signal slice1window_entering_0_9, slice1window_entering_0_10, slice1window_entering_0_11 : natural range 0 to 2047;
-  signal slice1window_entering_0_12, slice1window_entering_0_13, slice1window_entering_0_14 : natural range 0 to 2047;
-  signal slice1window_change_0_0, slice1window_change_0_1, slice1window_change_0_2 : integer range -2047 to 2047;
-  signal slice1window_change_0_3, slice1window_change_0_4, slice1window_change_0_5 : integer range -2047 to 2047;
-  signal slice1window_change_0_6, slice1window_change_0_7, slice1window_change_0_8 : integer range -2047 to 2047;
-  signal slice1window_change_0_9, slice1window_change_0_10, slice1window_change_0_11 : integer range -2047 to 2047;
-  signal slice1window_change_0_12, slice1window_change_0_13, slice1window_change_0_14 : integer range -2047 to 2047;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 16383;
-  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 16383;
-  signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 16383;
-  signal slice1window_sum_0_9, slice1window_sum_0_10, slice1window_sum_0_11 : natural range 0 to 16383;
-  signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 16383;
+  signal slice1window_entering_0 : natural_2047_1d(0 to 14);
+  signal slice1window_change_0 : integer_minus_2047_to_2047_1d(0 to 14);
+  signal slice1window_sum_0 : natural_16383_1d(0 to 14);
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 16383;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 16383;
-  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 16383;
-  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 16383;
+  signal slice1winner1_best_cost_0 : natural_16383_1d(0 to 7);
   signal slice1winner1_best_index_0_0 : boolean;
   signal slice1winner1_best_index_0_1 : natural range 0 to 3;
   signal slice1winner1_best_index_0_2 : natural range 0 to 5;
@@ -434,14 +270,13 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal slice1winner1_best_index_0_6 : natural range 0 to 13;
   signal slice1winner1_best_index_0_7 : natural range 0 to 14;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 16383;
+  signal slice1winner2_best_cost_0 : natural_16383_1d(0 to 3);
   signal slice1winner2_best_index_0_0 : natural range 0 to 3;
   signal slice1winner2_best_index_0_1 : natural range 0 to 7;
   signal slice1winner2_best_index_0_2 : natural range 0 to 11;
   signal slice1winner2_best_index_0_3 : natural range 0 to 14;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 16383;
+  signal slice1winner3_best_cost_0 : natural_16383_1d(0 to 1);
   signal slice1winner3_best_index_0_0 : natural range 0 to 7;
   signal slice1winner3_best_index_0_1 : natural range 0 to 14;
   -- slice1winner4
@@ -478,44 +313,34 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal winners_write_word_0, winners_winners_disparity_0 : natural range 0 to 255;
   signal winners_read_word_0 : unsigned(7 downto 0);
   signal winners_read_word_0_memory_read_enable : boolean;
-  signal winners_read_word_0_memory_read_address : unsigned(10 downto 0);
-  signal winners_read_word_0_memory_write_address : unsigned(10 downto 0);
+  signal winners_read_word_0_memory_read_address, winners_read_word_0_memory_write_address : unsigned(10 downto 0);
   signal winners_read_word_0_memory_write_data : unsigned(7 downto 0);
   signal best_read_words_0_memory_read_enable : boolean;
-  signal best_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal best_read_words_0_memory_write_address : unsigned(9 downto 0);
+  signal best_read_words_0_memory_read_address, best_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal best_read_words_0_memory_write_data : unsigned(21 downto 0);
   signal slice1window_leaving_7_memory_read_enable : boolean;
-  signal slice1window_leaving_7_memory_read_address : unsigned(2 downto 0);
-  signal slice1window_leaving_7_memory_write_address : unsigned(2 downto 0);
+  signal slice1window_leaving_7_memory_read_address, slice1window_leaving_7_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_7_memory_write_data : unsigned(10 downto 0);
   signal slice1window_leaving_6_memory_read_enable : boolean;
-  signal slice1window_leaving_6_memory_read_address : unsigned(2 downto 0);
-  signal slice1window_leaving_6_memory_write_address : unsigned(2 downto 0);
+  signal slice1window_leaving_6_memory_read_address, slice1window_leaving_6_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_6_memory_write_data : unsigned(21 downto 0);
   signal slice1window_leaving_5_memory_read_enable : boolean;
-  signal slice1window_leaving_5_memory_read_address : unsigned(2 downto 0);
-  signal slice1window_leaving_5_memory_write_address : unsigned(2 downto 0);
+  signal slice1window_leaving_5_memory_read_address, slice1window_leaving_5_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_5_memory_write_data : unsigned(21 downto 0);
   signal slice1window_leaving_4_memory_read_enable : boolean;
-  signal slice1window_leaving_4_memory_read_address : unsigned(2 downto 0);
-  signal slice1window_leaving_4_memory_write_address : unsigned(2 downto 0);
+  signal slice1window_leaving_4_memory_read_address, slice1window_leaving_4_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_4_memory_write_data : unsigned(21 downto 0);
   signal slice1window_leaving_3_memory_read_enable : boolean;
-  signal slice1window_leaving_3_memory_read_address : unsigned(2 downto 0);
-  signal slice1window_leaving_3_memory_write_address : unsigned(2 downto 0);
+  signal slice1window_leaving_3_memory_read_address, slice1window_leaving_3_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_3_memory_write_data : unsigned(21 downto 0);
   signal slice1window_leaving_2_memory_read_enable : boolean;
-  signal slice1window_leaving_2_memory_read_address : unsigned(2 downto 0);
-  signal slice1window_leaving_2_memory_write_address : unsigned(2 downto 0);
+  signal slice1window_leaving_2_memory_read_address, slice1window_leaving_2_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_2_memory_write_data : unsigned(21 downto 0);
   signal slice1window_leaving_1_memory_read_enable : boolean;
-  signal slice1window_leaving_1_memory_read_address : unsigned(2 downto 0);
-  signal slice1window_leaving_1_memory_write_address : unsigned(2 downto 0);
+  signal slice1window_leaving_1_memory_read_address, slice1window_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_1_memory_write_data : unsigned(21 downto 0);
   signal slice1window_leaving_0_memory_read_enable : boolean;
-  signal slice1window_leaving_0_memory_read_address : unsigned(2 downto 0);
-  signal slice1window_leaving_0_memory_write_address : unsigned(2 downto 0);
+  signal slice1window_leaving_0_memory_read_address, slice1window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(21 downto 0);
   signal slice1cost_read_words_7_memory_read_enable : boolean;
   signal slice1cost_read_words_7_memory_read_address : unsigned(11 downto 0);
@@ -562,44 +387,34 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal slice0window_leaving_10_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_10_memory_write_data : unsigned(21 downto 0);
   signal slice0window_leaving_9_memory_read_enable : boolean;
-  signal slice0window_leaving_9_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_9_memory_write_address : unsigned(2 downto 0);
+  signal slice0window_leaving_9_memory_read_address, slice0window_leaving_9_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_9_memory_write_data : unsigned(21 downto 0);
   signal slice0window_leaving_8_memory_read_enable : boolean;
-  signal slice0window_leaving_8_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_8_memory_write_address : unsigned(2 downto 0);
+  signal slice0window_leaving_8_memory_read_address, slice0window_leaving_8_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_8_memory_write_data : unsigned(21 downto 0);
   signal slice0window_leaving_7_memory_read_enable : boolean;
-  signal slice0window_leaving_7_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_7_memory_write_address : unsigned(2 downto 0);
+  signal slice0window_leaving_7_memory_read_address, slice0window_leaving_7_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_7_memory_write_data : unsigned(21 downto 0);
   signal slice0window_leaving_6_memory_read_enable : boolean;
-  signal slice0window_leaving_6_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_6_memory_write_address : unsigned(2 downto 0);
+  signal slice0window_leaving_6_memory_read_address, slice0window_leaving_6_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_6_memory_write_data : unsigned(21 downto 0);
   signal slice0window_leaving_5_memory_read_enable : boolean;
-  signal slice0window_leaving_5_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_5_memory_write_address : unsigned(2 downto 0);
+  signal slice0window_leaving_5_memory_read_address, slice0window_leaving_5_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_5_memory_write_data : unsigned(21 downto 0);
   signal slice0window_leaving_4_memory_read_enable : boolean;
-  signal slice0window_leaving_4_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_4_memory_write_address : unsigned(2 downto 0);
+  signal slice0window_leaving_4_memory_read_address, slice0window_leaving_4_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_4_memory_write_data : unsigned(21 downto 0);
   signal slice0window_leaving_3_memory_read_enable : boolean;
-  signal slice0window_leaving_3_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_3_memory_write_address : unsigned(2 downto 0);
+  signal slice0window_leaving_3_memory_read_address, slice0window_leaving_3_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_3_memory_write_data : unsigned(21 downto 0);
   signal slice0window_leaving_2_memory_read_enable : boolean;
-  signal slice0window_leaving_2_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_2_memory_write_address : unsigned(2 downto 0);
+  signal slice0window_leaving_2_memory_read_address, slice0window_leaving_2_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_2_memory_write_data : unsigned(21 downto 0);
   signal slice0window_leaving_1_memory_read_enable : boolean;
-  signal slice0window_leaving_1_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_1_memory_write_address : unsigned(2 downto 0);
+  signal slice0window_leaving_1_memory_read_address, slice0window_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_1_memory_write_data : unsigned(21 downto 0);
   signal slice0window_leaving_0_memory_read_enable : boolean;
-  signal slice0window_leaving_0_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_0_memory_write_address : unsigned(2 downto 0);
+  signal slice0window_leaving_0_memory_read_address, slice0window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(21 downto 0);
   signal slice0cost_read_words_12_memory_read_enable : boolean;
   signal slice0cost_read_words_12_memory_read_address : unsigned(11 downto 0);
@@ -654,8 +469,7 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal slice0cost_read_words_0_memory_write_address : unsigned(11 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(21 downto 0);
   signal passes_read_search_0_memory_read_enable : boolean;
-  signal passes_read_search_0_memory_read_address : unsigned(10 downto 0);
-  signal passes_read_search_0_memory_write_address : unsigned(10 downto 0);
+  signal passes_read_search_0_memory_read_address, passes_read_search_0_memory_write_address : unsigned(10 downto 0);
   signal passes_read_search_0_memory_write_data : unsigned(15 downto 0);
   signal passes_read_reference_0_memory_read_enable : boolean;
   signal passes_read_reference_0_memory_read_address : unsigned(10 downto 0);
@@ -714,7 +528,7 @@ begin
   slice1window_leaving_7_memory_read_enable <= true;
   slice1window_leaving_7_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
   slice1window_leaving_7_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_7_memory_write_data <= to_unsigned(slice1cost_column_0_14, 11);
+  slice1window_leaving_7_memory_write_data <= to_unsigned(slice1cost_column_0(14), 11);
   slice1window_leaving_7_memory : entity work.line_memory
     generic map (depth => 8, width => 11, address_bits => 3)
     port map (
@@ -725,78 +539,78 @@ begin
   slice1window_leaving_6_memory_read_enable <= true;
   slice1window_leaving_6_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
   slice1window_leaving_6_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_6_memory_write_data <= to_unsigned(slice1cost_column_0_13, 11) & to_unsigned(slice1cost_column_0_12, 11);
+  slice1window_leaving_6_memory_write_data <= to_unsigned(slice1cost_column_0(13), 11) & to_unsigned(slice1cost_column_0(12), 11);
   slice1window_leaving_6_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice1window_leaving_6_memory_read_enable,
-      read_address => slice1window_leaving_6_memory_read_address, read_data => slice1window_leaving_6,
+      read_address => slice1window_leaving_6_memory_read_address, read_data => slice1window_leaving(6),
       write_address => slice1window_leaving_6_memory_write_address, write_data => slice1window_leaving_6_memory_write_data);
 
   slice1window_leaving_5_memory_read_enable <= true;
   slice1window_leaving_5_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
   slice1window_leaving_5_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0_11, 11) & to_unsigned(slice1cost_column_0_10, 11);
+  slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0(11), 11) & to_unsigned(slice1cost_column_0(10), 11);
   slice1window_leaving_5_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice1window_leaving_5_memory_read_enable,
-      read_address => slice1window_leaving_5_memory_read_address, read_data => slice1window_leaving_5,
+      read_address => slice1window_leaving_5_memory_read_address, read_data => slice1window_leaving(5),
       write_address => slice1window_leaving_5_memory_write_address, write_data => slice1window_leaving_5_memory_write_data);
 
   slice1window_leaving_4_memory_read_enable <= true;
   slice1window_leaving_4_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
   slice1window_leaving_4_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_4_memory_write_data <= to_unsigned(slice1cost_column_0_9, 11) & to_unsigned(slice1cost_column_0_8, 11);
+  slice1window_leaving_4_memory_write_data <= to_unsigned(slice1cost_column_0(9), 11) & to_unsigned(slice1cost_column_0(8), 11);
   slice1window_leaving_4_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice1window_leaving_4_memory_read_enable,
-      read_address => slice1window_leaving_4_memory_read_address, read_data => slice1window_leaving_4,
+      read_address => slice1window_leaving_4_memory_read_address, read_data => slice1window_leaving(4),
       write_address => slice1window_leaving_4_memory_write_address, write_data => slice1window_leaving_4_memory_write_data);
 
   slice1window_leaving_3_memory_read_enable <= true;
   slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
   slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0_7, 11) & to_unsigned(slice1cost_column_0_6, 11);
+  slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0(7), 11) & to_unsigned(slice1cost_column_0(6), 11);
   slice1window_leaving_3_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
-      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving_3,
+      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving(3),
       write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
 
   slice1window_leaving_2_memory_read_enable <= true;
   slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
   slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0_5, 11) & to_unsigned(slice1cost_column_0_4, 11);
+  slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0(5), 11) & to_unsigned(slice1cost_column_0(4), 11);
   slice1window_leaving_2_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
-      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving_2,
+      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving(2),
       write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
 
   slice1window_leaving_1_memory_read_enable <= true;
   slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
   slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0_3, 11) & to_unsigned(slice1cost_column_0_2, 11);
+  slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0(3), 11) & to_unsigned(slice1cost_column_0(2), 11);
   slice1window_leaving_1_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
-      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving_1,
+      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving(1),
       write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
 
   slice1window_leaving_0_memory_read_enable <= true;
   slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
   slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_1, 11) & to_unsigned(slice1cost_column_0_0, 11);
+  slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0(1), 11) & to_unsigned(slice1cost_column_0(0), 11);
   slice1window_leaving_0_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
-      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving(0),
       write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
   slice1cost_read_words_7_memory_read_enable <= true;
@@ -813,84 +627,84 @@ begin
   slice1cost_read_words_6_memory_read_enable <= true;
   slice1cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
   slice1cost_read_words_6_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_6_memory_write_data <= to_unsigned(slice1cost_write_words_6, 22);
+  slice1cost_read_words_6_memory_write_data <= to_unsigned(slice1cost_write_words(6), 22);
   slice1cost_read_words_6_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice1cost_read_words_6_memory_read_enable,
-      read_address => slice1cost_read_words_6_memory_read_address, read_data => slice1cost_read_words_6,
+      read_address => slice1cost_read_words_6_memory_read_address, read_data => slice1cost_read_words(6),
       write_address => slice1cost_read_words_6_memory_write_address, write_data => slice1cost_read_words_6_memory_write_data);
 
   slice1cost_read_words_5_memory_read_enable <= true;
   slice1cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
   slice1cost_read_words_5_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_5_memory_write_data <= to_unsigned(slice1cost_write_words_5, 22);
+  slice1cost_read_words_5_memory_write_data <= to_unsigned(slice1cost_write_words(5), 22);
   slice1cost_read_words_5_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice1cost_read_words_5_memory_read_enable,
-      read_address => slice1cost_read_words_5_memory_read_address, read_data => slice1cost_read_words_5,
+      read_address => slice1cost_read_words_5_memory_read_address, read_data => slice1cost_read_words(5),
       write_address => slice1cost_read_words_5_memory_write_address, write_data => slice1cost_read_words_5_memory_write_data);
 
   slice1cost_read_words_4_memory_read_enable <= true;
   slice1cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
   slice1cost_read_words_4_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words_4, 22);
+  slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words(4), 22);
   slice1cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice1cost_read_words_4_memory_read_enable,
-      read_address => slice1cost_read_words_4_memory_read_address, read_data => slice1cost_read_words_4,
+      read_address => slice1cost_read_words_4_memory_read_address, read_data => slice1cost_read_words(4),
       write_address => slice1cost_read_words_4_memory_write_address, write_data => slice1cost_read_words_4_memory_write_data);
 
   slice1cost_read_words_3_memory_read_enable <= true;
   slice1cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
   slice1cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words_3, 22);
+  slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words(3), 22);
   slice1cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice1cost_read_words_3_memory_read_enable,
-      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words_3,
+      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words(3),
       write_address => slice1cost_read_words_3_memory_write_address, write_data => slice1cost_read_words_3_memory_write_data);
 
   slice1cost_read_words_2_memory_read_enable <= true;
   slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
   slice1cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words_2, 22);
+  slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words(2), 22);
   slice1cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
-      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words_2,
+      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words(2),
       write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
 
   slice1cost_read_words_1_memory_read_enable <= true;
   slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
   slice1cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 22);
+  slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words(1), 22);
   slice1cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
-      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words_1,
+      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words(1),
       write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
 
   slice1cost_read_words_0_memory_read_enable <= true;
   slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
   slice1cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 22);
+  slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words(0), 22);
   slice1cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
-      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words(0),
       write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
   slice0window_leaving_12_memory_read_enable <= true;
   slice0window_leaving_12_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_12_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_12_memory_write_data <= to_unsigned(slice0cost_column_0_24, 11);
+  slice0window_leaving_12_memory_write_data <= to_unsigned(slice0cost_column_0(24), 11);
   slice0window_leaving_12_memory : entity work.line_memory
     generic map (depth => 8, width => 11, address_bits => 3)
     port map (
@@ -901,133 +715,133 @@ begin
   slice0window_leaving_11_memory_read_enable <= true;
   slice0window_leaving_11_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_11_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_11_memory_write_data <= to_unsigned(slice0cost_column_0_23, 11) & to_unsigned(slice0cost_column_0_22, 11);
+  slice0window_leaving_11_memory_write_data <= to_unsigned(slice0cost_column_0(23), 11) & to_unsigned(slice0cost_column_0(22), 11);
   slice0window_leaving_11_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice0window_leaving_11_memory_read_enable,
-      read_address => slice0window_leaving_11_memory_read_address, read_data => slice0window_leaving_11,
+      read_address => slice0window_leaving_11_memory_read_address, read_data => slice0window_leaving(11),
       write_address => slice0window_leaving_11_memory_write_address, write_data => slice0window_leaving_11_memory_write_data);
 
   slice0window_leaving_10_memory_read_enable <= true;
   slice0window_leaving_10_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_10_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_10_memory_write_data <= to_unsigned(slice0cost_column_0_21, 11) & to_unsigned(slice0cost_column_0_20, 11);
+  slice0window_leaving_10_memory_write_data <= to_unsigned(slice0cost_column_0(21), 11) & to_unsigned(slice0cost_column_0(20), 11);
   slice0window_leaving_10_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice0window_leaving_10_memory_read_enable,
-      read_address => slice0window_leaving_10_memory_read_address, read_data => slice0window_leaving_10,
+      read_address => slice0window_leaving_10_memory_read_address, read_data => slice0window_leaving(10),
       write_address => slice0window_leaving_10_memory_write_address, write_data => slice0window_leaving_10_memory_write_data);
 
   slice0window_leaving_9_memory_read_enable <= true;
   slice0window_leaving_9_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_9_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_9_memory_write_data <= to_unsigned(slice0cost_column_0_19, 11) & to_unsigned(slice0cost_column_0_18, 11);
+  slice0window_leaving_9_memory_write_data <= to_unsigned(slice0cost_column_0(19), 11) & to_unsigned(slice0cost_column_0(18), 11);
   slice0window_leaving_9_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice0window_leaving_9_memory_read_enable,
-      read_address => slice0window_leaving_9_memory_read_address, read_data => slice0window_leaving_9,
+      read_address => slice0window_leaving_9_memory_read_address, read_data => slice0window_leaving(9),
       write_address => slice0window_leaving_9_memory_write_address, write_data => slice0window_leaving_9_memory_write_data);
 
   slice0window_leaving_8_memory_read_enable <= true;
   slice0window_leaving_8_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_8_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_8_memory_write_data <= to_unsigned(slice0cost_column_0_17, 11) & to_unsigned(slice0cost_column_0_16, 11);
+  slice0window_leaving_8_memory_write_data <= to_unsigned(slice0cost_column_0(17), 11) & to_unsigned(slice0cost_column_0(16), 11);
   slice0window_leaving_8_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice0window_leaving_8_memory_read_enable,
-      read_address => slice0window_leaving_8_memory_read_address, read_data => slice0window_leaving_8,
+      read_address => slice0window_leaving_8_memory_read_address, read_data => slice0window_leaving(8),
       write_address => slice0window_leaving_8_memory_write_address, write_data => slice0window_leaving_8_memory_write_data);
 
   slice0window_leaving_7_memory_read_enable <= true;
   slice0window_leaving_7_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_7_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_7_memory_write_data <= to_unsigned(slice0cost_column_0_15, 11) & to_unsigned(slice0cost_column_0_14, 11);
+  slice0window_leaving_7_memory_write_data <= to_unsigned(slice0cost_column_0(15), 11) & to_unsigned(slice0cost_column_0(14), 11);
   slice0window_leaving_7_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice0window_leaving_7_memory_read_enable,
-      read_address => slice0window_leaving_7_memory_read_address, read_data => slice0window_leaving_7,
+      read_address => slice0window_leaving_7_memory_read_address, read_data => slice0window_leaving(7),
       write_address => slice0window_leaving_7_memory_write_address, write_data => slice0window_leaving_7_memory_write_data);
 
   slice0window_leaving_6_memory_read_enable <= true;
   slice0window_leaving_6_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_6_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_6_memory_write_data <= to_unsigned(slice0cost_column_0_13, 11) & to_unsigned(slice0cost_column_0_12, 11);
+  slice0window_leaving_6_memory_write_data <= to_unsigned(slice0cost_column_0(13), 11) & to_unsigned(slice0cost_column_0(12), 11);
   slice0window_leaving_6_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice0window_leaving_6_memory_read_enable,
-      read_address => slice0window_leaving_6_memory_read_address, read_data => slice0window_leaving_6,
+      read_address => slice0window_leaving_6_memory_read_address, read_data => slice0window_leaving(6),
       write_address => slice0window_leaving_6_memory_write_address, write_data => slice0window_leaving_6_memory_write_data);
 
   slice0window_leaving_5_memory_read_enable <= true;
   slice0window_leaving_5_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_5_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0_11, 11) & to_unsigned(slice0cost_column_0_10, 11);
+  slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0(11), 11) & to_unsigned(slice0cost_column_0(10), 11);
   slice0window_leaving_5_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice0window_leaving_5_memory_read_enable,
-      read_address => slice0window_leaving_5_memory_read_address, read_data => slice0window_leaving_5,
+      read_address => slice0window_leaving_5_memory_read_address, read_data => slice0window_leaving(5),
       write_address => slice0window_leaving_5_memory_write_address, write_data => slice0window_leaving_5_memory_write_data);
 
   slice0window_leaving_4_memory_read_enable <= true;
   slice0window_leaving_4_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_4_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0_9, 11) & to_unsigned(slice0cost_column_0_8, 11);
+  slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0(9), 11) & to_unsigned(slice0cost_column_0(8), 11);
   slice0window_leaving_4_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice0window_leaving_4_memory_read_enable,
-      read_address => slice0window_leaving_4_memory_read_address, read_data => slice0window_leaving_4,
+      read_address => slice0window_leaving_4_memory_read_address, read_data => slice0window_leaving(4),
       write_address => slice0window_leaving_4_memory_write_address, write_data => slice0window_leaving_4_memory_write_data);
 
   slice0window_leaving_3_memory_read_enable <= true;
   slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0_7, 11) & to_unsigned(slice0cost_column_0_6, 11);
+  slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0(7), 11) & to_unsigned(slice0cost_column_0(6), 11);
   slice0window_leaving_3_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
-      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving_3,
+      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving(3),
       write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
 
   slice0window_leaving_2_memory_read_enable <= true;
   slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0_5, 11) & to_unsigned(slice0cost_column_0_4, 11);
+  slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0(5), 11) & to_unsigned(slice0cost_column_0(4), 11);
   slice0window_leaving_2_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
-      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving_2,
+      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving(2),
       write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
 
   slice0window_leaving_1_memory_read_enable <= true;
   slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_3, 11) & to_unsigned(slice0cost_column_0_2, 11);
+  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0(3), 11) & to_unsigned(slice0cost_column_0(2), 11);
   slice0window_leaving_1_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
-      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving_1,
+      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving(1),
       write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
 
   slice0window_leaving_0_memory_read_enable <= true;
   slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
   slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_1, 11) & to_unsigned(slice0cost_column_0_0, 11);
+  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0(1), 11) & to_unsigned(slice0cost_column_0(0), 11);
   slice0window_leaving_0_memory : entity work.line_memory
     generic map (depth => 8, width => 22, address_bits => 3)
     port map (
       clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
-      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving(0),
       write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
   slice0cost_read_words_12_memory_read_enable <= true;
@@ -1044,133 +858,133 @@ begin
   slice0cost_read_words_11_memory_read_enable <= true;
   slice0cost_read_words_11_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
   slice0cost_read_words_11_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_11_memory_write_data <= to_unsigned(slice0cost_write_words_11, 22);
+  slice0cost_read_words_11_memory_write_data <= to_unsigned(slice0cost_write_words(11), 22);
   slice0cost_read_words_11_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice0cost_read_words_11_memory_read_enable,
-      read_address => slice0cost_read_words_11_memory_read_address, read_data => slice0cost_read_words_11,
+      read_address => slice0cost_read_words_11_memory_read_address, read_data => slice0cost_read_words(11),
       write_address => slice0cost_read_words_11_memory_write_address, write_data => slice0cost_read_words_11_memory_write_data);
 
   slice0cost_read_words_10_memory_read_enable <= true;
   slice0cost_read_words_10_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
   slice0cost_read_words_10_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_10_memory_write_data <= to_unsigned(slice0cost_write_words_10, 22);
+  slice0cost_read_words_10_memory_write_data <= to_unsigned(slice0cost_write_words(10), 22);
   slice0cost_read_words_10_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice0cost_read_words_10_memory_read_enable,
-      read_address => slice0cost_read_words_10_memory_read_address, read_data => slice0cost_read_words_10,
+      read_address => slice0cost_read_words_10_memory_read_address, read_data => slice0cost_read_words(10),
       write_address => slice0cost_read_words_10_memory_write_address, write_data => slice0cost_read_words_10_memory_write_data);
 
   slice0cost_read_words_9_memory_read_enable <= true;
   slice0cost_read_words_9_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
   slice0cost_read_words_9_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_9_memory_write_data <= to_unsigned(slice0cost_write_words_9, 22);
+  slice0cost_read_words_9_memory_write_data <= to_unsigned(slice0cost_write_words(9), 22);
   slice0cost_read_words_9_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice0cost_read_words_9_memory_read_enable,
-      read_address => slice0cost_read_words_9_memory_read_address, read_data => slice0cost_read_words_9,
+      read_address => slice0cost_read_words_9_memory_read_address, read_data => slice0cost_read_words(9),
       write_address => slice0cost_read_words_9_memory_write_address, write_data => slice0cost_read_words_9_memory_write_data);
 
   slice0cost_read_words_8_memory_read_enable <= true;
   slice0cost_read_words_8_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
   slice0cost_read_words_8_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_8_memory_write_data <= to_unsigned(slice0cost_write_words_8, 22);
+  slice0cost_read_words_8_memory_write_data <= to_unsigned(slice0cost_write_words(8), 22);
   slice0cost_read_words_8_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice0cost_read_words_8_memory_read_enable,
-      read_address => slice0cost_read_words_8_memory_read_address, read_data => slice0cost_read_words_8,
+      read_address => slice0cost_read_words_8_memory_read_address, read_data => slice0cost_read_words(8),
       write_address => slice0cost_read_words_8_memory_write_address, write_data => slice0cost_read_words_8_memory_write_data);
 
   slice0cost_read_words_7_memory_read_enable <= true;
   slice0cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
   slice0cost_read_words_7_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_7_memory_write_data <= to_unsigned(slice0cost_write_words_7, 22);
+  slice0cost_read_words_7_memory_write_data <= to_unsigned(slice0cost_write_words(7), 22);
   slice0cost_read_words_7_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice0cost_read_words_7_memory_read_enable,
-      read_address => slice0cost_read_words_7_memory_read_address, read_data => slice0cost_read_words_7,
+      read_address => slice0cost_read_words_7_memory_read_address, read_data => slice0cost_read_words(7),
       write_address => slice0cost_read_words_7_memory_write_address, write_data => slice0cost_read_words_7_memory_write_data);
 
   slice0cost_read_words_6_memory_read_enable <= true;
   slice0cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
   slice0cost_read_words_6_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_6_memory_write_data <= to_unsigned(slice0cost_write_words_6, 22);
+  slice0cost_read_words_6_memory_write_data <= to_unsigned(slice0cost_write_words(6), 22);
   slice0cost_read_words_6_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice0cost_read_words_6_memory_read_enable,
-      read_address => slice0cost_read_words_6_memory_read_address, read_data => slice0cost_read_words_6,
+      read_address => slice0cost_read_words_6_memory_read_address, read_data => slice0cost_read_words(6),
       write_address => slice0cost_read_words_6_memory_write_address, write_data => slice0cost_read_words_6_memory_write_data);
 
   slice0cost_read_words_5_memory_read_enable <= true;
   slice0cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
   slice0cost_read_words_5_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_5_memory_write_data <= to_unsigned(slice0cost_write_words_5, 22);
+  slice0cost_read_words_5_memory_write_data <= to_unsigned(slice0cost_write_words(5), 22);
   slice0cost_read_words_5_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice0cost_read_words_5_memory_read_enable,
-      read_address => slice0cost_read_words_5_memory_read_address, read_data => slice0cost_read_words_5,
+      read_address => slice0cost_read_words_5_memory_read_address, read_data => slice0cost_read_words(5),
       write_address => slice0cost_read_words_5_memory_write_address, write_data => slice0cost_read_words_5_memory_write_data);
 
   slice0cost_read_words_4_memory_read_enable <= true;
   slice0cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
   slice0cost_read_words_4_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words_4, 22);
+  slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words(4), 22);
   slice0cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice0cost_read_words_4_memory_read_enable,
-      read_address => slice0cost_read_words_4_memory_read_address, read_data => slice0cost_read_words_4,
+      read_address => slice0cost_read_words_4_memory_read_address, read_data => slice0cost_read_words(4),
       write_address => slice0cost_read_words_4_memory_write_address, write_data => slice0cost_read_words_4_memory_write_data);
 
   slice0cost_read_words_3_memory_read_enable <= true;
   slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
   slice0cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words_3, 22);
+  slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words(3), 22);
   slice0cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
-      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words_3,
+      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words(3),
       write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
 
   slice0cost_read_words_2_memory_read_enable <= true;
   slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
   slice0cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words_2, 22);
+  slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words(2), 22);
   slice0cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
-      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words_2,
+      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words(2),
       write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
 
   slice0cost_read_words_1_memory_read_enable <= true;
   slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
   slice0cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 22);
+  slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words(1), 22);
   slice0cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
-      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words_1,
+      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words(1),
       write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
 
   slice0cost_read_words_0_memory_read_enable <= true;
   slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
   slice0cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 22);
+  slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words(0), 22);
   slice0cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 2415, width => 22, address_bits => 12)
     port map (
       clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
-      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words(0),
       write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
   passes_read_search_0_memory_read_enable <= true;
@@ -1246,25 +1060,15 @@ begin
     variable passes_leaving_output_choice, passes_leaving_output_choice_2, passes_leaving_starts_choice : boolean;
     variable passes_leaving_starts_choice_2, passes_read_tag_border_column_differs : boolean;
     variable passes_read_tag_border_column_choice, passes_read_tag_first_cost_is_equal : boolean;
-    variable passes_read_tag_leaves_window_differs, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
-    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
-    variable slice0winner1_best_cost_0_7_is_less, slice0winner1_best_cost_0_8_is_less : boolean;
-    variable slice0winner1_best_cost_0_9_is_less, slice0winner1_best_cost_0_10_is_less : boolean;
-    variable slice0winner1_best_cost_0_11_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
-    variable slice0winner2_best_cost_0_3_is_less, slice0winner2_best_cost_0_4_is_less : boolean;
-    variable slice0winner2_best_cost_0_5_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice0winner3_best_cost_0_1_is_less, slice0winner3_best_cost_0_2_is_less : boolean;
-    variable slice0winner4_best_cost_0_0_is_less, slice0winner4_best_cost_0_1_is_less : boolean;
-    variable slice0winner5_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
-    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
-    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_0_1_is_less : boolean;
-    variable slice1winner2_best_cost_0_2_is_less, slice1winner2_best_cost_0_3_is_less : boolean;
-    variable slice1winner3_best_cost_0_0_is_less, slice1winner3_best_cost_0_1_is_less : boolean;
+    variable passes_read_tag_leaves_window_differs : boolean;
+    variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- slice0winner1_best_cost_0_#_is_less
+    variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice0winner2_best_cost_0_#_is_less
+    variable slice0winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice0winner3_best_cost_0_#_is_less
+    variable slice0winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice0winner4_best_cost_0_#_is_less
+    variable slice0winner5_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 6);  -- slice1winner1_best_cost_0_#_is_less
+    variable slice1winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice1winner2_best_cost_0_#_is_less
+    variable slice1winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice1winner3_best_cost_0_#_is_less
     variable slice1winner4_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less, best_base_any : boolean;
     variable best_base_is_equal, winners_row_differs, winners_column_any : boolean;
     variable rows_search_choice, rows_search_choice_2, rows_reference_choice : natural range 0 to 255;
@@ -1274,86 +1078,14 @@ begin
     variable passes_search_address_value : natural range 0 to 1024;
     variable passes_search_address_choice_2, passes_reference_address_choice : natural range 0 to 1023;
     variable best_write_column_choice, best_write_column_choice_2, winners_column_choice : natural range 0 to 1023;
-    variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_3_choice, slice0cost_column_0_3_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_4_choice, slice0cost_column_0_4_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_5_choice, slice0cost_column_0_5_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_6_choice, slice0cost_column_0_6_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_7_choice, slice0cost_column_0_7_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_8_choice, slice0cost_column_0_8_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_9_choice, slice0cost_column_0_9_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_10_choice, slice0cost_column_0_10_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_11_choice, slice0cost_column_0_11_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_12_choice, slice0cost_column_0_12_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_13_choice, slice0cost_column_0_13_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_14_choice, slice0cost_column_0_14_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_15_choice, slice0cost_column_0_15_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_16_choice, slice0cost_column_0_16_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_17_choice, slice0cost_column_0_17_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_18_choice, slice0cost_column_0_18_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_19_choice, slice0cost_column_0_19_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_20_choice, slice0cost_column_0_20_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_21_choice, slice0cost_column_0_21_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_22_choice, slice0cost_column_0_22_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_23_choice, slice0cost_column_0_23_choice_2 : natural range 0 to 2047;
-    variable slice0cost_column_0_24_choice, slice0cost_column_0_24_choice_2 : natural range 0 to 2047;
-    variable slice0window_change_0_0_choice, slice0window_change_0_1_choice : natural range 0 to 2047;
-    variable slice0window_change_0_2_choice, slice0window_change_0_3_choice : natural range 0 to 2047;
-    variable slice0window_change_0_4_choice, slice0window_change_0_5_choice : natural range 0 to 2047;
-    variable slice0window_change_0_6_choice, slice0window_change_0_7_choice : natural range 0 to 2047;
-    variable slice0window_change_0_8_choice, slice0window_change_0_9_choice : natural range 0 to 2047;
-    variable slice0window_change_0_10_choice, slice0window_change_0_11_choice : natural range 0 to 2047;
-    variable slice0window_change_0_12_choice, slice0window_change_0_13_choice : natural range 0 to 2047;
-    variable slice0window_change_0_14_choice, slice0window_change_0_15_choice : natural range 0 to 2047;
-    variable slice0window_change_0_16_choice, slice0window_change_0_17_choice : natural range 0 to 2047;
-    variable slice0window_change_0_18_choice, slice0window_change_0_19_choice : natural range 0 to 2047;
-    variable slice0window_change_0_20_choice, slice0window_change_0_21_choice : natural range 0 to 2047;
-    variable slice0window_change_0_22_choice, slice0window_change_0_23_choice : natural range 0 to 2047;
-    variable slice0window_change_0_24_choice, slice1cost_column_0_0_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_0_choice_2, slice1cost_column_0_1_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_1_choice_2, slice1cost_column_0_2_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_2_choice_2, slice1cost_column_0_3_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_3_choice_2, slice1cost_column_0_4_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_4_choice_2, slice1cost_column_0_5_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_5_choice_2, slice1cost_column_0_6_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_6_choice_2, slice1cost_column_0_7_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_7_choice_2, slice1cost_column_0_8_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_8_choice_2, slice1cost_column_0_9_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_9_choice_2, slice1cost_column_0_10_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_10_choice_2, slice1cost_column_0_11_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_11_choice_2, slice1cost_column_0_12_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_12_choice_2, slice1cost_column_0_13_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_13_choice_2, slice1cost_column_0_14_choice : natural range 0 to 2047;
-    variable slice1cost_column_0_14_choice_2, slice1window_change_0_0_choice : natural range 0 to 2047;
-    variable slice1window_change_0_1_choice, slice1window_change_0_2_choice : natural range 0 to 2047;
-    variable slice1window_change_0_3_choice, slice1window_change_0_4_choice : natural range 0 to 2047;
-    variable slice1window_change_0_5_choice, slice1window_change_0_6_choice : natural range 0 to 2047;
-    variable slice1window_change_0_7_choice, slice1window_change_0_8_choice : natural range 0 to 2047;
-    variable slice1window_change_0_9_choice, slice1window_change_0_10_choice : natural range 0 to 2047;
-    variable slice1window_change_0_11_choice, slice1window_change_0_12_choice : natural range 0 to 2047;
-    variable slice1window_change_0_13_choice, slice1window_change_0_14_choice : natural range 0 to 2047;
-    variable slice0window_sum_0_0_choice, slice0window_sum_0_1_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_2_choice, slice0window_sum_0_3_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_4_choice, slice0window_sum_0_5_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_6_choice, slice0window_sum_0_7_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_8_choice, slice0window_sum_0_9_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_10_choice, slice0window_sum_0_11_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_12_choice, slice0window_sum_0_13_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_14_choice, slice0window_sum_0_15_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_16_choice, slice0window_sum_0_17_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_18_choice, slice0window_sum_0_19_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_20_choice, slice0window_sum_0_21_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_22_choice, slice0window_sum_0_23_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_24_choice, slice1window_sum_0_0_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_1_choice, slice1window_sum_0_2_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_3_choice, slice1window_sum_0_4_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_5_choice, slice1window_sum_0_6_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_7_choice, slice1window_sum_0_8_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_9_choice, slice1window_sum_0_10_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_11_choice, slice1window_sum_0_12_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_13_choice, slice1window_sum_0_14_choice : natural range 0 to 16383;
+    variable slice0cost_column_0_choice : natural_2047_1d(0 to 24);  -- slice0cost_column_0_#_choice
+    variable slice0cost_column_0_choice_2 : natural_2047_1d(0 to 24);  -- slice0cost_column_0_#_choice_2
+    variable slice0window_change_0_choice : natural_2047_1d(0 to 24);  -- slice0window_change_0_#_choice
+    variable slice1cost_column_0_choice : natural_2047_1d(0 to 14);  -- slice1cost_column_0_#_choice
+    variable slice1cost_column_0_choice_2 : natural_2047_1d(0 to 14);  -- slice1cost_column_0_#_choice_2
+    variable slice1window_change_0_choice : natural_2047_1d(0 to 14);  -- slice1window_change_0_#_choice
+    variable slice0window_sum_0_choice : natural_16383_1d(0 to 24);  -- slice0window_sum_0_#_choice
+    variable slice1window_sum_0_choice : natural_16383_1d(0 to 14);  -- slice1window_sum_0_#_choice
     variable best_base_choice, best_base_choice_2 : natural range 0 to 31;
   begin
     if rising_edge(clock) then
@@ -1380,8 +1112,8 @@ begin
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= (raster_place_group >= 7) and (raster_place_group < 487);
-      delay_row_inside_1 <= raster_place_group < 480;
+      delay_row_inside(0) <= (raster_place_group >= 7) and (raster_place_group < 487);
+      delay_row_inside(1) <= raster_place_group < 480;
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= delay_tag_row_start_is_equal;
       delay_tag_first_group <= raster_place_group = 0;
@@ -1389,22 +1121,22 @@ begin
         639);
       delay_tag_start_of_frame <= (raster_place_group = 3) and delay_tag_row_start_is_equal;
       -- rows
-      if rows_ready_inside_0 then
+      if rows_ready_inside(0) then
         rows_search_choice := to_integer(rows_search_rows_ready_words_0(7 downto 0));
       else
         rows_search_choice := 0;
       end if;
-      if rows_ready_inside_1 then
+      if rows_ready_inside(1) then
         rows_search_choice_2 := rows_search_rows_ready_newest_0;
       else
         rows_search_choice_2 := 0;
       end if;
-      if rows_ready_inside_0 then
+      if rows_ready_inside(0) then
         rows_reference_choice := to_integer(rows_reference_rows_ready_words_0(7 downto 0));
       else
         rows_reference_choice := 0;
       end if;
-      if rows_ready_inside_1 then
+      if rows_ready_inside(1) then
         rows_reference_choice_2 := rows_reference_rows_ready_newest_0;
       else
         rows_reference_choice_2 := 0;
@@ -1418,16 +1150,16 @@ begin
       rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside_0 <= delay_row_inside_0;
-      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside(0) <= delay_row_inside(0);
+      rows_read_inside(1) <= delay_row_inside(1);
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_row_start <= delay_tag_row_start;
       rows_read_tag_first_group <= delay_tag_first_group;
       rows_read_tag_output_column <= delay_tag_output_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside(0) <= rows_read_inside(0);
+      rows_ready_inside(1) <= rows_read_inside(1);
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_row_start <= rows_read_tag_row_start;
       rows_ready_tag_first_group <= rows_read_tag_first_group;
@@ -1528,10 +1260,10 @@ begin
       passes_read_tag_first_group <= passes_showing_first_group;
       passes_read_tag_first_cost <= passes_read_tag_first_cost_is_equal;
       passes_read_tag_end_of_line <= passes_column = 478;
-      passes_search_0 <= to_integer(passes_read_search_0(7 downto 0));
-      passes_search_1 <= to_integer(passes_read_search_0(15 downto 8));
-      passes_reference_0 <= to_integer(passes_read_reference_0(7 downto 0));
-      passes_reference_1 <= to_integer(passes_read_reference_0(15 downto 8));
+      passes_search(0) <= to_integer(passes_read_search_0(7 downto 0));
+      passes_search(1) <= to_integer(passes_read_search_0(15 downto 8));
+      passes_reference(0) <= to_integer(passes_read_reference_0(7 downto 0));
+      passes_reference(1) <= to_integer(passes_read_reference_0(15 downto 8));
       passes_tag_valid <= passes_read_tag_valid;
       passes_tag_row_start <= passes_read_tag_row_start;
       passes_tag_first_group <= passes_read_tag_first_group;
@@ -1620,61 +1352,17 @@ begin
       end if;
       -- slice0shift
       if passes_tag_valid then
-        slice0shift_search_0_0 <= slice0shift_search_0_1;
-        slice0shift_search_0_1 <= slice0shift_search_0_2;
-        slice0shift_search_0_2 <= slice0shift_search_0_3;
-        slice0shift_search_0_3 <= slice0shift_search_0_4;
-        slice0shift_search_0_4 <= slice0shift_search_0_5;
-        slice0shift_search_0_5 <= slice0shift_search_0_6;
-        slice0shift_search_0_6 <= slice0shift_search_0_7;
-        slice0shift_search_0_7 <= slice0shift_search_0_8;
-        slice0shift_search_0_8 <= slice0shift_search_0_9;
-        slice0shift_search_0_9 <= slice0shift_search_0_10;
-        slice0shift_search_0_10 <= slice0shift_search_0_11;
-        slice0shift_search_0_11 <= slice0shift_search_0_12;
-        slice0shift_search_0_12 <= slice0shift_search_0_13;
-        slice0shift_search_0_13 <= slice0shift_search_0_14;
-        slice0shift_search_0_14 <= slice0shift_search_0_15;
-        slice0shift_search_0_15 <= slice0shift_search_0_16;
-        slice0shift_search_0_16 <= slice0shift_search_0_17;
-        slice0shift_search_0_17 <= slice0shift_search_0_18;
-        slice0shift_search_0_18 <= slice0shift_search_0_19;
-        slice0shift_search_0_19 <= slice0shift_search_0_20;
-        slice0shift_search_0_20 <= slice0shift_search_0_21;
-        slice0shift_search_0_21 <= slice0shift_search_0_22;
-        slice0shift_search_0_22 <= slice0shift_search_0_23;
-        slice0shift_search_0_23 <= slice0shift_search_0_24;
-        slice0shift_search_0_24 <= passes_search_0;
-        slice0shift_search_1_0 <= slice0shift_search_1_1;
-        slice0shift_search_1_1 <= slice0shift_search_1_2;
-        slice0shift_search_1_2 <= slice0shift_search_1_3;
-        slice0shift_search_1_3 <= slice0shift_search_1_4;
-        slice0shift_search_1_4 <= slice0shift_search_1_5;
-        slice0shift_search_1_5 <= slice0shift_search_1_6;
-        slice0shift_search_1_6 <= slice0shift_search_1_7;
-        slice0shift_search_1_7 <= slice0shift_search_1_8;
-        slice0shift_search_1_8 <= slice0shift_search_1_9;
-        slice0shift_search_1_9 <= slice0shift_search_1_10;
-        slice0shift_search_1_10 <= slice0shift_search_1_11;
-        slice0shift_search_1_11 <= slice0shift_search_1_12;
-        slice0shift_search_1_12 <= slice0shift_search_1_13;
-        slice0shift_search_1_13 <= slice0shift_search_1_14;
-        slice0shift_search_1_14 <= slice0shift_search_1_15;
-        slice0shift_search_1_15 <= slice0shift_search_1_16;
-        slice0shift_search_1_16 <= slice0shift_search_1_17;
-        slice0shift_search_1_17 <= slice0shift_search_1_18;
-        slice0shift_search_1_18 <= slice0shift_search_1_19;
-        slice0shift_search_1_19 <= slice0shift_search_1_20;
-        slice0shift_search_1_20 <= slice0shift_search_1_21;
-        slice0shift_search_1_21 <= slice0shift_search_1_22;
-        slice0shift_search_1_22 <= slice0shift_search_1_23;
-        slice0shift_search_1_23 <= slice0shift_search_1_24;
-        slice0shift_search_1_24 <= passes_search_1;
+        for i in 0 to 1 loop
+          for j in 0 to 23 loop
+            slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
+          end loop;
+          slice0shift_search(i, 24) <= passes_search(i);
+        end loop;
       end if;
-      slice0shift_reference_0 <= passes_reference_0;
-      slice0shift_reference_1 <= passes_reference_1;
-      slice0shift_search_out_0 <= slice0shift_search_0_0;
-      slice0shift_search_out_1 <= slice0shift_search_1_0;
+      slice0shift_reference(0) <= passes_reference(0);
+      slice0shift_reference(1) <= passes_reference(1);
+      slice0shift_search_out(0) <= slice0shift_search(0, 0);
+      slice0shift_search_out(1) <= slice0shift_search(1, 0);
       slice0shift_tag_valid <= passes_tag_valid;
       slice0shift_tag_row_start <= passes_tag_row_start;
       slice0shift_tag_first_group <= passes_tag_first_group;
@@ -1683,306 +1371,46 @@ begin
       slice0shift_tag_leaves_window <= passes_tag_leaves_window;
       slice0shift_tag_map_column <= passes_tag_map_column;
       -- slice0cost
+      for i in 0 to 11 loop
+        if slice0cost_ready_tag_first_group then
+          slice0cost_column_0_choice(2 * i) := 0;
+        else
+          slice0cost_column_0_choice(2 * i) := slice0cost_ready_words(i) mod 2048;
+        end if;
+        if slice0cost_ready_tag_border_column then
+          slice0cost_column_0_choice_2(2 * i) := 0;
+        else
+          slice0cost_column_0_choice_2(2 * i) := (slice0cost_change_0(2 * i) + slice0cost_column_0_choice(2 * i)) mod
+            2048;
+        end if;
+        if slice0cost_ready_tag_first_group then
+          slice0cost_column_0_choice(2 * i + 1) := 0;
+        else
+          slice0cost_column_0_choice(2 * i + 1) := slice0cost_ready_words(i) / 2048;
+        end if;
+        if slice0cost_ready_tag_border_column then
+          slice0cost_column_0_choice_2(2 * i + 1) := 0;
+        else
+          slice0cost_column_0_choice_2(2 * i + 1) := (slice0cost_change_0(2 * i + 1) + slice0cost_column_0_choice(2 * i
+            + 1)) mod 2048;
+        end if;
+      end loop;
       if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_0_choice := 0;
+        slice0cost_column_0_choice(24) := 0;
       else
-        slice0cost_column_0_0_choice := slice0cost_ready_words_0 mod 2048;
+        slice0cost_column_0_choice(24) := slice0cost_ready_words_12;
       end if;
       if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_0_choice_2 := 0;
+        slice0cost_column_0_choice_2(24) := 0;
       else
-        slice0cost_column_0_0_choice_2 := (slice0cost_change_0_0 + slice0cost_column_0_0_choice) mod 2048;
+        slice0cost_column_0_choice_2(24) := (slice0cost_change_0(24) + slice0cost_column_0_choice(24)) mod 2048;
       end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_1_choice := 0;
-      else
-        slice0cost_column_0_1_choice := slice0cost_ready_words_0 / 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_1_choice_2 := 0;
-      else
-        slice0cost_column_0_1_choice_2 := (slice0cost_change_0_1 + slice0cost_column_0_1_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_2_choice := 0;
-      else
-        slice0cost_column_0_2_choice := slice0cost_ready_words_1 mod 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_2_choice_2 := 0;
-      else
-        slice0cost_column_0_2_choice_2 := (slice0cost_change_0_2 + slice0cost_column_0_2_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_3_choice := 0;
-      else
-        slice0cost_column_0_3_choice := slice0cost_ready_words_1 / 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_3_choice_2 := 0;
-      else
-        slice0cost_column_0_3_choice_2 := (slice0cost_change_0_3 + slice0cost_column_0_3_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_4_choice := 0;
-      else
-        slice0cost_column_0_4_choice := slice0cost_ready_words_2 mod 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_4_choice_2 := 0;
-      else
-        slice0cost_column_0_4_choice_2 := (slice0cost_change_0_4 + slice0cost_column_0_4_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_5_choice := 0;
-      else
-        slice0cost_column_0_5_choice := slice0cost_ready_words_2 / 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_5_choice_2 := 0;
-      else
-        slice0cost_column_0_5_choice_2 := (slice0cost_change_0_5 + slice0cost_column_0_5_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_6_choice := 0;
-      else
-        slice0cost_column_0_6_choice := slice0cost_ready_words_3 mod 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_6_choice_2 := 0;
-      else
-        slice0cost_column_0_6_choice_2 := (slice0cost_change_0_6 + slice0cost_column_0_6_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_7_choice := 0;
-      else
-        slice0cost_column_0_7_choice := slice0cost_ready_words_3 / 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_7_choice_2 := 0;
-      else
-        slice0cost_column_0_7_choice_2 := (slice0cost_change_0_7 + slice0cost_column_0_7_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_8_choice := 0;
-      else
-        slice0cost_column_0_8_choice := slice0cost_ready_words_4 mod 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_8_choice_2 := 0;
-      else
-        slice0cost_column_0_8_choice_2 := (slice0cost_change_0_8 + slice0cost_column_0_8_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_9_choice := 0;
-      else
-        slice0cost_column_0_9_choice := slice0cost_ready_words_4 / 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_9_choice_2 := 0;
-      else
-        slice0cost_column_0_9_choice_2 := (slice0cost_change_0_9 + slice0cost_column_0_9_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_10_choice := 0;
-      else
-        slice0cost_column_0_10_choice := slice0cost_ready_words_5 mod 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_10_choice_2 := 0;
-      else
-        slice0cost_column_0_10_choice_2 := (slice0cost_change_0_10 + slice0cost_column_0_10_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_11_choice := 0;
-      else
-        slice0cost_column_0_11_choice := slice0cost_ready_words_5 / 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_11_choice_2 := 0;
-      else
-        slice0cost_column_0_11_choice_2 := (slice0cost_change_0_11 + slice0cost_column_0_11_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_12_choice := 0;
-      else
-        slice0cost_column_0_12_choice := slice0cost_ready_words_6 mod 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_12_choice_2 := 0;
-      else
-        slice0cost_column_0_12_choice_2 := (slice0cost_change_0_12 + slice0cost_column_0_12_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_13_choice := 0;
-      else
-        slice0cost_column_0_13_choice := slice0cost_ready_words_6 / 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_13_choice_2 := 0;
-      else
-        slice0cost_column_0_13_choice_2 := (slice0cost_change_0_13 + slice0cost_column_0_13_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_14_choice := 0;
-      else
-        slice0cost_column_0_14_choice := slice0cost_ready_words_7 mod 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_14_choice_2 := 0;
-      else
-        slice0cost_column_0_14_choice_2 := (slice0cost_change_0_14 + slice0cost_column_0_14_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_15_choice := 0;
-      else
-        slice0cost_column_0_15_choice := slice0cost_ready_words_7 / 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_15_choice_2 := 0;
-      else
-        slice0cost_column_0_15_choice_2 := (slice0cost_change_0_15 + slice0cost_column_0_15_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_16_choice := 0;
-      else
-        slice0cost_column_0_16_choice := slice0cost_ready_words_8 mod 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_16_choice_2 := 0;
-      else
-        slice0cost_column_0_16_choice_2 := (slice0cost_change_0_16 + slice0cost_column_0_16_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_17_choice := 0;
-      else
-        slice0cost_column_0_17_choice := slice0cost_ready_words_8 / 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_17_choice_2 := 0;
-      else
-        slice0cost_column_0_17_choice_2 := (slice0cost_change_0_17 + slice0cost_column_0_17_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_18_choice := 0;
-      else
-        slice0cost_column_0_18_choice := slice0cost_ready_words_9 mod 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_18_choice_2 := 0;
-      else
-        slice0cost_column_0_18_choice_2 := (slice0cost_change_0_18 + slice0cost_column_0_18_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_19_choice := 0;
-      else
-        slice0cost_column_0_19_choice := slice0cost_ready_words_9 / 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_19_choice_2 := 0;
-      else
-        slice0cost_column_0_19_choice_2 := (slice0cost_change_0_19 + slice0cost_column_0_19_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_20_choice := 0;
-      else
-        slice0cost_column_0_20_choice := slice0cost_ready_words_10 mod 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_20_choice_2 := 0;
-      else
-        slice0cost_column_0_20_choice_2 := (slice0cost_change_0_20 + slice0cost_column_0_20_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_21_choice := 0;
-      else
-        slice0cost_column_0_21_choice := slice0cost_ready_words_10 / 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_21_choice_2 := 0;
-      else
-        slice0cost_column_0_21_choice_2 := (slice0cost_change_0_21 + slice0cost_column_0_21_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_22_choice := 0;
-      else
-        slice0cost_column_0_22_choice := slice0cost_ready_words_11 mod 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_22_choice_2 := 0;
-      else
-        slice0cost_column_0_22_choice_2 := (slice0cost_change_0_22 + slice0cost_column_0_22_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_23_choice := 0;
-      else
-        slice0cost_column_0_23_choice := slice0cost_ready_words_11 / 2048;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_23_choice_2 := 0;
-      else
-        slice0cost_column_0_23_choice_2 := (slice0cost_change_0_23 + slice0cost_column_0_23_choice) mod 2048;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_24_choice := 0;
-      else
-        slice0cost_column_0_24_choice := slice0cost_ready_words_12;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_24_choice_2 := 0;
-      else
-        slice0cost_column_0_24_choice_2 := (slice0cost_change_0_24 + slice0cost_column_0_24_choice) mod 2048;
-      end if;
-      slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_5 <= slice0shift_search_0_5 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_6 <= slice0shift_search_0_6 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_7 <= slice0shift_search_0_7 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_8 <= slice0shift_search_0_8 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_9 <= slice0shift_search_0_9 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_10 <= slice0shift_search_0_10 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_11 <= slice0shift_search_0_11 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_12 <= slice0shift_search_0_12 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_13 <= slice0shift_search_0_13 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_14 <= slice0shift_search_0_14 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_15 <= slice0shift_search_0_15 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_16 <= slice0shift_search_0_16 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_17 <= slice0shift_search_0_17 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_18 <= slice0shift_search_0_18 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_19 <= slice0shift_search_0_19 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_20 <= slice0shift_search_0_20 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_21 <= slice0shift_search_0_21 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_22 <= slice0shift_search_0_22 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_23 <= slice0shift_search_0_23 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_24 <= slice0shift_search_0_24 - slice0shift_reference_0;
-      slice0cost_pixels_first_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_3 <= slice0shift_search_1_3 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_4 <= slice0shift_search_1_4 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_5 <= slice0shift_search_1_5 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_6 <= slice0shift_search_1_6 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_7 <= slice0shift_search_1_7 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_8 <= slice0shift_search_1_8 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_9 <= slice0shift_search_1_9 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_10 <= slice0shift_search_1_10 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_11 <= slice0shift_search_1_11 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_12 <= slice0shift_search_1_12 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_13 <= slice0shift_search_1_13 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_14 <= slice0shift_search_1_14 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_15 <= slice0shift_search_1_15 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_16 <= slice0shift_search_1_16 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_17 <= slice0shift_search_1_17 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_18 <= slice0shift_search_1_18 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_19 <= slice0shift_search_1_19 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_20 <= slice0shift_search_1_20 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_21 <= slice0shift_search_1_21 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_22 <= slice0shift_search_1_22 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_23 <= slice0shift_search_1_23 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_24 <= slice0shift_search_1_24 - slice0shift_reference_1;
+      for i in 0 to 24 loop
+        slice0cost_pixels_first(0, i) <= slice0shift_search(0, i) - slice0shift_reference(0);
+      end loop;
+      for i in 0 to 24 loop
+        slice0cost_pixels_first(1, i) <= slice0shift_search(1, i) - slice0shift_reference(1);
+      end loop;
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
       slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
@@ -1990,149 +1418,24 @@ begin
       slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
       slice0cost_pixels_first_tag_leaves_window <= slice0shift_tag_leaves_window;
       slice0cost_pixels_first_tag_map_column <= slice0shift_tag_map_column;
-      slice0cost_pixels_cost_0_0 <= (folded(slice0cost_pixels_first_0_0) + as_number((slice0cost_pixels_first_0_0 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_1 <= (folded(slice0cost_pixels_first_0_1) + as_number((slice0cost_pixels_first_0_1 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_2 <= (folded(slice0cost_pixels_first_0_2) + as_number((slice0cost_pixels_first_0_2 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_3 <= (folded(slice0cost_pixels_first_0_3) + as_number((slice0cost_pixels_first_0_3 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_4 <= (folded(slice0cost_pixels_first_0_4) + as_number((slice0cost_pixels_first_0_4 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_5 <= (folded(slice0cost_pixels_first_0_5) + as_number((slice0cost_pixels_first_0_5 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_6 <= (folded(slice0cost_pixels_first_0_6) + as_number((slice0cost_pixels_first_0_6 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_7 <= (folded(slice0cost_pixels_first_0_7) + as_number((slice0cost_pixels_first_0_7 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_8 <= (folded(slice0cost_pixels_first_0_8) + as_number((slice0cost_pixels_first_0_8 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_9 <= (folded(slice0cost_pixels_first_0_9) + as_number((slice0cost_pixels_first_0_9 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_10 <= (folded(slice0cost_pixels_first_0_10) + as_number((slice0cost_pixels_first_0_10 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_11 <= (folded(slice0cost_pixels_first_0_11) + as_number((slice0cost_pixels_first_0_11 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_12 <= (folded(slice0cost_pixels_first_0_12) + as_number((slice0cost_pixels_first_0_12 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_13 <= (folded(slice0cost_pixels_first_0_13) + as_number((slice0cost_pixels_first_0_13 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_14 <= (folded(slice0cost_pixels_first_0_14) + as_number((slice0cost_pixels_first_0_14 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_15 <= (folded(slice0cost_pixels_first_0_15) + as_number((slice0cost_pixels_first_0_15 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_16 <= (folded(slice0cost_pixels_first_0_16) + as_number((slice0cost_pixels_first_0_16 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_17 <= (folded(slice0cost_pixels_first_0_17) + as_number((slice0cost_pixels_first_0_17 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_18 <= (folded(slice0cost_pixels_first_0_18) + as_number((slice0cost_pixels_first_0_18 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_19 <= (folded(slice0cost_pixels_first_0_19) + as_number((slice0cost_pixels_first_0_19 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_20 <= (folded(slice0cost_pixels_first_0_20) + as_number((slice0cost_pixels_first_0_20 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_21 <= (folded(slice0cost_pixels_first_0_21) + as_number((slice0cost_pixels_first_0_21 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_22 <= (folded(slice0cost_pixels_first_0_22) + as_number((slice0cost_pixels_first_0_22 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_23 <= (folded(slice0cost_pixels_first_0_23) + as_number((slice0cost_pixels_first_0_23 <
-        0))) mod 256;
-      slice0cost_pixels_cost_0_24 <= (folded(slice0cost_pixels_first_0_24) + as_number((slice0cost_pixels_first_0_24 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_0 <= (folded(slice0cost_pixels_first_1_0) + as_number((slice0cost_pixels_first_1_0 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_1 <= (folded(slice0cost_pixels_first_1_1) + as_number((slice0cost_pixels_first_1_1 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_2 <= (folded(slice0cost_pixels_first_1_2) + as_number((slice0cost_pixels_first_1_2 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_3 <= (folded(slice0cost_pixels_first_1_3) + as_number((slice0cost_pixels_first_1_3 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_4 <= (folded(slice0cost_pixels_first_1_4) + as_number((slice0cost_pixels_first_1_4 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_5 <= (folded(slice0cost_pixels_first_1_5) + as_number((slice0cost_pixels_first_1_5 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_6 <= (folded(slice0cost_pixels_first_1_6) + as_number((slice0cost_pixels_first_1_6 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_7 <= (folded(slice0cost_pixels_first_1_7) + as_number((slice0cost_pixels_first_1_7 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_8 <= (folded(slice0cost_pixels_first_1_8) + as_number((slice0cost_pixels_first_1_8 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_9 <= (folded(slice0cost_pixels_first_1_9) + as_number((slice0cost_pixels_first_1_9 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_10 <= (folded(slice0cost_pixels_first_1_10) + as_number((slice0cost_pixels_first_1_10 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_11 <= (folded(slice0cost_pixels_first_1_11) + as_number((slice0cost_pixels_first_1_11 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_12 <= (folded(slice0cost_pixels_first_1_12) + as_number((slice0cost_pixels_first_1_12 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_13 <= (folded(slice0cost_pixels_first_1_13) + as_number((slice0cost_pixels_first_1_13 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_14 <= (folded(slice0cost_pixels_first_1_14) + as_number((slice0cost_pixels_first_1_14 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_15 <= (folded(slice0cost_pixels_first_1_15) + as_number((slice0cost_pixels_first_1_15 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_16 <= (folded(slice0cost_pixels_first_1_16) + as_number((slice0cost_pixels_first_1_16 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_17 <= (folded(slice0cost_pixels_first_1_17) + as_number((slice0cost_pixels_first_1_17 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_18 <= (folded(slice0cost_pixels_first_1_18) + as_number((slice0cost_pixels_first_1_18 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_19 <= (folded(slice0cost_pixels_first_1_19) + as_number((slice0cost_pixels_first_1_19 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_20 <= (folded(slice0cost_pixels_first_1_20) + as_number((slice0cost_pixels_first_1_20 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_21 <= (folded(slice0cost_pixels_first_1_21) + as_number((slice0cost_pixels_first_1_21 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_22 <= (folded(slice0cost_pixels_first_1_22) + as_number((slice0cost_pixels_first_1_22 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_23 <= (folded(slice0cost_pixels_first_1_23) + as_number((slice0cost_pixels_first_1_23 <
-        0))) mod 256;
-      slice0cost_pixels_cost_1_24 <= (folded(slice0cost_pixels_first_1_24) + as_number((slice0cost_pixels_first_1_24 <
-        0))) mod 256;
+      for i in 0 to 1 loop
+        for j in 0 to 24 loop
+          slice0cost_pixels_cost(i, j) <= (folded(slice0cost_pixels_first(i, j)) +
+            as_number((slice0cost_pixels_first(i, j) < 0))) mod 256;
+        end loop;
+      end loop;
       slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
       slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
       slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
       slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
       slice0cost_pixels_tag_leaves_window <= slice0cost_pixels_first_tag_leaves_window;
       slice0cost_pixels_tag_map_column <= slice0cost_pixels_first_tag_map_column;
-      slice0cost_change_0_0 <= slice0cost_pixels_cost_1_0 - slice0cost_pixels_cost_0_0;
-      slice0cost_change_0_1 <= slice0cost_pixels_cost_1_1 - slice0cost_pixels_cost_0_1;
-      slice0cost_change_0_2 <= slice0cost_pixels_cost_1_2 - slice0cost_pixels_cost_0_2;
-      slice0cost_change_0_3 <= slice0cost_pixels_cost_1_3 - slice0cost_pixels_cost_0_3;
-      slice0cost_change_0_4 <= slice0cost_pixels_cost_1_4 - slice0cost_pixels_cost_0_4;
-      slice0cost_change_0_5 <= slice0cost_pixels_cost_1_5 - slice0cost_pixels_cost_0_5;
-      slice0cost_change_0_6 <= slice0cost_pixels_cost_1_6 - slice0cost_pixels_cost_0_6;
-      slice0cost_change_0_7 <= slice0cost_pixels_cost_1_7 - slice0cost_pixels_cost_0_7;
-      slice0cost_change_0_8 <= slice0cost_pixels_cost_1_8 - slice0cost_pixels_cost_0_8;
-      slice0cost_change_0_9 <= slice0cost_pixels_cost_1_9 - slice0cost_pixels_cost_0_9;
-      slice0cost_change_0_10 <= slice0cost_pixels_cost_1_10 - slice0cost_pixels_cost_0_10;
-      slice0cost_change_0_11 <= slice0cost_pixels_cost_1_11 - slice0cost_pixels_cost_0_11;
-      slice0cost_change_0_12 <= slice0cost_pixels_cost_1_12 - slice0cost_pixels_cost_0_12;
-      slice0cost_change_0_13 <= slice0cost_pixels_cost_1_13 - slice0cost_pixels_cost_0_13;
-      slice0cost_change_0_14 <= slice0cost_pixels_cost_1_14 - slice0cost_pixels_cost_0_14;
-      slice0cost_change_0_15 <= slice0cost_pixels_cost_1_15 - slice0cost_pixels_cost_0_15;
-      slice0cost_change_0_16 <= slice0cost_pixels_cost_1_16 - slice0cost_pixels_cost_0_16;
-      slice0cost_change_0_17 <= slice0cost_pixels_cost_1_17 - slice0cost_pixels_cost_0_17;
-      slice0cost_change_0_18 <= slice0cost_pixels_cost_1_18 - slice0cost_pixels_cost_0_18;
-      slice0cost_change_0_19 <= slice0cost_pixels_cost_1_19 - slice0cost_pixels_cost_0_19;
-      slice0cost_change_0_20 <= slice0cost_pixels_cost_1_20 - slice0cost_pixels_cost_0_20;
-      slice0cost_change_0_21 <= slice0cost_pixels_cost_1_21 - slice0cost_pixels_cost_0_21;
-      slice0cost_change_0_22 <= slice0cost_pixels_cost_1_22 - slice0cost_pixels_cost_0_22;
-      slice0cost_change_0_23 <= slice0cost_pixels_cost_1_23 - slice0cost_pixels_cost_0_23;
-      slice0cost_change_0_24 <= slice0cost_pixels_cost_1_24 - slice0cost_pixels_cost_0_24;
-      slice0cost_ready_words_0 <= to_integer(slice0cost_read_words_0);
-      slice0cost_ready_words_1 <= to_integer(slice0cost_read_words_1);
-      slice0cost_ready_words_2 <= to_integer(slice0cost_read_words_2);
-      slice0cost_ready_words_3 <= to_integer(slice0cost_read_words_3);
-      slice0cost_ready_words_4 <= to_integer(slice0cost_read_words_4);
-      slice0cost_ready_words_5 <= to_integer(slice0cost_read_words_5);
-      slice0cost_ready_words_6 <= to_integer(slice0cost_read_words_6);
-      slice0cost_ready_words_7 <= to_integer(slice0cost_read_words_7);
-      slice0cost_ready_words_8 <= to_integer(slice0cost_read_words_8);
-      slice0cost_ready_words_9 <= to_integer(slice0cost_read_words_9);
-      slice0cost_ready_words_10 <= to_integer(slice0cost_read_words_10);
-      slice0cost_ready_words_11 <= to_integer(slice0cost_read_words_11);
+      for i in 0 to 24 loop
+        slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
+      end loop;
+      for i in 0 to 11 loop
+        slice0cost_ready_words(i) <= to_integer(slice0cost_read_words(i));
+      end loop;
       slice0cost_ready_words_12 <= to_integer(slice0cost_read_words_12);
       slice0cost_ready_column <= slice0cost_change_column;
       slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
@@ -2141,31 +1444,9 @@ begin
       slice0cost_ready_tag_first_cost <= slice0cost_pixels_tag_first_cost;
       slice0cost_ready_tag_leaves_window <= slice0cost_pixels_tag_leaves_window;
       slice0cost_ready_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_column_0_0 <= slice0cost_column_0_0_choice_2;
-      slice0cost_column_0_1 <= slice0cost_column_0_1_choice_2;
-      slice0cost_column_0_2 <= slice0cost_column_0_2_choice_2;
-      slice0cost_column_0_3 <= slice0cost_column_0_3_choice_2;
-      slice0cost_column_0_4 <= slice0cost_column_0_4_choice_2;
-      slice0cost_column_0_5 <= slice0cost_column_0_5_choice_2;
-      slice0cost_column_0_6 <= slice0cost_column_0_6_choice_2;
-      slice0cost_column_0_7 <= slice0cost_column_0_7_choice_2;
-      slice0cost_column_0_8 <= slice0cost_column_0_8_choice_2;
-      slice0cost_column_0_9 <= slice0cost_column_0_9_choice_2;
-      slice0cost_column_0_10 <= slice0cost_column_0_10_choice_2;
-      slice0cost_column_0_11 <= slice0cost_column_0_11_choice_2;
-      slice0cost_column_0_12 <= slice0cost_column_0_12_choice_2;
-      slice0cost_column_0_13 <= slice0cost_column_0_13_choice_2;
-      slice0cost_column_0_14 <= slice0cost_column_0_14_choice_2;
-      slice0cost_column_0_15 <= slice0cost_column_0_15_choice_2;
-      slice0cost_column_0_16 <= slice0cost_column_0_16_choice_2;
-      slice0cost_column_0_17 <= slice0cost_column_0_17_choice_2;
-      slice0cost_column_0_18 <= slice0cost_column_0_18_choice_2;
-      slice0cost_column_0_19 <= slice0cost_column_0_19_choice_2;
-      slice0cost_column_0_20 <= slice0cost_column_0_20_choice_2;
-      slice0cost_column_0_21 <= slice0cost_column_0_21_choice_2;
-      slice0cost_column_0_22 <= slice0cost_column_0_22_choice_2;
-      slice0cost_column_0_23 <= slice0cost_column_0_23_choice_2;
-      slice0cost_column_0_24 <= slice0cost_column_0_24_choice_2;
+      for i in 0 to 24 loop
+        slice0cost_column_0(i) <= slice0cost_column_0_choice_2(i);
+      end loop;
       slice0cost_write_column <= slice0cost_ready_column;
       slice0cost_tag_valid <= slice0cost_ready_tag_valid;
       slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
@@ -2188,19 +1469,11 @@ begin
         end if;
       end if;
       if slice0cost_ready_tag_valid then
-        slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 2048) + slice0cost_column_0_0_choice_2;
-        slice0cost_write_words_1 <= (slice0cost_column_0_3_choice_2 * 2048) + slice0cost_column_0_2_choice_2;
-        slice0cost_write_words_2 <= (slice0cost_column_0_5_choice_2 * 2048) + slice0cost_column_0_4_choice_2;
-        slice0cost_write_words_3 <= (slice0cost_column_0_7_choice_2 * 2048) + slice0cost_column_0_6_choice_2;
-        slice0cost_write_words_4 <= (slice0cost_column_0_9_choice_2 * 2048) + slice0cost_column_0_8_choice_2;
-        slice0cost_write_words_5 <= (slice0cost_column_0_11_choice_2 * 2048) + slice0cost_column_0_10_choice_2;
-        slice0cost_write_words_6 <= (slice0cost_column_0_13_choice_2 * 2048) + slice0cost_column_0_12_choice_2;
-        slice0cost_write_words_7 <= (slice0cost_column_0_15_choice_2 * 2048) + slice0cost_column_0_14_choice_2;
-        slice0cost_write_words_8 <= (slice0cost_column_0_17_choice_2 * 2048) + slice0cost_column_0_16_choice_2;
-        slice0cost_write_words_9 <= (slice0cost_column_0_19_choice_2 * 2048) + slice0cost_column_0_18_choice_2;
-        slice0cost_write_words_10 <= (slice0cost_column_0_21_choice_2 * 2048) + slice0cost_column_0_20_choice_2;
-        slice0cost_write_words_11 <= (slice0cost_column_0_23_choice_2 * 2048) + slice0cost_column_0_22_choice_2;
-        slice0cost_write_words_12 <= slice0cost_column_0_24_choice_2;
+        for i in 0 to 11 loop
+          slice0cost_write_words(i) <= (slice0cost_column_0_choice_2(2 * i + 1) * 2048) +
+            slice0cost_column_0_choice_2(2 * i);
+        end loop;
+        slice0cost_write_words_12 <= slice0cost_column_0_choice_2(24);
       end if;
       -- slice0window
       if slice0cost_tag_valid then
@@ -2211,567 +1484,271 @@ begin
           slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 8;
         end if;
       end if;
+      for i in 0 to 5 loop
+        for j in 0 to 1 loop
+          if slice0window_entering_tag_leaves_window then
+            slice0window_change_0_choice(4 * i + j) := to_integer(slice0window_leaving(2 * i)(11 * j + 10 downto 11 *
+              j));
+          else
+            slice0window_change_0_choice(4 * i + j) := 0;
+          end if;
+        end loop;
+        for j in 2 to 3 loop
+          if slice0window_entering_tag_leaves_window then
+            slice0window_change_0_choice(4 * i + j) := to_integer(slice0window_leaving(2 * i + 1)(11 * j - 12 downto 11
+              * j - 22));
+          else
+            slice0window_change_0_choice(4 * i + j) := 0;
+          end if;
+        end loop;
+      end loop;
       if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(10 downto 0));
+        slice0window_change_0_choice(24) := to_integer(slice0window_leaving_12);
       else
-        slice0window_change_0_0_choice := 0;
+        slice0window_change_0_choice(24) := 0;
       end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(21 downto 11));
-      else
-        slice0window_change_0_1_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_2_choice := to_integer(slice0window_leaving_1(10 downto 0));
-      else
-        slice0window_change_0_2_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_3_choice := to_integer(slice0window_leaving_1(21 downto 11));
-      else
-        slice0window_change_0_3_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_4_choice := to_integer(slice0window_leaving_2(10 downto 0));
-      else
-        slice0window_change_0_4_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_5_choice := to_integer(slice0window_leaving_2(21 downto 11));
-      else
-        slice0window_change_0_5_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_6_choice := to_integer(slice0window_leaving_3(10 downto 0));
-      else
-        slice0window_change_0_6_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_7_choice := to_integer(slice0window_leaving_3(21 downto 11));
-      else
-        slice0window_change_0_7_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_8_choice := to_integer(slice0window_leaving_4(10 downto 0));
-      else
-        slice0window_change_0_8_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_9_choice := to_integer(slice0window_leaving_4(21 downto 11));
-      else
-        slice0window_change_0_9_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_10_choice := to_integer(slice0window_leaving_5(10 downto 0));
-      else
-        slice0window_change_0_10_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_11_choice := to_integer(slice0window_leaving_5(21 downto 11));
-      else
-        slice0window_change_0_11_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_12_choice := to_integer(slice0window_leaving_6(10 downto 0));
-      else
-        slice0window_change_0_12_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_13_choice := to_integer(slice0window_leaving_6(21 downto 11));
-      else
-        slice0window_change_0_13_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_14_choice := to_integer(slice0window_leaving_7(10 downto 0));
-      else
-        slice0window_change_0_14_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_15_choice := to_integer(slice0window_leaving_7(21 downto 11));
-      else
-        slice0window_change_0_15_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_16_choice := to_integer(slice0window_leaving_8(10 downto 0));
-      else
-        slice0window_change_0_16_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_17_choice := to_integer(slice0window_leaving_8(21 downto 11));
-      else
-        slice0window_change_0_17_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_18_choice := to_integer(slice0window_leaving_9(10 downto 0));
-      else
-        slice0window_change_0_18_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_19_choice := to_integer(slice0window_leaving_9(21 downto 11));
-      else
-        slice0window_change_0_19_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_20_choice := to_integer(slice0window_leaving_10(10 downto 0));
-      else
-        slice0window_change_0_20_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_21_choice := to_integer(slice0window_leaving_10(21 downto 11));
-      else
-        slice0window_change_0_21_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_22_choice := to_integer(slice0window_leaving_11(10 downto 0));
-      else
-        slice0window_change_0_22_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_23_choice := to_integer(slice0window_leaving_11(21 downto 11));
-      else
-        slice0window_change_0_23_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_24_choice := to_integer(slice0window_leaving_12);
-      else
-        slice0window_change_0_24_choice := 0;
-      end if;
-      slice0window_entering_0_0 <= slice0cost_column_0_0;
-      slice0window_entering_0_1 <= slice0cost_column_0_1;
-      slice0window_entering_0_2 <= slice0cost_column_0_2;
-      slice0window_entering_0_3 <= slice0cost_column_0_3;
-      slice0window_entering_0_4 <= slice0cost_column_0_4;
-      slice0window_entering_0_5 <= slice0cost_column_0_5;
-      slice0window_entering_0_6 <= slice0cost_column_0_6;
-      slice0window_entering_0_7 <= slice0cost_column_0_7;
-      slice0window_entering_0_8 <= slice0cost_column_0_8;
-      slice0window_entering_0_9 <= slice0cost_column_0_9;
-      slice0window_entering_0_10 <= slice0cost_column_0_10;
-      slice0window_entering_0_11 <= slice0cost_column_0_11;
-      slice0window_entering_0_12 <= slice0cost_column_0_12;
-      slice0window_entering_0_13 <= slice0cost_column_0_13;
-      slice0window_entering_0_14 <= slice0cost_column_0_14;
-      slice0window_entering_0_15 <= slice0cost_column_0_15;
-      slice0window_entering_0_16 <= slice0cost_column_0_16;
-      slice0window_entering_0_17 <= slice0cost_column_0_17;
-      slice0window_entering_0_18 <= slice0cost_column_0_18;
-      slice0window_entering_0_19 <= slice0cost_column_0_19;
-      slice0window_entering_0_20 <= slice0cost_column_0_20;
-      slice0window_entering_0_21 <= slice0cost_column_0_21;
-      slice0window_entering_0_22 <= slice0cost_column_0_22;
-      slice0window_entering_0_23 <= slice0cost_column_0_23;
-      slice0window_entering_0_24 <= slice0cost_column_0_24;
+      for i in 0 to 24 loop
+        slice0window_entering_0(i) <= slice0cost_column_0(i);
+      end loop;
       slice0window_entering_tag_valid <= slice0cost_tag_valid;
       slice0window_entering_tag_first_cost <= slice0cost_tag_first_cost;
       slice0window_entering_tag_leaves_window <= slice0cost_tag_leaves_window;
       slice0window_entering_tag_map_column <= slice0cost_tag_map_column;
-      slice0window_change_0_0 <= slice0window_entering_0_0 - slice0window_change_0_0_choice;
-      slice0window_change_0_1 <= slice0window_entering_0_1 - slice0window_change_0_1_choice;
-      slice0window_change_0_2 <= slice0window_entering_0_2 - slice0window_change_0_2_choice;
-      slice0window_change_0_3 <= slice0window_entering_0_3 - slice0window_change_0_3_choice;
-      slice0window_change_0_4 <= slice0window_entering_0_4 - slice0window_change_0_4_choice;
-      slice0window_change_0_5 <= slice0window_entering_0_5 - slice0window_change_0_5_choice;
-      slice0window_change_0_6 <= slice0window_entering_0_6 - slice0window_change_0_6_choice;
-      slice0window_change_0_7 <= slice0window_entering_0_7 - slice0window_change_0_7_choice;
-      slice0window_change_0_8 <= slice0window_entering_0_8 - slice0window_change_0_8_choice;
-      slice0window_change_0_9 <= slice0window_entering_0_9 - slice0window_change_0_9_choice;
-      slice0window_change_0_10 <= slice0window_entering_0_10 - slice0window_change_0_10_choice;
-      slice0window_change_0_11 <= slice0window_entering_0_11 - slice0window_change_0_11_choice;
-      slice0window_change_0_12 <= slice0window_entering_0_12 - slice0window_change_0_12_choice;
-      slice0window_change_0_13 <= slice0window_entering_0_13 - slice0window_change_0_13_choice;
-      slice0window_change_0_14 <= slice0window_entering_0_14 - slice0window_change_0_14_choice;
-      slice0window_change_0_15 <= slice0window_entering_0_15 - slice0window_change_0_15_choice;
-      slice0window_change_0_16 <= slice0window_entering_0_16 - slice0window_change_0_16_choice;
-      slice0window_change_0_17 <= slice0window_entering_0_17 - slice0window_change_0_17_choice;
-      slice0window_change_0_18 <= slice0window_entering_0_18 - slice0window_change_0_18_choice;
-      slice0window_change_0_19 <= slice0window_entering_0_19 - slice0window_change_0_19_choice;
-      slice0window_change_0_20 <= slice0window_entering_0_20 - slice0window_change_0_20_choice;
-      slice0window_change_0_21 <= slice0window_entering_0_21 - slice0window_change_0_21_choice;
-      slice0window_change_0_22 <= slice0window_entering_0_22 - slice0window_change_0_22_choice;
-      slice0window_change_0_23 <= slice0window_entering_0_23 - slice0window_change_0_23_choice;
-      slice0window_change_0_24 <= slice0window_entering_0_24 - slice0window_change_0_24_choice;
+      for i in 0 to 24 loop
+        slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
+      end loop;
       slice0window_change_tag_valid <= slice0window_entering_tag_valid;
       slice0window_change_tag_first_cost <= slice0window_entering_tag_first_cost;
       slice0window_change_tag_leaves_window <= slice0window_entering_tag_leaves_window;
       slice0window_change_tag_map_column <= slice0window_entering_tag_map_column;
-      slice0window_centre_map_column_0 <= slice0window_change_tag_map_column;
-      slice0window_centre_first_column_0 <= slice0window_change_tag_first_cost;
+      slice0window_centre_map_column(0) <= slice0window_change_tag_map_column;
+      slice0window_centre_first_column(0) <= slice0window_change_tag_first_cost;
       slice0window_tag_valid <= slice0window_change_tag_valid;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_0_choice := 0;
-      else
-        slice0window_sum_0_0_choice := slice0window_sum_0_0;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_1_choice := 0;
-      else
-        slice0window_sum_0_1_choice := slice0window_sum_0_1;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_2_choice := 0;
-      else
-        slice0window_sum_0_2_choice := slice0window_sum_0_2;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_3_choice := 0;
-      else
-        slice0window_sum_0_3_choice := slice0window_sum_0_3;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_4_choice := 0;
-      else
-        slice0window_sum_0_4_choice := slice0window_sum_0_4;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_5_choice := 0;
-      else
-        slice0window_sum_0_5_choice := slice0window_sum_0_5;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_6_choice := 0;
-      else
-        slice0window_sum_0_6_choice := slice0window_sum_0_6;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_7_choice := 0;
-      else
-        slice0window_sum_0_7_choice := slice0window_sum_0_7;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_8_choice := 0;
-      else
-        slice0window_sum_0_8_choice := slice0window_sum_0_8;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_9_choice := 0;
-      else
-        slice0window_sum_0_9_choice := slice0window_sum_0_9;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_10_choice := 0;
-      else
-        slice0window_sum_0_10_choice := slice0window_sum_0_10;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_11_choice := 0;
-      else
-        slice0window_sum_0_11_choice := slice0window_sum_0_11;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_12_choice := 0;
-      else
-        slice0window_sum_0_12_choice := slice0window_sum_0_12;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_13_choice := 0;
-      else
-        slice0window_sum_0_13_choice := slice0window_sum_0_13;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_14_choice := 0;
-      else
-        slice0window_sum_0_14_choice := slice0window_sum_0_14;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_15_choice := 0;
-      else
-        slice0window_sum_0_15_choice := slice0window_sum_0_15;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_16_choice := 0;
-      else
-        slice0window_sum_0_16_choice := slice0window_sum_0_16;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_17_choice := 0;
-      else
-        slice0window_sum_0_17_choice := slice0window_sum_0_17;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_18_choice := 0;
-      else
-        slice0window_sum_0_18_choice := slice0window_sum_0_18;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_19_choice := 0;
-      else
-        slice0window_sum_0_19_choice := slice0window_sum_0_19;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_20_choice := 0;
-      else
-        slice0window_sum_0_20_choice := slice0window_sum_0_20;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_21_choice := 0;
-      else
-        slice0window_sum_0_21_choice := slice0window_sum_0_21;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_22_choice := 0;
-      else
-        slice0window_sum_0_22_choice := slice0window_sum_0_22;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_23_choice := 0;
-      else
-        slice0window_sum_0_23_choice := slice0window_sum_0_23;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_24_choice := 0;
-      else
-        slice0window_sum_0_24_choice := slice0window_sum_0_24;
-      end if;
+      for i in 0 to 24 loop
+        if slice0window_change_tag_first_cost then
+          slice0window_sum_0_choice(i) := 0;
+        else
+          slice0window_sum_0_choice(i) := slice0window_sum_0(i);
+        end if;
+      end loop;
       if slice0window_change_tag_valid then
-        slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 16384;
-        slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 16384;
-        slice0window_sum_0_2 <= (slice0window_sum_0_2_choice + slice0window_change_0_2) mod 16384;
-        slice0window_sum_0_3 <= (slice0window_sum_0_3_choice + slice0window_change_0_3) mod 16384;
-        slice0window_sum_0_4 <= (slice0window_sum_0_4_choice + slice0window_change_0_4) mod 16384;
-        slice0window_sum_0_5 <= (slice0window_sum_0_5_choice + slice0window_change_0_5) mod 16384;
-        slice0window_sum_0_6 <= (slice0window_sum_0_6_choice + slice0window_change_0_6) mod 16384;
-        slice0window_sum_0_7 <= (slice0window_sum_0_7_choice + slice0window_change_0_7) mod 16384;
-        slice0window_sum_0_8 <= (slice0window_sum_0_8_choice + slice0window_change_0_8) mod 16384;
-        slice0window_sum_0_9 <= (slice0window_sum_0_9_choice + slice0window_change_0_9) mod 16384;
-        slice0window_sum_0_10 <= (slice0window_sum_0_10_choice + slice0window_change_0_10) mod 16384;
-        slice0window_sum_0_11 <= (slice0window_sum_0_11_choice + slice0window_change_0_11) mod 16384;
-        slice0window_sum_0_12 <= (slice0window_sum_0_12_choice + slice0window_change_0_12) mod 16384;
-        slice0window_sum_0_13 <= (slice0window_sum_0_13_choice + slice0window_change_0_13) mod 16384;
-        slice0window_sum_0_14 <= (slice0window_sum_0_14_choice + slice0window_change_0_14) mod 16384;
-        slice0window_sum_0_15 <= (slice0window_sum_0_15_choice + slice0window_change_0_15) mod 16384;
-        slice0window_sum_0_16 <= (slice0window_sum_0_16_choice + slice0window_change_0_16) mod 16384;
-        slice0window_sum_0_17 <= (slice0window_sum_0_17_choice + slice0window_change_0_17) mod 16384;
-        slice0window_sum_0_18 <= (slice0window_sum_0_18_choice + slice0window_change_0_18) mod 16384;
-        slice0window_sum_0_19 <= (slice0window_sum_0_19_choice + slice0window_change_0_19) mod 16384;
-        slice0window_sum_0_20 <= (slice0window_sum_0_20_choice + slice0window_change_0_20) mod 16384;
-        slice0window_sum_0_21 <= (slice0window_sum_0_21_choice + slice0window_change_0_21) mod 16384;
-        slice0window_sum_0_22 <= (slice0window_sum_0_22_choice + slice0window_change_0_22) mod 16384;
-        slice0window_sum_0_23 <= (slice0window_sum_0_23_choice + slice0window_change_0_23) mod 16384;
-        slice0window_sum_0_24 <= (slice0window_sum_0_24_choice + slice0window_change_0_24) mod 16384;
+        for i in 0 to 24 loop
+          slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 16384;
+        end loop;
       end if;
       if slice0window_tag_valid then
-        slice0window_centre_map_column_1 <= slice0window_centre_map_column_0;
-        slice0window_centre_map_column_2 <= slice0window_centre_map_column_1;
-        slice0window_centre_first_column_1 <= slice0window_centre_first_column_0;
-        slice0window_centre_first_column_2 <= slice0window_centre_first_column_1;
-        slice0window_tag_map_column <= slice0window_centre_map_column_2;
-        slice0window_tag_first_column <= slice0window_centre_first_column_2;
+        slice0window_centre_map_column(1) <= slice0window_centre_map_column(0);
+        slice0window_centre_map_column(2) <= slice0window_centre_map_column(1);
+        slice0window_centre_first_column(1) <= slice0window_centre_first_column(0);
+        slice0window_centre_first_column(2) <= slice0window_centre_first_column(1);
+        slice0window_tag_map_column <= slice0window_centre_map_column(2);
+        slice0window_tag_first_column <= slice0window_centre_first_column(2);
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
-      slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_best_cost_0_8_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
-      slice0winner1_best_cost_0_9_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
-      slice0winner1_best_cost_0_10_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
-      slice0winner1_best_cost_0_11_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
-      slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      for i in 0 to 11 loop
+        slice0winner1_best_cost_0_is_less(i) := (slice0window_sum_0(2 * i + 1) - slice0window_sum_0(2 * i)) < 0;
+      end loop;
+      slice0winner1_best_cost_0(12) <= slice0window_sum_0(24);
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
       slice0winner1_best_index_0_12 <= 24;
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_map_column <= slice0window_tag_map_column;
       slice0winner1_tag_first_column <= slice0window_tag_first_column;
-      if slice0winner1_best_cost_0_0_is_less then
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      if slice0winner1_best_cost_0_is_less(0) then
+        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
       else
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
       end if;
-      if slice0winner1_best_cost_0_1_is_less then
-        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+      if slice0winner1_best_cost_0_is_less(1) then
+        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
         slice0winner1_best_index_0_1 <= 3;
       else
-        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
         slice0winner1_best_index_0_1 <= 2;
       end if;
-      if slice0winner1_best_cost_0_2_is_less then
-        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+      if slice0winner1_best_cost_0_is_less(2) then
+        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
         slice0winner1_best_index_0_2 <= 5;
       else
-        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
         slice0winner1_best_index_0_2 <= 4;
       end if;
-      if slice0winner1_best_cost_0_3_is_less then
-        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+      if slice0winner1_best_cost_0_is_less(3) then
+        slice0winner1_best_cost_0(3) <= slice0window_sum_0(7);
         slice0winner1_best_index_0_3 <= 7;
       else
-        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_cost_0(3) <= slice0window_sum_0(6);
         slice0winner1_best_index_0_3 <= 6;
       end if;
-      if slice0winner1_best_cost_0_4_is_less then
-        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
+      if slice0winner1_best_cost_0_is_less(4) then
+        slice0winner1_best_cost_0(4) <= slice0window_sum_0(9);
         slice0winner1_best_index_0_4 <= 9;
       else
-        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_cost_0(4) <= slice0window_sum_0(8);
         slice0winner1_best_index_0_4 <= 8;
       end if;
-      if slice0winner1_best_cost_0_5_is_less then
-        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
+      if slice0winner1_best_cost_0_is_less(5) then
+        slice0winner1_best_cost_0(5) <= slice0window_sum_0(11);
         slice0winner1_best_index_0_5 <= 11;
       else
-        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_cost_0(5) <= slice0window_sum_0(10);
         slice0winner1_best_index_0_5 <= 10;
       end if;
-      if slice0winner1_best_cost_0_6_is_less then
-        slice0winner1_best_cost_0_6 <= slice0window_sum_0_13;
+      if slice0winner1_best_cost_0_is_less(6) then
+        slice0winner1_best_cost_0(6) <= slice0window_sum_0(13);
         slice0winner1_best_index_0_6 <= 13;
       else
-        slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
+        slice0winner1_best_cost_0(6) <= slice0window_sum_0(12);
         slice0winner1_best_index_0_6 <= 12;
       end if;
-      if slice0winner1_best_cost_0_7_is_less then
-        slice0winner1_best_cost_0_7 <= slice0window_sum_0_15;
+      if slice0winner1_best_cost_0_is_less(7) then
+        slice0winner1_best_cost_0(7) <= slice0window_sum_0(15);
         slice0winner1_best_index_0_7 <= 15;
       else
-        slice0winner1_best_cost_0_7 <= slice0window_sum_0_14;
+        slice0winner1_best_cost_0(7) <= slice0window_sum_0(14);
         slice0winner1_best_index_0_7 <= 14;
       end if;
-      if slice0winner1_best_cost_0_8_is_less then
-        slice0winner1_best_cost_0_8 <= slice0window_sum_0_17;
+      if slice0winner1_best_cost_0_is_less(8) then
+        slice0winner1_best_cost_0(8) <= slice0window_sum_0(17);
         slice0winner1_best_index_0_8 <= 17;
       else
-        slice0winner1_best_cost_0_8 <= slice0window_sum_0_16;
+        slice0winner1_best_cost_0(8) <= slice0window_sum_0(16);
         slice0winner1_best_index_0_8 <= 16;
       end if;
-      if slice0winner1_best_cost_0_9_is_less then
-        slice0winner1_best_cost_0_9 <= slice0window_sum_0_19;
+      if slice0winner1_best_cost_0_is_less(9) then
+        slice0winner1_best_cost_0(9) <= slice0window_sum_0(19);
         slice0winner1_best_index_0_9 <= 19;
       else
-        slice0winner1_best_cost_0_9 <= slice0window_sum_0_18;
+        slice0winner1_best_cost_0(9) <= slice0window_sum_0(18);
         slice0winner1_best_index_0_9 <= 18;
       end if;
-      if slice0winner1_best_cost_0_10_is_less then
-        slice0winner1_best_cost_0_10 <= slice0window_sum_0_21;
+      if slice0winner1_best_cost_0_is_less(10) then
+        slice0winner1_best_cost_0(10) <= slice0window_sum_0(21);
         slice0winner1_best_index_0_10 <= 21;
       else
-        slice0winner1_best_cost_0_10 <= slice0window_sum_0_20;
+        slice0winner1_best_cost_0(10) <= slice0window_sum_0(20);
         slice0winner1_best_index_0_10 <= 20;
       end if;
-      if slice0winner1_best_cost_0_11_is_less then
-        slice0winner1_best_cost_0_11 <= slice0window_sum_0_23;
+      if slice0winner1_best_cost_0_is_less(11) then
+        slice0winner1_best_cost_0(11) <= slice0window_sum_0(23);
         slice0winner1_best_index_0_11 <= 23;
       else
-        slice0winner1_best_cost_0_11 <= slice0window_sum_0_22;
+        slice0winner1_best_cost_0(11) <= slice0window_sum_0(22);
         slice0winner1_best_index_0_11 <= 22;
       end if;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
-      slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
-      slice0winner2_best_cost_0_4_is_less := (slice0winner1_best_cost_0_9 - slice0winner1_best_cost_0_8) < 0;
-      slice0winner2_best_cost_0_5_is_less := (slice0winner1_best_cost_0_11 - slice0winner1_best_cost_0_10) < 0;
-      slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
+      for i in 0 to 5 loop
+        slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      slice0winner2_best_cost_0(6) <= slice0winner1_best_cost_0(12);
       slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_first_column <= slice0winner1_tag_first_column;
-      if slice0winner2_best_cost_0_0_is_less then
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+      if slice0winner2_best_cost_0_is_less(0) then
+        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
         slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
       else
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
         slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
       end if;
-      if slice0winner2_best_cost_0_1_is_less then
-        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+      if slice0winner2_best_cost_0_is_less(1) then
+        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
         slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
       else
-        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
         slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
       end if;
-      if slice0winner2_best_cost_0_2_is_less then
-        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
+      if slice0winner2_best_cost_0_is_less(2) then
+        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(5);
         slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
       else
-        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(4);
         slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
       end if;
-      if slice0winner2_best_cost_0_3_is_less then
-        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7;
+      if slice0winner2_best_cost_0_is_less(3) then
+        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(7);
         slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
       else
-        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
+        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(6);
         slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
       end if;
-      if slice0winner2_best_cost_0_4_is_less then
-        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9;
+      if slice0winner2_best_cost_0_is_less(4) then
+        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(9);
         slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9;
       else
-        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_8;
+        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(8);
         slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
       end if;
-      if slice0winner2_best_cost_0_5_is_less then
-        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11;
+      if slice0winner2_best_cost_0_is_less(5) then
+        slice0winner2_best_cost_0(5) <= slice0winner1_best_cost_0(11);
         slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11;
       else
-        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_10;
+        slice0winner2_best_cost_0(5) <= slice0winner1_best_cost_0(10);
         slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_10;
       end if;
       -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
-      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
-      slice0winner3_best_cost_0_2_is_less := (slice0winner2_best_cost_0_5 - slice0winner2_best_cost_0_4) < 0;
-      slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
+      for i in 0 to 2 loop
+        slice0winner3_best_cost_0_is_less(i) := (slice0winner2_best_cost_0(2 * i + 1) - slice0winner2_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      slice0winner3_best_cost_0(3) <= slice0winner2_best_cost_0(6);
       slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
       slice0winner3_tag_first_column <= slice0winner2_tag_first_column;
-      if slice0winner3_best_cost_0_0_is_less then
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+      if slice0winner3_best_cost_0_is_less(0) then
+        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(1);
         slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
       else
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(0);
         slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
       end if;
-      if slice0winner3_best_cost_0_1_is_less then
-        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3;
+      if slice0winner3_best_cost_0_is_less(1) then
+        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(3);
         slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
       else
-        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
+        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(2);
         slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
       end if;
-      if slice0winner3_best_cost_0_2_is_less then
-        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5;
+      if slice0winner3_best_cost_0_is_less(2) then
+        slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(5);
         slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5;
       else
-        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_4;
+        slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(4);
         slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
       end if;
       -- slice0winner4
-      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
-      slice0winner4_best_cost_0_1_is_less := (slice0winner3_best_cost_0_3 - slice0winner3_best_cost_0_2) < 0;
+      slice0winner4_best_cost_0_is_less(0) := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
+      slice0winner4_best_cost_0_is_less(1) := (slice0winner3_best_cost_0(3) - slice0winner3_best_cost_0(2)) < 0;
       slice0winner4_tag_valid <= slice0winner3_tag_valid;
       slice0winner4_tag_map_column <= slice0winner3_tag_map_column;
       slice0winner4_tag_first_column <= slice0winner3_tag_first_column;
-      if slice0winner4_best_cost_0_0_is_less then
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+      if slice0winner4_best_cost_0_is_less(0) then
+        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(1);
         slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
       else
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(0);
         slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
       end if;
-      if slice0winner4_best_cost_0_1_is_less then
-        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3;
+      if slice0winner4_best_cost_0_is_less(1) then
+        slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(3);
         slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
       else
-        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_2;
+        slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(2);
         slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
       end if;
       -- slice0winner5
-      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
+      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0(1) - slice0winner4_best_cost_0(0)) < 0;
       slice0winner5_tag_valid <= slice0winner4_tag_valid;
       slice0winner5_tag_map_column <= slice0winner4_tag_map_column;
       slice0winner5_tag_first_column <= slice0winner4_tag_first_column;
       if slice0winner5_best_cost_0_0_is_less then
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1;
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(1);
         slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1;
       else
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_0;
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(0);
         slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_0;
       end if;
       -- slice0
@@ -2782,333 +1759,84 @@ begin
       slice0_best_tag_first_column <= slice0winner5_tag_first_column;
       -- slice1shift
       if slice0shift_tag_valid then
-        slice1shift_search_0_0 <= slice1shift_search_0_1;
-        slice1shift_search_0_1 <= slice1shift_search_0_2;
-        slice1shift_search_0_2 <= slice1shift_search_0_3;
-        slice1shift_search_0_3 <= slice1shift_search_0_4;
-        slice1shift_search_0_4 <= slice1shift_search_0_5;
-        slice1shift_search_0_5 <= slice1shift_search_0_6;
-        slice1shift_search_0_6 <= slice1shift_search_0_7;
-        slice1shift_search_0_7 <= slice1shift_search_0_8;
-        slice1shift_search_0_8 <= slice1shift_search_0_9;
-        slice1shift_search_0_9 <= slice1shift_search_0_10;
-        slice1shift_search_0_10 <= slice1shift_search_0_11;
-        slice1shift_search_0_11 <= slice1shift_search_0_12;
-        slice1shift_search_0_12 <= slice1shift_search_0_13;
-        slice1shift_search_0_13 <= slice1shift_search_0_14;
-        slice1shift_search_0_14 <= slice0shift_search_out_0;
-        slice1shift_search_1_0 <= slice1shift_search_1_1;
-        slice1shift_search_1_1 <= slice1shift_search_1_2;
-        slice1shift_search_1_2 <= slice1shift_search_1_3;
-        slice1shift_search_1_3 <= slice1shift_search_1_4;
-        slice1shift_search_1_4 <= slice1shift_search_1_5;
-        slice1shift_search_1_5 <= slice1shift_search_1_6;
-        slice1shift_search_1_6 <= slice1shift_search_1_7;
-        slice1shift_search_1_7 <= slice1shift_search_1_8;
-        slice1shift_search_1_8 <= slice1shift_search_1_9;
-        slice1shift_search_1_9 <= slice1shift_search_1_10;
-        slice1shift_search_1_10 <= slice1shift_search_1_11;
-        slice1shift_search_1_11 <= slice1shift_search_1_12;
-        slice1shift_search_1_12 <= slice1shift_search_1_13;
-        slice1shift_search_1_13 <= slice1shift_search_1_14;
-        slice1shift_search_1_14 <= slice0shift_search_out_1;
+        for i in 0 to 1 loop
+          for j in 0 to 13 loop
+            slice1shift_search(i, j) <= slice1shift_search(i, j + 1);
+          end loop;
+          slice1shift_search(i, 14) <= slice0shift_search_out(i);
+        end loop;
       end if;
-      slice1shift_reference_0 <= slice0shift_reference_0;
-      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference(0) <= slice0shift_reference(0);
+      slice1shift_reference(1) <= slice0shift_reference(1);
       -- slice1cost
+      for i in 0 to 6 loop
+        if slice0cost_tag_first_group then
+          slice1cost_column_0_choice(2 * i) := 0;
+        else
+          slice1cost_column_0_choice(2 * i) := slice1cost_ready_words(i) mod 2048;
+        end if;
+        if slice0cost_tag_border_column then
+          slice1cost_column_0_choice_2(2 * i) := 0;
+        else
+          slice1cost_column_0_choice_2(2 * i) := (slice1cost_change_0(2 * i) + slice1cost_column_0_choice(2 * i)) mod
+            2048;
+        end if;
+        if slice0cost_tag_first_group then
+          slice1cost_column_0_choice(2 * i + 1) := 0;
+        else
+          slice1cost_column_0_choice(2 * i + 1) := slice1cost_ready_words(i) / 2048;
+        end if;
+        if slice0cost_tag_border_column then
+          slice1cost_column_0_choice_2(2 * i + 1) := 0;
+        else
+          slice1cost_column_0_choice_2(2 * i + 1) := (slice1cost_change_0(2 * i + 1) + slice1cost_column_0_choice(2 * i
+            + 1)) mod 2048;
+        end if;
+      end loop;
       if slice0cost_tag_first_group then
-        slice1cost_column_0_0_choice := 0;
+        slice1cost_column_0_choice(14) := 0;
       else
-        slice1cost_column_0_0_choice := slice1cost_ready_words_0 mod 2048;
+        slice1cost_column_0_choice(14) := slice1cost_ready_words_7;
       end if;
       if slice0cost_tag_border_column then
-        slice1cost_column_0_0_choice_2 := 0;
+        slice1cost_column_0_choice_2(14) := 0;
       else
-        slice1cost_column_0_0_choice_2 := (slice1cost_change_0_0 + slice1cost_column_0_0_choice) mod 2048;
+        slice1cost_column_0_choice_2(14) := (slice1cost_change_0(14) + slice1cost_column_0_choice(14)) mod 2048;
       end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_1_choice := 0;
-      else
-        slice1cost_column_0_1_choice := slice1cost_ready_words_0 / 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_1_choice_2 := 0;
-      else
-        slice1cost_column_0_1_choice_2 := (slice1cost_change_0_1 + slice1cost_column_0_1_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_2_choice := 0;
-      else
-        slice1cost_column_0_2_choice := slice1cost_ready_words_1 mod 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_2_choice_2 := 0;
-      else
-        slice1cost_column_0_2_choice_2 := (slice1cost_change_0_2 + slice1cost_column_0_2_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_3_choice := 0;
-      else
-        slice1cost_column_0_3_choice := slice1cost_ready_words_1 / 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_3_choice_2 := 0;
-      else
-        slice1cost_column_0_3_choice_2 := (slice1cost_change_0_3 + slice1cost_column_0_3_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_4_choice := 0;
-      else
-        slice1cost_column_0_4_choice := slice1cost_ready_words_2 mod 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_4_choice_2 := 0;
-      else
-        slice1cost_column_0_4_choice_2 := (slice1cost_change_0_4 + slice1cost_column_0_4_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_5_choice := 0;
-      else
-        slice1cost_column_0_5_choice := slice1cost_ready_words_2 / 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_5_choice_2 := 0;
-      else
-        slice1cost_column_0_5_choice_2 := (slice1cost_change_0_5 + slice1cost_column_0_5_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_6_choice := 0;
-      else
-        slice1cost_column_0_6_choice := slice1cost_ready_words_3 mod 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_6_choice_2 := 0;
-      else
-        slice1cost_column_0_6_choice_2 := (slice1cost_change_0_6 + slice1cost_column_0_6_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_7_choice := 0;
-      else
-        slice1cost_column_0_7_choice := slice1cost_ready_words_3 / 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_7_choice_2 := 0;
-      else
-        slice1cost_column_0_7_choice_2 := (slice1cost_change_0_7 + slice1cost_column_0_7_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_8_choice := 0;
-      else
-        slice1cost_column_0_8_choice := slice1cost_ready_words_4 mod 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_8_choice_2 := 0;
-      else
-        slice1cost_column_0_8_choice_2 := (slice1cost_change_0_8 + slice1cost_column_0_8_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_9_choice := 0;
-      else
-        slice1cost_column_0_9_choice := slice1cost_ready_words_4 / 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_9_choice_2 := 0;
-      else
-        slice1cost_column_0_9_choice_2 := (slice1cost_change_0_9 + slice1cost_column_0_9_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_10_choice := 0;
-      else
-        slice1cost_column_0_10_choice := slice1cost_ready_words_5 mod 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_10_choice_2 := 0;
-      else
-        slice1cost_column_0_10_choice_2 := (slice1cost_change_0_10 + slice1cost_column_0_10_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_11_choice := 0;
-      else
-        slice1cost_column_0_11_choice := slice1cost_ready_words_5 / 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_11_choice_2 := 0;
-      else
-        slice1cost_column_0_11_choice_2 := (slice1cost_change_0_11 + slice1cost_column_0_11_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_12_choice := 0;
-      else
-        slice1cost_column_0_12_choice := slice1cost_ready_words_6 mod 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_12_choice_2 := 0;
-      else
-        slice1cost_column_0_12_choice_2 := (slice1cost_change_0_12 + slice1cost_column_0_12_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_13_choice := 0;
-      else
-        slice1cost_column_0_13_choice := slice1cost_ready_words_6 / 2048;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_13_choice_2 := 0;
-      else
-        slice1cost_column_0_13_choice_2 := (slice1cost_change_0_13 + slice1cost_column_0_13_choice) mod 2048;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_14_choice := 0;
-      else
-        slice1cost_column_0_14_choice := slice1cost_ready_words_7;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_14_choice_2 := 0;
-      else
-        slice1cost_column_0_14_choice_2 := (slice1cost_change_0_14 + slice1cost_column_0_14_choice) mod 2048;
-      end if;
-      slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_3 <= slice1shift_search_0_3 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_4 <= slice1shift_search_0_4 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_5 <= slice1shift_search_0_5 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_6 <= slice1shift_search_0_6 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_7 <= slice1shift_search_0_7 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_8 <= slice1shift_search_0_8 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_9 <= slice1shift_search_0_9 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_10 <= slice1shift_search_0_10 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_11 <= slice1shift_search_0_11 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_12 <= slice1shift_search_0_12 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_13 <= slice1shift_search_0_13 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_14 <= slice1shift_search_0_14 - slice1shift_reference_0;
-      slice1cost_pixels_first_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_3 <= slice1shift_search_1_3 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_4 <= slice1shift_search_1_4 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_5 <= slice1shift_search_1_5 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_6 <= slice1shift_search_1_6 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_7 <= slice1shift_search_1_7 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_8 <= slice1shift_search_1_8 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_9 <= slice1shift_search_1_9 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_10 <= slice1shift_search_1_10 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_11 <= slice1shift_search_1_11 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_12 <= slice1shift_search_1_12 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_13 <= slice1shift_search_1_13 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_14 <= slice1shift_search_1_14 - slice1shift_reference_1;
-      slice1cost_pixels_cost_0_0 <= (folded(slice1cost_pixels_first_0_0) + as_number((slice1cost_pixels_first_0_0 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_1 <= (folded(slice1cost_pixels_first_0_1) + as_number((slice1cost_pixels_first_0_1 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_2 <= (folded(slice1cost_pixels_first_0_2) + as_number((slice1cost_pixels_first_0_2 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_3 <= (folded(slice1cost_pixels_first_0_3) + as_number((slice1cost_pixels_first_0_3 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_4 <= (folded(slice1cost_pixels_first_0_4) + as_number((slice1cost_pixels_first_0_4 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_5 <= (folded(slice1cost_pixels_first_0_5) + as_number((slice1cost_pixels_first_0_5 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_6 <= (folded(slice1cost_pixels_first_0_6) + as_number((slice1cost_pixels_first_0_6 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_7 <= (folded(slice1cost_pixels_first_0_7) + as_number((slice1cost_pixels_first_0_7 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_8 <= (folded(slice1cost_pixels_first_0_8) + as_number((slice1cost_pixels_first_0_8 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_9 <= (folded(slice1cost_pixels_first_0_9) + as_number((slice1cost_pixels_first_0_9 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_10 <= (folded(slice1cost_pixels_first_0_10) + as_number((slice1cost_pixels_first_0_10 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_11 <= (folded(slice1cost_pixels_first_0_11) + as_number((slice1cost_pixels_first_0_11 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_12 <= (folded(slice1cost_pixels_first_0_12) + as_number((slice1cost_pixels_first_0_12 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_13 <= (folded(slice1cost_pixels_first_0_13) + as_number((slice1cost_pixels_first_0_13 <
-        0))) mod 256;
-      slice1cost_pixels_cost_0_14 <= (folded(slice1cost_pixels_first_0_14) + as_number((slice1cost_pixels_first_0_14 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_0 <= (folded(slice1cost_pixels_first_1_0) + as_number((slice1cost_pixels_first_1_0 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_1 <= (folded(slice1cost_pixels_first_1_1) + as_number((slice1cost_pixels_first_1_1 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_2 <= (folded(slice1cost_pixels_first_1_2) + as_number((slice1cost_pixels_first_1_2 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_3 <= (folded(slice1cost_pixels_first_1_3) + as_number((slice1cost_pixels_first_1_3 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_4 <= (folded(slice1cost_pixels_first_1_4) + as_number((slice1cost_pixels_first_1_4 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_5 <= (folded(slice1cost_pixels_first_1_5) + as_number((slice1cost_pixels_first_1_5 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_6 <= (folded(slice1cost_pixels_first_1_6) + as_number((slice1cost_pixels_first_1_6 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_7 <= (folded(slice1cost_pixels_first_1_7) + as_number((slice1cost_pixels_first_1_7 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_8 <= (folded(slice1cost_pixels_first_1_8) + as_number((slice1cost_pixels_first_1_8 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_9 <= (folded(slice1cost_pixels_first_1_9) + as_number((slice1cost_pixels_first_1_9 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_10 <= (folded(slice1cost_pixels_first_1_10) + as_number((slice1cost_pixels_first_1_10 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_11 <= (folded(slice1cost_pixels_first_1_11) + as_number((slice1cost_pixels_first_1_11 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_12 <= (folded(slice1cost_pixels_first_1_12) + as_number((slice1cost_pixels_first_1_12 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_13 <= (folded(slice1cost_pixels_first_1_13) + as_number((slice1cost_pixels_first_1_13 <
-        0))) mod 256;
-      slice1cost_pixels_cost_1_14 <= (folded(slice1cost_pixels_first_1_14) + as_number((slice1cost_pixels_first_1_14 <
-        0))) mod 256;
+      for i in 0 to 14 loop
+        slice1cost_pixels_first(0, i) <= slice1shift_search(0, i) - slice1shift_reference(0);
+      end loop;
+      for i in 0 to 14 loop
+        slice1cost_pixels_first(1, i) <= slice1shift_search(1, i) - slice1shift_reference(1);
+      end loop;
+      for i in 0 to 1 loop
+        for j in 0 to 14 loop
+          slice1cost_pixels_cost(i, j) <= (folded(slice1cost_pixels_first(i, j)) +
+            as_number((slice1cost_pixels_first(i, j) < 0))) mod 256;
+        end loop;
+      end loop;
       slice1cost_read_column <= slice0cost_read_column;
       slice1cost_change_column <= slice1cost_read_column;
-      slice1cost_change_0_0 <= slice1cost_pixels_cost_1_0 - slice1cost_pixels_cost_0_0;
-      slice1cost_change_0_1 <= slice1cost_pixels_cost_1_1 - slice1cost_pixels_cost_0_1;
-      slice1cost_change_0_2 <= slice1cost_pixels_cost_1_2 - slice1cost_pixels_cost_0_2;
-      slice1cost_change_0_3 <= slice1cost_pixels_cost_1_3 - slice1cost_pixels_cost_0_3;
-      slice1cost_change_0_4 <= slice1cost_pixels_cost_1_4 - slice1cost_pixels_cost_0_4;
-      slice1cost_change_0_5 <= slice1cost_pixels_cost_1_5 - slice1cost_pixels_cost_0_5;
-      slice1cost_change_0_6 <= slice1cost_pixels_cost_1_6 - slice1cost_pixels_cost_0_6;
-      slice1cost_change_0_7 <= slice1cost_pixels_cost_1_7 - slice1cost_pixels_cost_0_7;
-      slice1cost_change_0_8 <= slice1cost_pixels_cost_1_8 - slice1cost_pixels_cost_0_8;
-      slice1cost_change_0_9 <= slice1cost_pixels_cost_1_9 - slice1cost_pixels_cost_0_9;
-      slice1cost_change_0_10 <= slice1cost_pixels_cost_1_10 - slice1cost_pixels_cost_0_10;
-      slice1cost_change_0_11 <= slice1cost_pixels_cost_1_11 - slice1cost_pixels_cost_0_11;
-      slice1cost_change_0_12 <= slice1cost_pixels_cost_1_12 - slice1cost_pixels_cost_0_12;
-      slice1cost_change_0_13 <= slice1cost_pixels_cost_1_13 - slice1cost_pixels_cost_0_13;
-      slice1cost_change_0_14 <= slice1cost_pixels_cost_1_14 - slice1cost_pixels_cost_0_14;
-      slice1cost_ready_words_0 <= to_integer(slice1cost_read_words_0);
-      slice1cost_ready_words_1 <= to_integer(slice1cost_read_words_1);
-      slice1cost_ready_words_2 <= to_integer(slice1cost_read_words_2);
-      slice1cost_ready_words_3 <= to_integer(slice1cost_read_words_3);
-      slice1cost_ready_words_4 <= to_integer(slice1cost_read_words_4);
-      slice1cost_ready_words_5 <= to_integer(slice1cost_read_words_5);
-      slice1cost_ready_words_6 <= to_integer(slice1cost_read_words_6);
+      for i in 0 to 14 loop
+        slice1cost_change_0(i) <= slice1cost_pixels_cost(1, i) - slice1cost_pixels_cost(0, i);
+      end loop;
+      for i in 0 to 6 loop
+        slice1cost_ready_words(i) <= to_integer(slice1cost_read_words(i));
+      end loop;
       slice1cost_ready_words_7 <= to_integer(slice1cost_read_words_7);
-      slice1cost_column_0_0 <= slice1cost_column_0_0_choice_2;
-      slice1cost_column_0_1 <= slice1cost_column_0_1_choice_2;
-      slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
-      slice1cost_column_0_3 <= slice1cost_column_0_3_choice_2;
-      slice1cost_column_0_4 <= slice1cost_column_0_4_choice_2;
-      slice1cost_column_0_5 <= slice1cost_column_0_5_choice_2;
-      slice1cost_column_0_6 <= slice1cost_column_0_6_choice_2;
-      slice1cost_column_0_7 <= slice1cost_column_0_7_choice_2;
-      slice1cost_column_0_8 <= slice1cost_column_0_8_choice_2;
-      slice1cost_column_0_9 <= slice1cost_column_0_9_choice_2;
-      slice1cost_column_0_10 <= slice1cost_column_0_10_choice_2;
-      slice1cost_column_0_11 <= slice1cost_column_0_11_choice_2;
-      slice1cost_column_0_12 <= slice1cost_column_0_12_choice_2;
-      slice1cost_column_0_13 <= slice1cost_column_0_13_choice_2;
-      slice1cost_column_0_14 <= slice1cost_column_0_14_choice_2;
+      for i in 0 to 14 loop
+        slice1cost_column_0(i) <= slice1cost_column_0_choice_2(i);
+      end loop;
       if slice0cost_ready_tag_valid then
         slice1cost_ready_column <= slice1cost_change_column;
       end if;
       if slice0cost_tag_valid then
         slice1cost_write_column <= slice0cost_write_column;
-        slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 2048) + slice1cost_column_0_0_choice_2;
-        slice1cost_write_words_1 <= (slice1cost_column_0_3_choice_2 * 2048) + slice1cost_column_0_2_choice_2;
-        slice1cost_write_words_2 <= (slice1cost_column_0_5_choice_2 * 2048) + slice1cost_column_0_4_choice_2;
-        slice1cost_write_words_3 <= (slice1cost_column_0_7_choice_2 * 2048) + slice1cost_column_0_6_choice_2;
-        slice1cost_write_words_4 <= (slice1cost_column_0_9_choice_2 * 2048) + slice1cost_column_0_8_choice_2;
-        slice1cost_write_words_5 <= (slice1cost_column_0_11_choice_2 * 2048) + slice1cost_column_0_10_choice_2;
-        slice1cost_write_words_6 <= (slice1cost_column_0_13_choice_2 * 2048) + slice1cost_column_0_12_choice_2;
-        slice1cost_write_words_7 <= slice1cost_column_0_14_choice_2;
+        for i in 0 to 6 loop
+          slice1cost_write_words(i) <= (slice1cost_column_0_choice_2(2 * i + 1) * 2048) +
+            slice1cost_column_0_choice_2(2 * i);
+        end loop;
+        slice1cost_write_words_7 <= slice1cost_column_0_choice_2(14);
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
@@ -3119,318 +1847,165 @@ begin
           slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 8;
         end if;
       end if;
+      for i in 0 to 2 loop
+        for j in 0 to 1 loop
+          if slice0window_change_tag_leaves_window then
+            slice1window_change_0_choice(4 * i + j) := to_integer(slice1window_leaving(2 * i)(11 * j + 10 downto 11 *
+              j));
+          else
+            slice1window_change_0_choice(4 * i + j) := 0;
+          end if;
+        end loop;
+        for j in 2 to 3 loop
+          if slice0window_change_tag_leaves_window then
+            slice1window_change_0_choice(4 * i + j) := to_integer(slice1window_leaving(2 * i + 1)(11 * j - 12 downto 11
+              * j - 22));
+          else
+            slice1window_change_0_choice(4 * i + j) := 0;
+          end if;
+        end loop;
+      end loop;
+      for i in 12 to 13 loop
+        if slice0window_change_tag_leaves_window then
+          slice1window_change_0_choice(i) := to_integer(slice1window_leaving(6)(11 * i - 122 downto 11 * i - 132));
+        else
+          slice1window_change_0_choice(i) := 0;
+        end if;
+      end loop;
       if slice0window_change_tag_leaves_window then
-        slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(10 downto 0));
+        slice1window_change_0_choice(14) := to_integer(slice1window_leaving_7);
       else
-        slice1window_change_0_0_choice := 0;
+        slice1window_change_0_choice(14) := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(21 downto 11));
-      else
-        slice1window_change_0_1_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_2_choice := to_integer(slice1window_leaving_1(10 downto 0));
-      else
-        slice1window_change_0_2_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_3_choice := to_integer(slice1window_leaving_1(21 downto 11));
-      else
-        slice1window_change_0_3_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_4_choice := to_integer(slice1window_leaving_2(10 downto 0));
-      else
-        slice1window_change_0_4_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_5_choice := to_integer(slice1window_leaving_2(21 downto 11));
-      else
-        slice1window_change_0_5_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_6_choice := to_integer(slice1window_leaving_3(10 downto 0));
-      else
-        slice1window_change_0_6_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_7_choice := to_integer(slice1window_leaving_3(21 downto 11));
-      else
-        slice1window_change_0_7_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_8_choice := to_integer(slice1window_leaving_4(10 downto 0));
-      else
-        slice1window_change_0_8_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_9_choice := to_integer(slice1window_leaving_4(21 downto 11));
-      else
-        slice1window_change_0_9_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_10_choice := to_integer(slice1window_leaving_5(10 downto 0));
-      else
-        slice1window_change_0_10_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_11_choice := to_integer(slice1window_leaving_5(21 downto 11));
-      else
-        slice1window_change_0_11_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_12_choice := to_integer(slice1window_leaving_6(10 downto 0));
-      else
-        slice1window_change_0_12_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_13_choice := to_integer(slice1window_leaving_6(21 downto 11));
-      else
-        slice1window_change_0_13_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_14_choice := to_integer(slice1window_leaving_7);
-      else
-        slice1window_change_0_14_choice := 0;
-      end if;
-      slice1window_entering_0_0 <= slice1cost_column_0_0;
-      slice1window_entering_0_1 <= slice1cost_column_0_1;
-      slice1window_entering_0_2 <= slice1cost_column_0_2;
-      slice1window_entering_0_3 <= slice1cost_column_0_3;
-      slice1window_entering_0_4 <= slice1cost_column_0_4;
-      slice1window_entering_0_5 <= slice1cost_column_0_5;
-      slice1window_entering_0_6 <= slice1cost_column_0_6;
-      slice1window_entering_0_7 <= slice1cost_column_0_7;
-      slice1window_entering_0_8 <= slice1cost_column_0_8;
-      slice1window_entering_0_9 <= slice1cost_column_0_9;
-      slice1window_entering_0_10 <= slice1cost_column_0_10;
-      slice1window_entering_0_11 <= slice1cost_column_0_11;
-      slice1window_entering_0_12 <= slice1cost_column_0_12;
-      slice1window_entering_0_13 <= slice1cost_column_0_13;
-      slice1window_entering_0_14 <= slice1cost_column_0_14;
-      slice1window_change_0_0 <= slice1window_entering_0_0 - slice1window_change_0_0_choice;
-      slice1window_change_0_1 <= slice1window_entering_0_1 - slice1window_change_0_1_choice;
-      slice1window_change_0_2 <= slice1window_entering_0_2 - slice1window_change_0_2_choice;
-      slice1window_change_0_3 <= slice1window_entering_0_3 - slice1window_change_0_3_choice;
-      slice1window_change_0_4 <= slice1window_entering_0_4 - slice1window_change_0_4_choice;
-      slice1window_change_0_5 <= slice1window_entering_0_5 - slice1window_change_0_5_choice;
-      slice1window_change_0_6 <= slice1window_entering_0_6 - slice1window_change_0_6_choice;
-      slice1window_change_0_7 <= slice1window_entering_0_7 - slice1window_change_0_7_choice;
-      slice1window_change_0_8 <= slice1window_entering_0_8 - slice1window_change_0_8_choice;
-      slice1window_change_0_9 <= slice1window_entering_0_9 - slice1window_change_0_9_choice;
-      slice1window_change_0_10 <= slice1window_entering_0_10 - slice1window_change_0_10_choice;
-      slice1window_change_0_11 <= slice1window_entering_0_11 - slice1window_change_0_11_choice;
-      slice1window_change_0_12 <= slice1window_entering_0_12 - slice1window_change_0_12_choice;
-      slice1window_change_0_13 <= slice1window_entering_0_13 - slice1window_change_0_13_choice;
-      slice1window_change_0_14 <= slice1window_entering_0_14 - slice1window_change_0_14_choice;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_0_choice := 0;
-      else
-        slice1window_sum_0_0_choice := slice1window_sum_0_0;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_1_choice := 0;
-      else
-        slice1window_sum_0_1_choice := slice1window_sum_0_1;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_2_choice := 0;
-      else
-        slice1window_sum_0_2_choice := slice1window_sum_0_2;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_3_choice := 0;
-      else
-        slice1window_sum_0_3_choice := slice1window_sum_0_3;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_4_choice := 0;
-      else
-        slice1window_sum_0_4_choice := slice1window_sum_0_4;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_5_choice := 0;
-      else
-        slice1window_sum_0_5_choice := slice1window_sum_0_5;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_6_choice := 0;
-      else
-        slice1window_sum_0_6_choice := slice1window_sum_0_6;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_7_choice := 0;
-      else
-        slice1window_sum_0_7_choice := slice1window_sum_0_7;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_8_choice := 0;
-      else
-        slice1window_sum_0_8_choice := slice1window_sum_0_8;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_9_choice := 0;
-      else
-        slice1window_sum_0_9_choice := slice1window_sum_0_9;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_10_choice := 0;
-      else
-        slice1window_sum_0_10_choice := slice1window_sum_0_10;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_11_choice := 0;
-      else
-        slice1window_sum_0_11_choice := slice1window_sum_0_11;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_12_choice := 0;
-      else
-        slice1window_sum_0_12_choice := slice1window_sum_0_12;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_13_choice := 0;
-      else
-        slice1window_sum_0_13_choice := slice1window_sum_0_13;
-      end if;
-      if slice0window_centre_first_column_0 then
-        slice1window_sum_0_14_choice := 0;
-      else
-        slice1window_sum_0_14_choice := slice1window_sum_0_14;
-      end if;
+      for i in 0 to 14 loop
+        slice1window_entering_0(i) <= slice1cost_column_0(i);
+      end loop;
+      for i in 0 to 14 loop
+        slice1window_change_0(i) <= slice1window_entering_0(i) - slice1window_change_0_choice(i);
+      end loop;
+      for i in 0 to 14 loop
+        if slice0window_centre_first_column(0) then
+          slice1window_sum_0_choice(i) := 0;
+        else
+          slice1window_sum_0_choice(i) := slice1window_sum_0(i);
+        end if;
+      end loop;
       if slice0window_tag_valid then
-        slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 16384;
-        slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 16384;
-        slice1window_sum_0_2 <= (slice1window_sum_0_2_choice + slice1window_change_0_2) mod 16384;
-        slice1window_sum_0_3 <= (slice1window_sum_0_3_choice + slice1window_change_0_3) mod 16384;
-        slice1window_sum_0_4 <= (slice1window_sum_0_4_choice + slice1window_change_0_4) mod 16384;
-        slice1window_sum_0_5 <= (slice1window_sum_0_5_choice + slice1window_change_0_5) mod 16384;
-        slice1window_sum_0_6 <= (slice1window_sum_0_6_choice + slice1window_change_0_6) mod 16384;
-        slice1window_sum_0_7 <= (slice1window_sum_0_7_choice + slice1window_change_0_7) mod 16384;
-        slice1window_sum_0_8 <= (slice1window_sum_0_8_choice + slice1window_change_0_8) mod 16384;
-        slice1window_sum_0_9 <= (slice1window_sum_0_9_choice + slice1window_change_0_9) mod 16384;
-        slice1window_sum_0_10 <= (slice1window_sum_0_10_choice + slice1window_change_0_10) mod 16384;
-        slice1window_sum_0_11 <= (slice1window_sum_0_11_choice + slice1window_change_0_11) mod 16384;
-        slice1window_sum_0_12 <= (slice1window_sum_0_12_choice + slice1window_change_0_12) mod 16384;
-        slice1window_sum_0_13 <= (slice1window_sum_0_13_choice + slice1window_change_0_13) mod 16384;
-        slice1window_sum_0_14 <= (slice1window_sum_0_14_choice + slice1window_change_0_14) mod 16384;
+        for i in 0 to 14 loop
+          slice1window_sum_0(i) <= (slice1window_sum_0_choice(i) + slice1window_change_0(i)) mod 16384;
+        end loop;
       end if;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
-      slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
-      slice1winner1_best_cost_0_6_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
-      slice1winner1_best_cost_0_7 <= slice1window_sum_0_14;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      for i in 0 to 6 loop
+        slice1winner1_best_cost_0_is_less(i) := (slice1window_sum_0(2 * i + 1) - slice1window_sum_0(2 * i)) < 0;
+      end loop;
+      slice1winner1_best_cost_0(7) <= slice1window_sum_0(14);
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
       slice1winner1_best_index_0_7 <= 14;
-      if slice1winner1_best_cost_0_0_is_less then
-        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      if slice1winner1_best_cost_0_is_less(0) then
+        slice1winner1_best_cost_0(0) <= slice1window_sum_0(1);
       else
-        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_cost_0(0) <= slice1window_sum_0(0);
       end if;
-      if slice1winner1_best_cost_0_1_is_less then
-        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+      if slice1winner1_best_cost_0_is_less(1) then
+        slice1winner1_best_cost_0(1) <= slice1window_sum_0(3);
         slice1winner1_best_index_0_1 <= 3;
       else
-        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_cost_0(1) <= slice1window_sum_0(2);
         slice1winner1_best_index_0_1 <= 2;
       end if;
-      if slice1winner1_best_cost_0_2_is_less then
-        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+      if slice1winner1_best_cost_0_is_less(2) then
+        slice1winner1_best_cost_0(2) <= slice1window_sum_0(5);
         slice1winner1_best_index_0_2 <= 5;
       else
-        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_cost_0(2) <= slice1window_sum_0(4);
         slice1winner1_best_index_0_2 <= 4;
       end if;
-      if slice1winner1_best_cost_0_3_is_less then
-        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
+      if slice1winner1_best_cost_0_is_less(3) then
+        slice1winner1_best_cost_0(3) <= slice1window_sum_0(7);
         slice1winner1_best_index_0_3 <= 7;
       else
-        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_cost_0(3) <= slice1window_sum_0(6);
         slice1winner1_best_index_0_3 <= 6;
       end if;
-      if slice1winner1_best_cost_0_4_is_less then
-        slice1winner1_best_cost_0_4 <= slice1window_sum_0_9;
+      if slice1winner1_best_cost_0_is_less(4) then
+        slice1winner1_best_cost_0(4) <= slice1window_sum_0(9);
         slice1winner1_best_index_0_4 <= 9;
       else
-        slice1winner1_best_cost_0_4 <= slice1window_sum_0_8;
+        slice1winner1_best_cost_0(4) <= slice1window_sum_0(8);
         slice1winner1_best_index_0_4 <= 8;
       end if;
-      if slice1winner1_best_cost_0_5_is_less then
-        slice1winner1_best_cost_0_5 <= slice1window_sum_0_11;
+      if slice1winner1_best_cost_0_is_less(5) then
+        slice1winner1_best_cost_0(5) <= slice1window_sum_0(11);
         slice1winner1_best_index_0_5 <= 11;
       else
-        slice1winner1_best_cost_0_5 <= slice1window_sum_0_10;
+        slice1winner1_best_cost_0(5) <= slice1window_sum_0(10);
         slice1winner1_best_index_0_5 <= 10;
       end if;
-      if slice1winner1_best_cost_0_6_is_less then
-        slice1winner1_best_cost_0_6 <= slice1window_sum_0_13;
+      if slice1winner1_best_cost_0_is_less(6) then
+        slice1winner1_best_cost_0(6) <= slice1window_sum_0(13);
         slice1winner1_best_index_0_6 <= 13;
       else
-        slice1winner1_best_cost_0_6 <= slice1window_sum_0_12;
+        slice1winner1_best_cost_0(6) <= slice1window_sum_0(12);
         slice1winner1_best_index_0_6 <= 12;
       end if;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
-      slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
-      slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
-      if slice1winner2_best_cost_0_0_is_less then
-        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+      for i in 0 to 3 loop
+        slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 *
+          i)) < 0;
+      end loop;
+      if slice1winner2_best_cost_0_is_less(0) then
+        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(1);
         slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
       else
-        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(0);
         slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
       end if;
-      if slice1winner2_best_cost_0_1_is_less then
-        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
+      if slice1winner2_best_cost_0_is_less(1) then
+        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(3);
         slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
       else
-        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(2);
         slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
       end if;
-      if slice1winner2_best_cost_0_2_is_less then
-        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5;
+      if slice1winner2_best_cost_0_is_less(2) then
+        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(5);
         slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
       else
-        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_4;
+        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(4);
         slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
       end if;
-      if slice1winner2_best_cost_0_3_is_less then
-        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7;
+      if slice1winner2_best_cost_0_is_less(3) then
+        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(7);
         slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
       else
-        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_6;
+        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(6);
         slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
       end if;
       -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
-      slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
-      if slice1winner3_best_cost_0_0_is_less then
-        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+      slice1winner3_best_cost_0_is_less(0) := (slice1winner2_best_cost_0(1) - slice1winner2_best_cost_0(0)) < 0;
+      slice1winner3_best_cost_0_is_less(1) := (slice1winner2_best_cost_0(3) - slice1winner2_best_cost_0(2)) < 0;
+      if slice1winner3_best_cost_0_is_less(0) then
+        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(1);
         slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
       else
-        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(0);
         slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
       end if;
-      if slice1winner3_best_cost_0_1_is_less then
-        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3;
+      if slice1winner3_best_cost_0_is_less(1) then
+        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(3);
         slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
       else
-        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_2;
+        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(2);
         slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
       end if;
       -- slice1winner4
-      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
+      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
       if slice1winner4_best_cost_0_0_is_less then
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1;
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(1);
         slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
       else
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(0);
         slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
       end if;
       -- slice1winner5
@@ -3643,12 +2218,12 @@ begin
         slice0window_change_tag_valid <= false;
         slice0window_change_tag_first_cost <= false;
         slice0window_change_tag_map_column <= false;
-        slice0window_centre_map_column_0 <= false;
-        slice0window_centre_map_column_1 <= false;
-        slice0window_centre_map_column_2 <= false;
-        slice0window_centre_first_column_0 <= false;
-        slice0window_centre_first_column_1 <= false;
-        slice0window_centre_first_column_2 <= false;
+        slice0window_centre_map_column(0) <= false;
+        slice0window_centre_map_column(1) <= false;
+        slice0window_centre_map_column(2) <= false;
+        slice0window_centre_first_column(0) <= false;
+        slice0window_centre_first_column(1) <= false;
+        slice0window_centre_first_column(2) <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_map_column <= false;
         slice0window_tag_first_column <= false;

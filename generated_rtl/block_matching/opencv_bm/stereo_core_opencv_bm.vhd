@@ -5,6 +5,7 @@
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config opencv_bm
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+-- Where a comment behind a declaration has #, the C++ has the indices.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -87,16 +88,41 @@ architecture rtl of stereo_core_opencv_bm is
     return '0';
   end function;
 
-  signal in_valid : boolean;
-  signal in_start_of_frame : boolean;
-  signal in_right_pixel : natural range 0 to 255;
-  signal in_left_pixel : natural range 0 to 255;
+  -- whether the bit of this place is 1
+  function is_set(value : natural; place : natural) return boolean is
+  begin
+    return (value / 2 ** place) mod 2 = 1;
+  end function;
+
+  type boolean_1d is array (natural range <>) of boolean;
+  type integer_minus_1023_to_1023_1d is array (natural range <>) of integer range -1023 to 1023;
+  type integer_minus_127_to_127_2d is array (natural range <>, natural range <>) of integer range -127 to 127;
+  type integer_minus_127_to_31_1d is array (natural range <>) of integer range -127 to 31;
+  type integer_minus_128_to_128_1d is array (natural range <>) of integer range -128 to 128;
+  type natural_1020_1d is array (natural range <>) of natural range 0 to 1020;
+  type natural_1023_1d is array (natural range <>) of natural range 0 to 1023;
+  type natural_1073741823_1d is array (natural range <>) of natural range 0 to 1073741823;
+  type natural_127_1d is array (natural range <>) of natural range 0 to 127;
+  type natural_127_2d is array (natural range <>, natural range <>) of natural range 0 to 127;
+  type natural_128_2d is array (natural range <>, natural range <>) of natural range 0 to 128;
+  type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
+  type natural_16383_2d is array (natural range <>, natural range <>) of natural range 0 to 16383;
+  type natural_16385_to_65534_1d is array (natural range <>) of natural range 16385 to 65534;
+  type natural_255_1d is array (natural range <>) of natural range 0 to 255;
+  type natural_268435455_1d is array (natural range <>) of natural range 0 to 268435455;
+  type natural_31_1d is array (natural range <>) of natural range 0 to 31;
+  type natural_511_1d is array (natural range <>) of natural range 0 to 511;
+  type natural_63_1d is array (natural range <>) of natural range 0 to 63;
+  type unsigned_28_1d is array (natural range <>) of unsigned(27 downto 0);
+  type unsigned_30_1d is array (natural range <>) of unsigned(29 downto 0);
+  signal in_valid, in_start_of_frame : boolean;
+  signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_1 : natural range 0 to 255;
-  signal transform_left_column_2, transform_right_column_0, transform_right_column_1 : natural range 0 to 255;
-  signal transform_right_column_2 : natural range 0 to 255;
+  signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_left_column : natural_255_1d(0 to 2);
+  signal transform_right_column : natural_255_1d(0 to 2);
   signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
   signal transform_read_row_inside_2, transform_read_column_inside_0, transform_read_column_inside_2 : boolean;
   signal transform_read_start_of_frame, transform_read_valid, transform_ready_row_inside_0 : boolean;
@@ -105,17 +131,15 @@ architecture rtl of stereo_core_opencv_bm is
   signal transform_columns_row_inside_2, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
   signal transform_columns_start_of_frame, transform_columns_valid, transform_left_filter_whole : boolean;
   signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
-  signal transform_filtering_0_start_of_frame, transform_filtering_0_valid : boolean;
-  signal transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
-  signal transform_filtering_2_start_of_frame, transform_filtering_2_valid : boolean;
+  signal transform_filtering_start_of_frame : boolean_1d(0 to 2);  -- transform_filtering_#_start_of_frame
+  signal transform_filtering_valid : boolean_1d(0 to 2);  -- transform_filtering_#_valid
   signal transform_counter_column, transform_counter_group, transform_read_column : natural range 0 to 511;
   signal transform_ready_column, transform_write_column : natural range 0 to 511;
   signal transform_left_rows_read_words_0, transform_right_rows_read_words_0 : unsigned(15 downto 0);
   signal transform_left_rows_ready_words_0, transform_left_rows_write_words_0 : natural range 0 to 65535;
   signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : natural range 0 to 65535;
-  signal transform_left_filter_column_0_0, transform_left_filter_column_1_0 : natural range 0 to 1020;
-  signal transform_left_filter_column_2_0, transform_right_filter_column_0_0 : natural range 0 to 1020;
-  signal transform_right_filter_column_1_0, transform_right_filter_column_2_0 : natural range 0 to 1020;
+  signal transform_left_filter_column_0 : natural_1020_1d(0 to 2);  -- transform_left_filter_column_#_0
+  signal transform_right_filter_column_0 : natural_1020_1d(0 to 2);  -- transform_right_filter_column_#_0
   signal transform_left_filter_slope_0, transform_right_filter_slope_0 : integer range -1020 to 1020;
   signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 127;
   -- raster
@@ -125,69 +149,46 @@ architecture rtl of stereo_core_opencv_bm is
   -- delay
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 127;
   signal delay_column : natural range 0 to 511;
-  signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_row_start, delay_tag_first_group : boolean;
-  signal delay_tag_border_column, delay_tag_first_cost, delay_tag_leaves_window, delay_tag_output_column : boolean;
-  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_row_inside : boolean_1d(0 to 1);
+  signal delay_tag_valid, delay_tag_row_start, delay_tag_first_group, delay_tag_border_column : boolean;
+  signal delay_tag_first_cost, delay_tag_leaves_window, delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_tag_end_of_line : boolean;
   -- rows
-  signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(27 downto 0);
-  signal rows_search_rows_read_words_2, rows_reference_rows_read_words_0 : unsigned(27 downto 0);
-  signal rows_reference_rows_read_words_1, rows_reference_rows_read_words_2 : unsigned(27 downto 0);
+  signal rows_search_rows_read_words : unsigned_28_1d(0 to 2);
+  signal rows_reference_rows_read_words : unsigned_28_1d(0 to 2);
   signal rows_search_rows_read_words_3, rows_reference_rows_read_words_3 : unsigned(20 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 127;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 127;
-  signal rows_search_1, rows_reference_0, rows_reference_1 : natural range 0 to 127;
-  signal rows_search_rows_ready_words_0, rows_search_rows_ready_words_1 : natural range 0 to 268435455;
-  signal rows_search_rows_ready_words_2, rows_search_rows_write_words_0 : natural range 0 to 268435455;
-  signal rows_search_rows_write_words_1, rows_search_rows_write_words_2 : natural range 0 to 268435455;
-  signal rows_reference_rows_ready_words_0, rows_reference_rows_ready_words_1 : natural range 0 to 268435455;
-  signal rows_reference_rows_ready_words_2, rows_reference_rows_write_words_0 : natural range 0 to 268435455;
-  signal rows_reference_rows_write_words_1, rows_reference_rows_write_words_2 : natural range 0 to 268435455;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 127;
+  signal rows_search : natural_127_1d(0 to 1);
+  signal rows_reference : natural_127_1d(0 to 1);
+  signal rows_search_rows_ready_words : natural_268435455_1d(0 to 2);
+  signal rows_search_rows_write_words : natural_268435455_1d(0 to 2);
+  signal rows_reference_rows_ready_words : natural_268435455_1d(0 to 2);
+  signal rows_reference_rows_write_words : natural_268435455_1d(0 to 2);
   signal rows_search_rows_ready_words_3, rows_search_rows_write_words_3 : natural range 0 to 2097151;
   signal rows_reference_rows_ready_words_3, rows_reference_rows_write_words_3 : natural range 0 to 2097151;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_row_start : boolean;
-  signal rows_read_tag_first_group, rows_read_tag_border_column, rows_read_tag_first_cost : boolean;
-  signal rows_read_tag_leaves_window, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_tag_valid : boolean;
-  signal rows_ready_tag_row_start, rows_ready_tag_first_group, rows_ready_tag_border_column : boolean;
-  signal rows_ready_tag_first_cost, rows_ready_tag_leaves_window, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_inside_0, rows_inside_1 : boolean;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_first_group, rows_read_tag_border_column : boolean;
+  signal rows_read_tag_first_cost, rows_read_tag_leaves_window, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag_valid, rows_ready_tag_row_start, rows_ready_tag_first_group : boolean;
+  signal rows_ready_tag_border_column, rows_ready_tag_first_cost, rows_ready_tag_leaves_window : boolean;
+  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
+  signal rows_inside : boolean_1d(0 to 1);
   signal rows_tag_valid, rows_tag_row_start, rows_tag_first_group, rows_tag_border_column : boolean;
   signal rows_tag_first_cost, rows_tag_leaves_window, rows_tag_output_column, rows_tag_start_of_frame : boolean;
   signal rows_tag_end_of_line : boolean;
   -- slice0shift
-  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 127;
-  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 127;
-  signal slice0shift_search_0_6, slice0shift_search_0_7, slice0shift_search_0_8 : natural range 0 to 127;
-  signal slice0shift_search_0_9, slice0shift_search_0_10, slice0shift_search_0_11 : natural range 0 to 127;
-  signal slice0shift_search_0_12, slice0shift_search_0_13, slice0shift_search_0_14 : natural range 0 to 127;
-  signal slice0shift_search_0_15, slice0shift_search_1_0, slice0shift_search_1_1 : natural range 0 to 127;
-  signal slice0shift_search_1_2, slice0shift_search_1_3, slice0shift_search_1_4 : natural range 0 to 127;
-  signal slice0shift_search_1_5, slice0shift_search_1_6, slice0shift_search_1_7 : natural range 0 to 127;
-  signal slice0shift_search_1_8, slice0shift_search_1_9, slice0shift_search_1_10 : natural range 0 to 127;
-  signal slice0shift_search_1_11, slice0shift_search_1_12, slice0shift_search_1_13 : natural range 0 to 127;
-  signal slice0shift_search_1_14, slice0shift_search_1_15, slice0shift_reference_0 : natural range 0 to 127;
-  signal slice0shift_reference_1, slice0shift_search_out_0, slice0shift_search_out_1 : natural range 0 to 127;
+  signal slice0shift_search : natural_127_2d(0 to 1, 0 to 15);
+  signal slice0shift_reference : natural_127_1d(0 to 1);
+  signal slice0shift_search_out : natural_127_1d(0 to 1);
   signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
   signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
   signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
-  signal slice0cost_pixels_first_0_0, slice0cost_pixels_first_0_1 : integer range -127 to 127;
-  signal slice0cost_pixels_first_0_2, slice0cost_pixels_first_0_3 : integer range -127 to 127;
-  signal slice0cost_pixels_first_0_4, slice0cost_pixels_first_0_5 : integer range -127 to 127;
-  signal slice0cost_pixels_first_0_6, slice0cost_pixels_first_0_7 : integer range -127 to 127;
-  signal slice0cost_pixels_first_0_8, slice0cost_pixels_first_0_9 : integer range -127 to 127;
-  signal slice0cost_pixels_first_0_10, slice0cost_pixels_first_0_11 : integer range -127 to 127;
-  signal slice0cost_pixels_first_0_12, slice0cost_pixels_first_0_13 : integer range -127 to 127;
-  signal slice0cost_pixels_first_0_14, slice0cost_pixels_first_0_15 : integer range -127 to 127;
-  signal slice0cost_pixels_first_1_0, slice0cost_pixels_first_1_1 : integer range -127 to 127;
-  signal slice0cost_pixels_first_1_2, slice0cost_pixels_first_1_3 : integer range -127 to 127;
-  signal slice0cost_pixels_first_1_4, slice0cost_pixels_first_1_5 : integer range -127 to 127;
-  signal slice0cost_pixels_first_1_6, slice0cost_pixels_first_1_7 : integer range -127 to 127;
-  signal slice0cost_pixels_first_1_8, slice0cost_pixels_first_1_9 : integer range -127 to 127;
-  signal slice0cost_pixels_first_1_10, slice0cost_pixels_first_1_11 : integer range -127 to 127;
-  signal slice0cost_pixels_first_1_12, slice0cost_pixels_first_1_13 : integer range -127 to 127;
-  signal slice0cost_pixels_first_1_14, slice0cost_pixels_first_1_15 : integer range -127 to 127;
+  signal slice0cost_pixels_first : integer_minus_127_to_127_2d(0 to 1, 0 to 15);
   signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
   signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_border_column : boolean;
   signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_leaves_window : boolean;
@@ -203,49 +204,22 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0cost_ready_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_first_group : boolean;
   signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_leaves_window : boolean;
   signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
-  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_0_5 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_0_6, slice0cost_pixels_cost_0_7, slice0cost_pixels_cost_0_8 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_0_9, slice0cost_pixels_cost_0_10, slice0cost_pixels_cost_0_11 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_0_12, slice0cost_pixels_cost_0_13, slice0cost_pixels_cost_0_14 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_0_15, slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3, slice0cost_pixels_cost_1_4 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_1_5, slice0cost_pixels_cost_1_6, slice0cost_pixels_cost_1_7 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_1_8, slice0cost_pixels_cost_1_9, slice0cost_pixels_cost_1_10 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_1_11, slice0cost_pixels_cost_1_12, slice0cost_pixels_cost_1_13 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_1_14, slice0cost_pixels_cost_1_15 : natural range 0 to 128;
+  signal slice0cost_pixels_cost : natural_128_2d(0 to 1, 0 to 15);
   signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 511;
   signal slice0cost_write_column : natural range 0 to 511;
-  signal slice0cost_read_words_0, slice0cost_read_words_1, slice0cost_read_words_2 : unsigned(29 downto 0);
-  signal slice0cost_read_words_3, slice0cost_read_words_4 : unsigned(29 downto 0);
+  signal slice0cost_read_words : unsigned_30_1d(0 to 4);
   signal slice0cost_read_words_5 : unsigned(9 downto 0);
-  signal slice0cost_change_0_0, slice0cost_change_0_1, slice0cost_change_0_2 : integer range -128 to 128;
-  signal slice0cost_change_0_3, slice0cost_change_0_4, slice0cost_change_0_5 : integer range -128 to 128;
-  signal slice0cost_change_0_6, slice0cost_change_0_7, slice0cost_change_0_8 : integer range -128 to 128;
-  signal slice0cost_change_0_9, slice0cost_change_0_10, slice0cost_change_0_11 : integer range -128 to 128;
-  signal slice0cost_change_0_12, slice0cost_change_0_13, slice0cost_change_0_14 : integer range -128 to 128;
-  signal slice0cost_change_0_15 : integer range -128 to 128;
-  signal slice0cost_ready_words_0, slice0cost_ready_words_1, slice0cost_ready_words_2 : natural range 0 to 1073741823;
-  signal slice0cost_ready_words_3, slice0cost_ready_words_4, slice0cost_write_words_0 : natural range 0 to 1073741823;
-  signal slice0cost_write_words_1, slice0cost_write_words_2, slice0cost_write_words_3 : natural range 0 to 1073741823;
-  signal slice0cost_write_words_4 : natural range 0 to 1073741823;
-  signal slice0cost_ready_words_5, slice0cost_column_0_0, slice0cost_column_0_1 : natural range 0 to 1023;
-  signal slice0cost_column_0_2, slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 1023;
-  signal slice0cost_column_0_5, slice0cost_column_0_6, slice0cost_column_0_7 : natural range 0 to 1023;
-  signal slice0cost_column_0_8, slice0cost_column_0_9, slice0cost_column_0_10 : natural range 0 to 1023;
-  signal slice0cost_column_0_11, slice0cost_column_0_12, slice0cost_column_0_13 : natural range 0 to 1023;
-  signal slice0cost_column_0_14, slice0cost_column_0_15, slice0cost_write_words_5 : natural range 0 to 1023;
+  signal slice0cost_change_0 : integer_minus_128_to_128_1d(0 to 15);
+  signal slice0cost_ready_words : natural_1073741823_1d(0 to 4);
+  signal slice0cost_write_words : natural_1073741823_1d(0 to 4);
+  signal slice0cost_ready_words_5 : natural range 0 to 1023;
+  signal slice0cost_column_0 : natural_1023_1d(0 to 15);
+  signal slice0cost_write_words_5 : natural range 0 to 1023;
   -- slice0window
   signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 15;
-  signal slice0window_leaving_0, slice0window_leaving_1, slice0window_leaving_2 : unsigned(29 downto 0);
-  signal slice0window_leaving_3, slice0window_leaving_4 : unsigned(29 downto 0);
+  signal slice0window_leaving : unsigned_30_1d(0 to 4);
   signal slice0window_leaving_5 : unsigned(9 downto 0);
-  signal slice0window_entering_0_0, slice0window_entering_0_1, slice0window_entering_0_2 : natural range 0 to 1023;
-  signal slice0window_entering_0_3, slice0window_entering_0_4, slice0window_entering_0_5 : natural range 0 to 1023;
-  signal slice0window_entering_0_6, slice0window_entering_0_7, slice0window_entering_0_8 : natural range 0 to 1023;
-  signal slice0window_entering_0_9, slice0window_entering_0_10, slice0window_entering_0_11 : natural range 0 to 1023;
-  signal slice0window_entering_0_12, slice0window_entering_0_13, slice0window_entering_0_14 : natural range 0 to 1023;
-  signal slice0window_entering_0_15 : natural range 0 to 1023;
+  signal slice0window_entering_0 : natural_1023_1d(0 to 15);
   signal slice0window_entering_tag_valid, slice0window_entering_tag_first_group : boolean;
   signal slice0window_entering_tag_border_column, slice0window_entering_tag_first_cost : boolean;
   signal slice0window_entering_tag_leaves_window, slice0window_entering_tag_output_column : boolean;
@@ -254,50 +228,19 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0window_change_tag_border_column, slice0window_change_tag_first_cost : boolean;
   signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
   signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
-  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_start_of_frame_1, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
-  signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -1023 to 1023;
-  signal slice0window_change_0_3, slice0window_change_0_4, slice0window_change_0_5 : integer range -1023 to 1023;
-  signal slice0window_change_0_6, slice0window_change_0_7, slice0window_change_0_8 : integer range -1023 to 1023;
-  signal slice0window_change_0_9, slice0window_change_0_10, slice0window_change_0_11 : integer range -1023 to 1023;
-  signal slice0window_change_0_12, slice0window_change_0_13, slice0window_change_0_14 : integer range -1023 to 1023;
-  signal slice0window_change_0_15 : integer range -1023 to 1023;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 16383;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 16383;
-  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 16383;
-  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 16383;
-  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 16383;
-  signal slice0window_sum_0_15 : natural range 0 to 16383;
+  signal slice0window_centre_output_column_0 : boolean;
+  signal slice0window_centre_start_of_frame : boolean_1d(0 to 1);
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_change_0 : integer_minus_1023_to_1023_1d(0 to 15);
+  signal slice0window_sum_0 : natural_16383_1d(0 to 15);
   -- slice0winner1
-  signal slice0winner1_held_0_0, slice0winner1_held_0_1, slice0winner1_held_0_2 : natural range 0 to 16383;
-  signal slice0winner1_held_0_3, slice0winner1_held_0_4, slice0winner1_held_0_5 : natural range 0 to 16383;
-  signal slice0winner1_held_0_6, slice0winner1_held_0_7, slice0winner1_held_0_8 : natural range 0 to 16383;
-  signal slice0winner1_held_0_9, slice0winner1_held_0_10, slice0winner1_held_0_11 : natural range 0 to 16383;
-  signal slice0winner1_held_0_12, slice0winner1_held_0_13, slice0winner1_held_0_14 : natural range 0 to 16383;
-  signal slice0winner1_held_0_15, slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 16383;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 16383;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 16383;
-  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 16383;
-  signal slice0winner1_best_below_0_0, slice0winner1_best_below_0_1 : natural range 0 to 16383;
-  signal slice0winner1_best_below_0_2, slice0winner1_best_below_0_3 : natural range 0 to 16383;
-  signal slice0winner1_best_below_0_4, slice0winner1_best_below_0_5 : natural range 0 to 16383;
-  signal slice0winner1_best_below_0_6, slice0winner1_best_below_0_7 : natural range 0 to 16383;
-  signal slice0winner1_best_above_0_0, slice0winner1_best_above_0_1 : natural range 0 to 16383;
-  signal slice0winner1_best_above_0_2, slice0winner1_best_above_0_3 : natural range 0 to 16383;
-  signal slice0winner1_best_above_0_4, slice0winner1_best_above_0_5 : natural range 0 to 16383;
-  signal slice0winner1_best_above_0_6, slice0winner1_best_above_0_7 : natural range 0 to 16383;
-  signal slice0winner1_best_late_cost_0_0, slice0winner1_best_late_cost_0_1 : natural range 0 to 16383;
-  signal slice0winner1_best_late_cost_0_2, slice0winner1_best_late_cost_0_3 : natural range 0 to 16383;
-  signal slice0winner1_best_late_cost_0_4, slice0winner1_best_late_cost_0_5 : natural range 0 to 16383;
-  signal slice0winner1_best_late_cost_0_6, slice0winner1_best_late_cost_0_7 : natural range 0 to 16383;
-  signal slice0winner1_best_but_first_0_1, slice0winner1_best_but_first_0_2 : natural range 0 to 16383;
-  signal slice0winner1_best_but_first_0_3, slice0winner1_best_but_first_0_4 : natural range 0 to 16383;
-  signal slice0winner1_best_but_first_0_5, slice0winner1_best_but_first_0_6 : natural range 0 to 16383;
-  signal slice0winner1_best_but_first_0_7, slice0winner1_best_but_last_0_0 : natural range 0 to 16383;
-  signal slice0winner1_best_but_last_0_1, slice0winner1_best_but_last_0_2 : natural range 0 to 16383;
-  signal slice0winner1_best_but_last_0_3, slice0winner1_best_but_last_0_4 : natural range 0 to 16383;
-  signal slice0winner1_best_but_last_0_5, slice0winner1_best_but_last_0_6 : natural range 0 to 16383;
-  signal slice0winner1_best_but_last_0_7 : natural range 0 to 16383;
+  signal slice0winner1_held_0 : natural_16383_1d(0 to 15);
+  signal slice0winner1_best_cost_0 : natural_16383_1d(0 to 7);
+  signal slice0winner1_best_below_0 : natural_16383_1d(0 to 7);
+  signal slice0winner1_best_above_0 : natural_16383_1d(0 to 7);
+  signal slice0winner1_best_late_cost_0 : natural_16383_1d(0 to 7);
+  signal slice0winner1_best_but_first_0 : natural_16383_1d(1 to 7);
+  signal slice0winner1_best_but_last_0 : natural_16383_1d(0 to 7);
   signal slice0winner1_best_index_0_0, slice0winner1_tag_valid : boolean;
   signal slice0winner1_best_index_0_1 : natural range 0 to 3;
   signal slice0winner1_best_index_0_2 : natural range 0 to 5;
@@ -307,46 +250,39 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0winner1_best_index_0_6 : natural range 0 to 13;
   signal slice0winner1_best_index_0_7 : natural range 0 to 15;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 16383;
-  signal slice0winner2_best_below_0_0, slice0winner2_best_below_0_1 : natural range 0 to 16383;
-  signal slice0winner2_best_below_0_2, slice0winner2_best_below_0_3 : natural range 0 to 16383;
-  signal slice0winner2_best_above_0_0, slice0winner2_best_above_0_1 : natural range 0 to 16383;
-  signal slice0winner2_best_above_0_2, slice0winner2_best_above_0_3 : natural range 0 to 16383;
-  signal slice0winner2_best_first_0_1, slice0winner2_best_first_0_2 : natural range 0 to 16383;
-  signal slice0winner2_best_first_0_3, slice0winner2_best_last_0_0 : natural range 0 to 16383;
-  signal slice0winner2_best_last_0_1, slice0winner2_best_last_0_2 : natural range 0 to 16383;
-  signal slice0winner2_best_last_0_3, slice0winner2_best_late_cost_0_0 : natural range 0 to 16383;
-  signal slice0winner2_best_late_cost_0_1, slice0winner2_best_late_cost_0_2 : natural range 0 to 16383;
-  signal slice0winner2_best_late_cost_0_3, slice0winner2_best_second_0_0 : natural range 0 to 16383;
-  signal slice0winner2_best_second_0_1, slice0winner2_best_second_0_2 : natural range 0 to 16383;
-  signal slice0winner2_best_second_0_3, slice0winner2_best_but_first_0_1 : natural range 0 to 16383;
-  signal slice0winner2_best_but_first_0_2, slice0winner2_best_but_first_0_3 : natural range 0 to 16383;
-  signal slice0winner2_best_but_last_0_0, slice0winner2_best_but_last_0_1 : natural range 0 to 16383;
-  signal slice0winner2_best_but_last_0_2, slice0winner2_best_but_last_0_3 : natural range 0 to 16383;
+  signal slice0winner2_best_cost_0 : natural_16383_1d(0 to 3);
+  signal slice0winner2_best_below_0 : natural_16383_1d(0 to 3);
+  signal slice0winner2_best_above_0 : natural_16383_1d(0 to 3);
+  signal slice0winner2_best_first_0 : natural_16383_1d(1 to 3);
+  signal slice0winner2_best_last_0 : natural_16383_1d(0 to 3);
+  signal slice0winner2_best_late_cost_0 : natural_16383_1d(0 to 3);
+  signal slice0winner2_best_second_0 : natural_16383_1d(0 to 3);
+  signal slice0winner2_best_but_first_0 : natural_16383_1d(1 to 3);
+  signal slice0winner2_best_but_last_0 : natural_16383_1d(0 to 3);
   signal slice0winner2_best_index_0_0 : natural range 0 to 3;
   signal slice0winner2_best_index_0_1 : natural range 0 to 7;
   signal slice0winner2_best_index_0_2 : natural range 0 to 11;
   signal slice0winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner2_best_place_0_0, slice0winner2_best_place_0_1, slice0winner2_best_place_0_2 : boolean;
-  signal slice0winner2_best_place_0_3, slice0winner2_best_at_start_0_0, slice0winner2_best_at_start_0_1 : boolean;
-  signal slice0winner2_best_at_start_0_2, slice0winner2_best_at_start_0_3, slice0winner2_best_at_end_0_0 : boolean;
-  signal slice0winner2_best_at_end_0_1, slice0winner2_best_at_end_0_2, slice0winner2_best_at_end_0_3 : boolean;
+  signal slice0winner2_best_place_0 : boolean_1d(0 to 3);
+  signal slice0winner2_best_at_start_0 : boolean_1d(0 to 3);
+  signal slice0winner2_best_at_end_0 : boolean_1d(0 to 3);
   signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 16383;
-  signal slice0winner3_best_below_0_0, slice0winner3_best_below_0_1 : natural range 0 to 16383;
-  signal slice0winner3_best_above_0_0, slice0winner3_best_above_0_1 : natural range 0 to 16383;
-  signal slice0winner3_best_first_0_1, slice0winner3_best_last_0_0 : natural range 0 to 16383;
-  signal slice0winner3_best_last_0_1, slice0winner3_best_late_cost_0_0 : natural range 0 to 16383;
-  signal slice0winner3_best_late_cost_0_1, slice0winner3_best_second_0_0 : natural range 0 to 16383;
-  signal slice0winner3_best_second_0_1, slice0winner3_best_but_first_0_1 : natural range 0 to 16383;
-  signal slice0winner3_best_but_last_0_0, slice0winner3_best_but_last_0_1 : natural range 0 to 16383;
+  signal slice0winner3_best_cost_0 : natural_16383_1d(0 to 1);
+  signal slice0winner3_best_below_0 : natural_16383_1d(0 to 1);
+  signal slice0winner3_best_above_0 : natural_16383_1d(0 to 1);
+  signal slice0winner3_best_first_0_1 : natural range 0 to 16383;
+  signal slice0winner3_best_last_0 : natural_16383_1d(0 to 1);
+  signal slice0winner3_best_late_cost_0 : natural_16383_1d(0 to 1);
+  signal slice0winner3_best_second_0 : natural_16383_1d(0 to 1);
+  signal slice0winner3_best_but_first_0_1 : natural range 0 to 16383;
+  signal slice0winner3_best_but_last_0 : natural_16383_1d(0 to 1);
   signal slice0winner3_best_index_0_0 : natural range 0 to 7;
   signal slice0winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice0winner3_best_place_0_0, slice0winner3_best_place_0_1, slice0winner3_best_at_start_0_0 : boolean;
-  signal slice0winner3_best_at_start_0_1, slice0winner3_best_at_end_0_0, slice0winner3_best_at_end_0_1 : boolean;
+  signal slice0winner3_best_place_0 : boolean_1d(0 to 1);
+  signal slice0winner3_best_at_start_0 : boolean_1d(0 to 1);
+  signal slice0winner3_best_at_end_0 : boolean_1d(0 to 1);
   signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
   signal slice0winner3_tag_end_of_line : boolean;
   -- slice0winner4
@@ -365,124 +301,41 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
-  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 127;
-  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 127;
-  signal slice1shift_search_0_6, slice1shift_search_0_7, slice1shift_search_0_8 : natural range 0 to 127;
-  signal slice1shift_search_0_9, slice1shift_search_0_10, slice1shift_search_0_11 : natural range 0 to 127;
-  signal slice1shift_search_0_12, slice1shift_search_0_13, slice1shift_search_0_14 : natural range 0 to 127;
-  signal slice1shift_search_0_15, slice1shift_search_1_0, slice1shift_search_1_1 : natural range 0 to 127;
-  signal slice1shift_search_1_2, slice1shift_search_1_3, slice1shift_search_1_4 : natural range 0 to 127;
-  signal slice1shift_search_1_5, slice1shift_search_1_6, slice1shift_search_1_7 : natural range 0 to 127;
-  signal slice1shift_search_1_8, slice1shift_search_1_9, slice1shift_search_1_10 : natural range 0 to 127;
-  signal slice1shift_search_1_11, slice1shift_search_1_12, slice1shift_search_1_13 : natural range 0 to 127;
-  signal slice1shift_search_1_14, slice1shift_search_1_15, slice1shift_reference_0 : natural range 0 to 127;
-  signal slice1shift_reference_1, slice1shift_search_out_0, slice1shift_search_out_1 : natural range 0 to 127;
+  signal slice1shift_search : natural_127_2d(0 to 1, 0 to 15);
+  signal slice1shift_reference : natural_127_1d(0 to 1);
+  signal slice1shift_search_out : natural_127_1d(0 to 1);
   -- slice1cost
-  signal slice1cost_pixels_first_0_0, slice1cost_pixels_first_0_1 : integer range -127 to 127;
-  signal slice1cost_pixels_first_0_2, slice1cost_pixels_first_0_3 : integer range -127 to 127;
-  signal slice1cost_pixels_first_0_4, slice1cost_pixels_first_0_5 : integer range -127 to 127;
-  signal slice1cost_pixels_first_0_6, slice1cost_pixels_first_0_7 : integer range -127 to 127;
-  signal slice1cost_pixels_first_0_8, slice1cost_pixels_first_0_9 : integer range -127 to 127;
-  signal slice1cost_pixels_first_0_10, slice1cost_pixels_first_0_11 : integer range -127 to 127;
-  signal slice1cost_pixels_first_0_12, slice1cost_pixels_first_0_13 : integer range -127 to 127;
-  signal slice1cost_pixels_first_0_14, slice1cost_pixels_first_0_15 : integer range -127 to 127;
-  signal slice1cost_pixels_first_1_0, slice1cost_pixels_first_1_1 : integer range -127 to 127;
-  signal slice1cost_pixels_first_1_2, slice1cost_pixels_first_1_3 : integer range -127 to 127;
-  signal slice1cost_pixels_first_1_4, slice1cost_pixels_first_1_5 : integer range -127 to 127;
-  signal slice1cost_pixels_first_1_6, slice1cost_pixels_first_1_7 : integer range -127 to 127;
-  signal slice1cost_pixels_first_1_8, slice1cost_pixels_first_1_9 : integer range -127 to 127;
-  signal slice1cost_pixels_first_1_10, slice1cost_pixels_first_1_11 : integer range -127 to 127;
-  signal slice1cost_pixels_first_1_12, slice1cost_pixels_first_1_13 : integer range -127 to 127;
-  signal slice1cost_pixels_first_1_14, slice1cost_pixels_first_1_15 : integer range -127 to 127;
-  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_0_5 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_0_6, slice1cost_pixels_cost_0_7, slice1cost_pixels_cost_0_8 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_0_9, slice1cost_pixels_cost_0_10, slice1cost_pixels_cost_0_11 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_0_12, slice1cost_pixels_cost_0_13, slice1cost_pixels_cost_0_14 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_0_15, slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3, slice1cost_pixels_cost_1_4 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_1_5, slice1cost_pixels_cost_1_6, slice1cost_pixels_cost_1_7 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_1_8, slice1cost_pixels_cost_1_9, slice1cost_pixels_cost_1_10 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_1_11, slice1cost_pixels_cost_1_12, slice1cost_pixels_cost_1_13 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_1_14, slice1cost_pixels_cost_1_15 : natural range 0 to 128;
+  signal slice1cost_pixels_first : integer_minus_127_to_127_2d(0 to 1, 0 to 15);
+  signal slice1cost_pixels_cost : natural_128_2d(0 to 1, 0 to 15);
   signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 511;
   signal slice1cost_write_column : natural range 0 to 511;
-  signal slice1cost_read_words_0, slice1cost_read_words_1, slice1cost_read_words_2 : unsigned(29 downto 0);
-  signal slice1cost_read_words_3, slice1cost_read_words_4 : unsigned(29 downto 0);
+  signal slice1cost_read_words : unsigned_30_1d(0 to 4);
   signal slice1cost_read_words_5 : unsigned(9 downto 0);
-  signal slice1cost_change_0_0, slice1cost_change_0_1, slice1cost_change_0_2 : integer range -128 to 128;
-  signal slice1cost_change_0_3, slice1cost_change_0_4, slice1cost_change_0_5 : integer range -128 to 128;
-  signal slice1cost_change_0_6, slice1cost_change_0_7, slice1cost_change_0_8 : integer range -128 to 128;
-  signal slice1cost_change_0_9, slice1cost_change_0_10, slice1cost_change_0_11 : integer range -128 to 128;
-  signal slice1cost_change_0_12, slice1cost_change_0_13, slice1cost_change_0_14 : integer range -128 to 128;
-  signal slice1cost_change_0_15 : integer range -128 to 128;
-  signal slice1cost_ready_words_0, slice1cost_ready_words_1, slice1cost_ready_words_2 : natural range 0 to 1073741823;
-  signal slice1cost_ready_words_3, slice1cost_ready_words_4, slice1cost_write_words_0 : natural range 0 to 1073741823;
-  signal slice1cost_write_words_1, slice1cost_write_words_2, slice1cost_write_words_3 : natural range 0 to 1073741823;
-  signal slice1cost_write_words_4 : natural range 0 to 1073741823;
-  signal slice1cost_ready_words_5, slice1cost_column_0_0, slice1cost_column_0_1 : natural range 0 to 1023;
-  signal slice1cost_column_0_2, slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 1023;
-  signal slice1cost_column_0_5, slice1cost_column_0_6, slice1cost_column_0_7 : natural range 0 to 1023;
-  signal slice1cost_column_0_8, slice1cost_column_0_9, slice1cost_column_0_10 : natural range 0 to 1023;
-  signal slice1cost_column_0_11, slice1cost_column_0_12, slice1cost_column_0_13 : natural range 0 to 1023;
-  signal slice1cost_column_0_14, slice1cost_column_0_15, slice1cost_write_words_5 : natural range 0 to 1023;
+  signal slice1cost_change_0 : integer_minus_128_to_128_1d(0 to 15);
+  signal slice1cost_ready_words : natural_1073741823_1d(0 to 4);
+  signal slice1cost_write_words : natural_1073741823_1d(0 to 4);
+  signal slice1cost_ready_words_5 : natural range 0 to 1023;
+  signal slice1cost_column_0 : natural_1023_1d(0 to 15);
+  signal slice1cost_write_words_5 : natural range 0 to 1023;
   -- slice1window
   signal slice1window_ring_read_address, slice1window_ring_write_address : natural range 0 to 15;
-  signal slice1window_leaving_0, slice1window_leaving_1, slice1window_leaving_2 : unsigned(29 downto 0);
-  signal slice1window_leaving_3, slice1window_leaving_4 : unsigned(29 downto 0);
+  signal slice1window_leaving : unsigned_30_1d(0 to 4);
   signal slice1window_leaving_5 : unsigned(9 downto 0);
-  signal slice1window_entering_0_0, slice1window_entering_0_1, slice1window_entering_0_2 : natural range 0 to 1023;
-  signal slice1window_entering_0_3, slice1window_entering_0_4, slice1window_entering_0_5 : natural range 0 to 1023;
-  signal slice1window_entering_0_6, slice1window_entering_0_7, slice1window_entering_0_8 : natural range 0 to 1023;
-  signal slice1window_entering_0_9, slice1window_entering_0_10, slice1window_entering_0_11 : natural range 0 to 1023;
-  signal slice1window_entering_0_12, slice1window_entering_0_13, slice1window_entering_0_14 : natural range 0 to 1023;
-  signal slice1window_entering_0_15 : natural range 0 to 1023;
-  signal slice1window_change_0_0, slice1window_change_0_1, slice1window_change_0_2 : integer range -1023 to 1023;
-  signal slice1window_change_0_3, slice1window_change_0_4, slice1window_change_0_5 : integer range -1023 to 1023;
-  signal slice1window_change_0_6, slice1window_change_0_7, slice1window_change_0_8 : integer range -1023 to 1023;
-  signal slice1window_change_0_9, slice1window_change_0_10, slice1window_change_0_11 : integer range -1023 to 1023;
-  signal slice1window_change_0_12, slice1window_change_0_13, slice1window_change_0_14 : integer range -1023 to 1023;
-  signal slice1window_change_0_15 : integer range -1023 to 1023;
+  signal slice1window_entering_0 : natural_1023_1d(0 to 15);
+  signal slice1window_change_0 : integer_minus_1023_to_1023_1d(0 to 15);
   signal slice1window_change_tag_first_cost, slice1window_change_tag_leaves_window : boolean;
   signal slice1window_centre_output_column_0, slice1window_centre_start_of_frame_1 : boolean;
-  signal slice1window_centre_start_of_frame_3, slice1window_centre_start_of_frame_4 : boolean;
-  signal slice1window_centre_start_of_frame_5, slice1window_centre_end_of_line_0 : boolean;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 16383;
-  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 16383;
-  signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 16383;
-  signal slice1window_sum_0_9, slice1window_sum_0_10, slice1window_sum_0_11 : natural range 0 to 16383;
-  signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 16383;
-  signal slice1window_sum_0_15 : natural range 0 to 16383;
+  signal slice1window_centre_start_of_frame : boolean_1d(3 to 5);
+  signal slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_sum_0 : natural_16383_1d(0 to 15);
   -- slice1winner1
-  signal slice1winner1_held_0_0, slice1winner1_held_0_1, slice1winner1_held_0_2 : natural range 0 to 16383;
-  signal slice1winner1_held_0_3, slice1winner1_held_0_4, slice1winner1_held_0_5 : natural range 0 to 16383;
-  signal slice1winner1_held_0_6, slice1winner1_held_0_7, slice1winner1_held_0_8 : natural range 0 to 16383;
-  signal slice1winner1_held_0_9, slice1winner1_held_0_10, slice1winner1_held_0_11 : natural range 0 to 16383;
-  signal slice1winner1_held_0_12, slice1winner1_held_0_13, slice1winner1_held_0_14 : natural range 0 to 16383;
-  signal slice1winner1_held_0_15, slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 16383;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 16383;
-  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 16383;
-  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 16383;
-  signal slice1winner1_best_below_0_0, slice1winner1_best_below_0_1 : natural range 0 to 16383;
-  signal slice1winner1_best_below_0_2, slice1winner1_best_below_0_3 : natural range 0 to 16383;
-  signal slice1winner1_best_below_0_4, slice1winner1_best_below_0_5 : natural range 0 to 16383;
-  signal slice1winner1_best_below_0_6, slice1winner1_best_below_0_7 : natural range 0 to 16383;
-  signal slice1winner1_best_above_0_0, slice1winner1_best_above_0_1 : natural range 0 to 16383;
-  signal slice1winner1_best_above_0_2, slice1winner1_best_above_0_3 : natural range 0 to 16383;
-  signal slice1winner1_best_above_0_4, slice1winner1_best_above_0_5 : natural range 0 to 16383;
-  signal slice1winner1_best_above_0_6, slice1winner1_best_above_0_7 : natural range 0 to 16383;
-  signal slice1winner1_best_late_cost_0_0, slice1winner1_best_late_cost_0_1 : natural range 0 to 16383;
-  signal slice1winner1_best_late_cost_0_2, slice1winner1_best_late_cost_0_3 : natural range 0 to 16383;
-  signal slice1winner1_best_late_cost_0_4, slice1winner1_best_late_cost_0_5 : natural range 0 to 16383;
-  signal slice1winner1_best_late_cost_0_6, slice1winner1_best_late_cost_0_7 : natural range 0 to 16383;
-  signal slice1winner1_best_but_first_0_0, slice1winner1_best_but_first_0_1 : natural range 0 to 16383;
-  signal slice1winner1_best_but_first_0_2, slice1winner1_best_but_first_0_3 : natural range 0 to 16383;
-  signal slice1winner1_best_but_first_0_4, slice1winner1_best_but_first_0_5 : natural range 0 to 16383;
-  signal slice1winner1_best_but_first_0_6, slice1winner1_best_but_first_0_7 : natural range 0 to 16383;
-  signal slice1winner1_best_but_last_0_0, slice1winner1_best_but_last_0_1 : natural range 0 to 16383;
-  signal slice1winner1_best_but_last_0_2, slice1winner1_best_but_last_0_3 : natural range 0 to 16383;
-  signal slice1winner1_best_but_last_0_4, slice1winner1_best_but_last_0_5 : natural range 0 to 16383;
-  signal slice1winner1_best_but_last_0_6, slice1winner1_best_but_last_0_7 : natural range 0 to 16383;
+  signal slice1winner1_held_0 : natural_16383_1d(0 to 15);
+  signal slice1winner1_best_cost_0 : natural_16383_1d(0 to 7);
+  signal slice1winner1_best_below_0 : natural_16383_1d(0 to 7);
+  signal slice1winner1_best_above_0 : natural_16383_1d(0 to 7);
+  signal slice1winner1_best_late_cost_0 : natural_16383_1d(0 to 7);
+  signal slice1winner1_best_but_first_0 : natural_16383_1d(0 to 7);
+  signal slice1winner1_best_but_last_0 : natural_16383_1d(0 to 7);
   signal slice1winner1_best_index_0_0 : boolean;
   signal slice1winner1_best_index_0_1 : natural range 0 to 3;
   signal slice1winner1_best_index_0_2 : natural range 0 to 5;
@@ -492,46 +345,37 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1winner1_best_index_0_6 : natural range 0 to 13;
   signal slice1winner1_best_index_0_7 : natural range 0 to 15;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 16383;
-  signal slice1winner2_best_below_0_0, slice1winner2_best_below_0_1 : natural range 0 to 16383;
-  signal slice1winner2_best_below_0_2, slice1winner2_best_below_0_3 : natural range 0 to 16383;
-  signal slice1winner2_best_above_0_0, slice1winner2_best_above_0_1 : natural range 0 to 16383;
-  signal slice1winner2_best_above_0_2, slice1winner2_best_above_0_3 : natural range 0 to 16383;
-  signal slice1winner2_best_first_0_0, slice1winner2_best_first_0_1 : natural range 0 to 16383;
-  signal slice1winner2_best_first_0_2, slice1winner2_best_first_0_3 : natural range 0 to 16383;
-  signal slice1winner2_best_last_0_0, slice1winner2_best_last_0_1 : natural range 0 to 16383;
-  signal slice1winner2_best_last_0_2, slice1winner2_best_last_0_3 : natural range 0 to 16383;
-  signal slice1winner2_best_late_cost_0_0, slice1winner2_best_late_cost_0_1 : natural range 0 to 16383;
-  signal slice1winner2_best_late_cost_0_2, slice1winner2_best_late_cost_0_3 : natural range 0 to 16383;
-  signal slice1winner2_best_second_0_0, slice1winner2_best_second_0_1 : natural range 0 to 16383;
-  signal slice1winner2_best_second_0_2, slice1winner2_best_second_0_3 : natural range 0 to 16383;
-  signal slice1winner2_best_but_first_0_0, slice1winner2_best_but_first_0_1 : natural range 0 to 16383;
-  signal slice1winner2_best_but_first_0_2, slice1winner2_best_but_first_0_3 : natural range 0 to 16383;
-  signal slice1winner2_best_but_last_0_0, slice1winner2_best_but_last_0_1 : natural range 0 to 16383;
-  signal slice1winner2_best_but_last_0_2, slice1winner2_best_but_last_0_3 : natural range 0 to 16383;
+  signal slice1winner2_best_cost_0 : natural_16383_1d(0 to 3);
+  signal slice1winner2_best_below_0 : natural_16383_1d(0 to 3);
+  signal slice1winner2_best_above_0 : natural_16383_1d(0 to 3);
+  signal slice1winner2_best_first_0 : natural_16383_1d(0 to 3);
+  signal slice1winner2_best_last_0 : natural_16383_1d(0 to 3);
+  signal slice1winner2_best_late_cost_0 : natural_16383_1d(0 to 3);
+  signal slice1winner2_best_second_0 : natural_16383_1d(0 to 3);
+  signal slice1winner2_best_but_first_0 : natural_16383_1d(0 to 3);
+  signal slice1winner2_best_but_last_0 : natural_16383_1d(0 to 3);
   signal slice1winner2_best_index_0_0 : natural range 0 to 3;
   signal slice1winner2_best_index_0_1 : natural range 0 to 7;
   signal slice1winner2_best_index_0_2 : natural range 0 to 11;
   signal slice1winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice1winner2_best_place_0_0, slice1winner2_best_place_0_1, slice1winner2_best_place_0_2 : boolean;
-  signal slice1winner2_best_place_0_3, slice1winner2_best_at_start_0_0, slice1winner2_best_at_start_0_1 : boolean;
-  signal slice1winner2_best_at_start_0_2, slice1winner2_best_at_start_0_3, slice1winner2_best_at_end_0_0 : boolean;
-  signal slice1winner2_best_at_end_0_1, slice1winner2_best_at_end_0_2, slice1winner2_best_at_end_0_3 : boolean;
+  signal slice1winner2_best_place_0 : boolean_1d(0 to 3);
+  signal slice1winner2_best_at_start_0 : boolean_1d(0 to 3);
+  signal slice1winner2_best_at_end_0 : boolean_1d(0 to 3);
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 16383;
-  signal slice1winner3_best_below_0_0, slice1winner3_best_below_0_1 : natural range 0 to 16383;
-  signal slice1winner3_best_above_0_0, slice1winner3_best_above_0_1 : natural range 0 to 16383;
-  signal slice1winner3_best_first_0_0, slice1winner3_best_first_0_1 : natural range 0 to 16383;
-  signal slice1winner3_best_last_0_0, slice1winner3_best_last_0_1 : natural range 0 to 16383;
-  signal slice1winner3_best_late_cost_0_0, slice1winner3_best_late_cost_0_1 : natural range 0 to 16383;
-  signal slice1winner3_best_second_0_0, slice1winner3_best_second_0_1 : natural range 0 to 16383;
-  signal slice1winner3_best_but_first_0_0, slice1winner3_best_but_first_0_1 : natural range 0 to 16383;
-  signal slice1winner3_best_but_last_0_0, slice1winner3_best_but_last_0_1 : natural range 0 to 16383;
+  signal slice1winner3_best_cost_0 : natural_16383_1d(0 to 1);
+  signal slice1winner3_best_below_0 : natural_16383_1d(0 to 1);
+  signal slice1winner3_best_above_0 : natural_16383_1d(0 to 1);
+  signal slice1winner3_best_first_0 : natural_16383_1d(0 to 1);
+  signal slice1winner3_best_last_0 : natural_16383_1d(0 to 1);
+  signal slice1winner3_best_late_cost_0 : natural_16383_1d(0 to 1);
+  signal slice1winner3_best_second_0 : natural_16383_1d(0 to 1);
+  signal slice1winner3_best_but_first_0 : natural_16383_1d(0 to 1);
+  signal slice1winner3_best_but_last_0 : natural_16383_1d(0 to 1);
   signal slice1winner3_best_index_0_0 : natural range 0 to 7;
   signal slice1winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice1winner3_best_place_0_0, slice1winner3_best_place_0_1, slice1winner3_best_at_start_0_0 : boolean;
-  signal slice1winner3_best_at_start_0_1, slice1winner3_best_at_end_0_0, slice1winner3_best_at_end_0_1 : boolean;
+  signal slice1winner3_best_place_0 : boolean_1d(0 to 1);
+  signal slice1winner3_best_at_start_0 : boolean_1d(0 to 1);
+  signal slice1winner3_best_at_end_0 : boolean_1d(0 to 1);
   -- slice1winner4
   signal slice1winner4_best_cost_0_0, slice1winner4_best_below_0_0 : natural range 0 to 16383;
   signal slice1winner4_best_above_0_0, slice1winner4_best_first_0_0 : natural range 0 to 16383;
@@ -548,123 +392,40 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1_best_place_0_0, slice1_best_at_start_0_0, slice1_best_at_end_0_0, slice1_best_tag_valid : boolean;
   signal slice1_best_tag_output_column, slice1_best_tag_start_of_frame, slice1_best_tag_end_of_line : boolean;
   -- slice2shift
-  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_0_2 : natural range 0 to 127;
-  signal slice2shift_search_0_3, slice2shift_search_0_4, slice2shift_search_0_5 : natural range 0 to 127;
-  signal slice2shift_search_0_6, slice2shift_search_0_7, slice2shift_search_0_8 : natural range 0 to 127;
-  signal slice2shift_search_0_9, slice2shift_search_0_10, slice2shift_search_0_11 : natural range 0 to 127;
-  signal slice2shift_search_0_12, slice2shift_search_0_13, slice2shift_search_0_14 : natural range 0 to 127;
-  signal slice2shift_search_0_15, slice2shift_search_1_0, slice2shift_search_1_1 : natural range 0 to 127;
-  signal slice2shift_search_1_2, slice2shift_search_1_3, slice2shift_search_1_4 : natural range 0 to 127;
-  signal slice2shift_search_1_5, slice2shift_search_1_6, slice2shift_search_1_7 : natural range 0 to 127;
-  signal slice2shift_search_1_8, slice2shift_search_1_9, slice2shift_search_1_10 : natural range 0 to 127;
-  signal slice2shift_search_1_11, slice2shift_search_1_12, slice2shift_search_1_13 : natural range 0 to 127;
-  signal slice2shift_search_1_14, slice2shift_search_1_15, slice2shift_reference_0 : natural range 0 to 127;
-  signal slice2shift_reference_1, slice2shift_search_out_0, slice2shift_search_out_1 : natural range 0 to 127;
+  signal slice2shift_search : natural_127_2d(0 to 1, 0 to 15);
+  signal slice2shift_reference : natural_127_1d(0 to 1);
+  signal slice2shift_search_out : natural_127_1d(0 to 1);
   -- slice2cost
-  signal slice2cost_pixels_first_0_0, slice2cost_pixels_first_0_1 : integer range -127 to 127;
-  signal slice2cost_pixels_first_0_2, slice2cost_pixels_first_0_3 : integer range -127 to 127;
-  signal slice2cost_pixels_first_0_4, slice2cost_pixels_first_0_5 : integer range -127 to 127;
-  signal slice2cost_pixels_first_0_6, slice2cost_pixels_first_0_7 : integer range -127 to 127;
-  signal slice2cost_pixels_first_0_8, slice2cost_pixels_first_0_9 : integer range -127 to 127;
-  signal slice2cost_pixels_first_0_10, slice2cost_pixels_first_0_11 : integer range -127 to 127;
-  signal slice2cost_pixels_first_0_12, slice2cost_pixels_first_0_13 : integer range -127 to 127;
-  signal slice2cost_pixels_first_0_14, slice2cost_pixels_first_0_15 : integer range -127 to 127;
-  signal slice2cost_pixels_first_1_0, slice2cost_pixels_first_1_1 : integer range -127 to 127;
-  signal slice2cost_pixels_first_1_2, slice2cost_pixels_first_1_3 : integer range -127 to 127;
-  signal slice2cost_pixels_first_1_4, slice2cost_pixels_first_1_5 : integer range -127 to 127;
-  signal slice2cost_pixels_first_1_6, slice2cost_pixels_first_1_7 : integer range -127 to 127;
-  signal slice2cost_pixels_first_1_8, slice2cost_pixels_first_1_9 : integer range -127 to 127;
-  signal slice2cost_pixels_first_1_10, slice2cost_pixels_first_1_11 : integer range -127 to 127;
-  signal slice2cost_pixels_first_1_12, slice2cost_pixels_first_1_13 : integer range -127 to 127;
-  signal slice2cost_pixels_first_1_14, slice2cost_pixels_first_1_15 : integer range -127 to 127;
-  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_0_2 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_0_3, slice2cost_pixels_cost_0_4, slice2cost_pixels_cost_0_5 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_0_6, slice2cost_pixels_cost_0_7, slice2cost_pixels_cost_0_8 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_0_9, slice2cost_pixels_cost_0_10, slice2cost_pixels_cost_0_11 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_0_12, slice2cost_pixels_cost_0_13, slice2cost_pixels_cost_0_14 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_0_15, slice2cost_pixels_cost_1_0, slice2cost_pixels_cost_1_1 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_1_2, slice2cost_pixels_cost_1_3, slice2cost_pixels_cost_1_4 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_1_5, slice2cost_pixels_cost_1_6, slice2cost_pixels_cost_1_7 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_1_8, slice2cost_pixels_cost_1_9, slice2cost_pixels_cost_1_10 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_1_11, slice2cost_pixels_cost_1_12, slice2cost_pixels_cost_1_13 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_1_14, slice2cost_pixels_cost_1_15 : natural range 0 to 128;
+  signal slice2cost_pixels_first : integer_minus_127_to_127_2d(0 to 1, 0 to 15);
+  signal slice2cost_pixels_cost : natural_128_2d(0 to 1, 0 to 15);
   signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_column : natural range 0 to 511;
   signal slice2cost_write_column : natural range 0 to 511;
-  signal slice2cost_read_words_0, slice2cost_read_words_1, slice2cost_read_words_2 : unsigned(29 downto 0);
-  signal slice2cost_read_words_3, slice2cost_read_words_4 : unsigned(29 downto 0);
+  signal slice2cost_read_words : unsigned_30_1d(0 to 4);
   signal slice2cost_read_words_5 : unsigned(9 downto 0);
-  signal slice2cost_change_0_0, slice2cost_change_0_1, slice2cost_change_0_2 : integer range -128 to 128;
-  signal slice2cost_change_0_3, slice2cost_change_0_4, slice2cost_change_0_5 : integer range -128 to 128;
-  signal slice2cost_change_0_6, slice2cost_change_0_7, slice2cost_change_0_8 : integer range -128 to 128;
-  signal slice2cost_change_0_9, slice2cost_change_0_10, slice2cost_change_0_11 : integer range -128 to 128;
-  signal slice2cost_change_0_12, slice2cost_change_0_13, slice2cost_change_0_14 : integer range -128 to 128;
-  signal slice2cost_change_0_15 : integer range -128 to 128;
-  signal slice2cost_ready_words_0, slice2cost_ready_words_1, slice2cost_ready_words_2 : natural range 0 to 1073741823;
-  signal slice2cost_ready_words_3, slice2cost_ready_words_4, slice2cost_write_words_0 : natural range 0 to 1073741823;
-  signal slice2cost_write_words_1, slice2cost_write_words_2, slice2cost_write_words_3 : natural range 0 to 1073741823;
-  signal slice2cost_write_words_4 : natural range 0 to 1073741823;
-  signal slice2cost_ready_words_5, slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 1023;
-  signal slice2cost_column_0_2, slice2cost_column_0_3, slice2cost_column_0_4 : natural range 0 to 1023;
-  signal slice2cost_column_0_5, slice2cost_column_0_6, slice2cost_column_0_7 : natural range 0 to 1023;
-  signal slice2cost_column_0_8, slice2cost_column_0_9, slice2cost_column_0_10 : natural range 0 to 1023;
-  signal slice2cost_column_0_11, slice2cost_column_0_12, slice2cost_column_0_13 : natural range 0 to 1023;
-  signal slice2cost_column_0_14, slice2cost_column_0_15, slice2cost_write_words_5 : natural range 0 to 1023;
+  signal slice2cost_change_0 : integer_minus_128_to_128_1d(0 to 15);
+  signal slice2cost_ready_words : natural_1073741823_1d(0 to 4);
+  signal slice2cost_write_words : natural_1073741823_1d(0 to 4);
+  signal slice2cost_ready_words_5 : natural range 0 to 1023;
+  signal slice2cost_column_0 : natural_1023_1d(0 to 15);
+  signal slice2cost_write_words_5 : natural range 0 to 1023;
   -- slice2window
   signal slice2window_ring_read_address, slice2window_ring_write_address : natural range 0 to 15;
-  signal slice2window_leaving_0, slice2window_leaving_1, slice2window_leaving_2 : unsigned(29 downto 0);
-  signal slice2window_leaving_3, slice2window_leaving_4 : unsigned(29 downto 0);
+  signal slice2window_leaving : unsigned_30_1d(0 to 4);
   signal slice2window_leaving_5 : unsigned(9 downto 0);
-  signal slice2window_entering_0_0, slice2window_entering_0_1, slice2window_entering_0_2 : natural range 0 to 1023;
-  signal slice2window_entering_0_3, slice2window_entering_0_4, slice2window_entering_0_5 : natural range 0 to 1023;
-  signal slice2window_entering_0_6, slice2window_entering_0_7, slice2window_entering_0_8 : natural range 0 to 1023;
-  signal slice2window_entering_0_9, slice2window_entering_0_10, slice2window_entering_0_11 : natural range 0 to 1023;
-  signal slice2window_entering_0_12, slice2window_entering_0_13, slice2window_entering_0_14 : natural range 0 to 1023;
-  signal slice2window_entering_0_15 : natural range 0 to 1023;
-  signal slice2window_change_0_0, slice2window_change_0_1, slice2window_change_0_2 : integer range -1023 to 1023;
-  signal slice2window_change_0_3, slice2window_change_0_4, slice2window_change_0_5 : integer range -1023 to 1023;
-  signal slice2window_change_0_6, slice2window_change_0_7, slice2window_change_0_8 : integer range -1023 to 1023;
-  signal slice2window_change_0_9, slice2window_change_0_10, slice2window_change_0_11 : integer range -1023 to 1023;
-  signal slice2window_change_0_12, slice2window_change_0_13, slice2window_change_0_14 : integer range -1023 to 1023;
-  signal slice2window_change_0_15 : integer range -1023 to 1023;
+  signal slice2window_entering_0 : natural_1023_1d(0 to 15);
+  signal slice2window_change_0 : integer_minus_1023_to_1023_1d(0 to 15);
   signal slice2window_change_tag_first_cost, slice2window_change_tag_leaves_window : boolean;
   signal slice2window_centre_output_column_0, slice2window_centre_start_of_frame_1 : boolean;
   signal slice2window_centre_end_of_line_0 : boolean;
-  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 16383;
-  signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 16383;
-  signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 16383;
-  signal slice2window_sum_0_9, slice2window_sum_0_10, slice2window_sum_0_11 : natural range 0 to 16383;
-  signal slice2window_sum_0_12, slice2window_sum_0_13, slice2window_sum_0_14 : natural range 0 to 16383;
-  signal slice2window_sum_0_15 : natural range 0 to 16383;
+  signal slice2window_sum_0 : natural_16383_1d(0 to 15);
   -- slice2winner1
-  signal slice2winner1_held_0_0, slice2winner1_held_0_1, slice2winner1_held_0_2 : natural range 0 to 16383;
-  signal slice2winner1_held_0_3, slice2winner1_held_0_4, slice2winner1_held_0_5 : natural range 0 to 16383;
-  signal slice2winner1_held_0_6, slice2winner1_held_0_7, slice2winner1_held_0_8 : natural range 0 to 16383;
-  signal slice2winner1_held_0_9, slice2winner1_held_0_10, slice2winner1_held_0_11 : natural range 0 to 16383;
-  signal slice2winner1_held_0_12, slice2winner1_held_0_13, slice2winner1_held_0_14 : natural range 0 to 16383;
-  signal slice2winner1_held_0_15, slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 16383;
-  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 16383;
-  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 16383;
-  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 16383;
-  signal slice2winner1_best_below_0_0, slice2winner1_best_below_0_1 : natural range 0 to 16383;
-  signal slice2winner1_best_below_0_2, slice2winner1_best_below_0_3 : natural range 0 to 16383;
-  signal slice2winner1_best_below_0_4, slice2winner1_best_below_0_5 : natural range 0 to 16383;
-  signal slice2winner1_best_below_0_6, slice2winner1_best_below_0_7 : natural range 0 to 16383;
-  signal slice2winner1_best_above_0_0, slice2winner1_best_above_0_1 : natural range 0 to 16383;
-  signal slice2winner1_best_above_0_2, slice2winner1_best_above_0_3 : natural range 0 to 16383;
-  signal slice2winner1_best_above_0_4, slice2winner1_best_above_0_5 : natural range 0 to 16383;
-  signal slice2winner1_best_above_0_6, slice2winner1_best_above_0_7 : natural range 0 to 16383;
-  signal slice2winner1_best_late_cost_0_0, slice2winner1_best_late_cost_0_1 : natural range 0 to 16383;
-  signal slice2winner1_best_late_cost_0_2, slice2winner1_best_late_cost_0_3 : natural range 0 to 16383;
-  signal slice2winner1_best_late_cost_0_4, slice2winner1_best_late_cost_0_5 : natural range 0 to 16383;
-  signal slice2winner1_best_late_cost_0_6, slice2winner1_best_late_cost_0_7 : natural range 0 to 16383;
-  signal slice2winner1_best_but_first_0_0, slice2winner1_best_but_first_0_1 : natural range 0 to 16383;
-  signal slice2winner1_best_but_first_0_2, slice2winner1_best_but_first_0_3 : natural range 0 to 16383;
-  signal slice2winner1_best_but_first_0_4, slice2winner1_best_but_first_0_5 : natural range 0 to 16383;
-  signal slice2winner1_best_but_first_0_6, slice2winner1_best_but_first_0_7 : natural range 0 to 16383;
-  signal slice2winner1_best_but_last_0_0, slice2winner1_best_but_last_0_1 : natural range 0 to 16383;
-  signal slice2winner1_best_but_last_0_2, slice2winner1_best_but_last_0_3 : natural range 0 to 16383;
-  signal slice2winner1_best_but_last_0_4, slice2winner1_best_but_last_0_5 : natural range 0 to 16383;
-  signal slice2winner1_best_but_last_0_6, slice2winner1_best_but_last_0_7 : natural range 0 to 16383;
+  signal slice2winner1_held_0 : natural_16383_1d(0 to 15);
+  signal slice2winner1_best_cost_0 : natural_16383_1d(0 to 7);
+  signal slice2winner1_best_below_0 : natural_16383_1d(0 to 7);
+  signal slice2winner1_best_above_0 : natural_16383_1d(0 to 7);
+  signal slice2winner1_best_late_cost_0 : natural_16383_1d(0 to 7);
+  signal slice2winner1_best_but_first_0 : natural_16383_1d(0 to 7);
+  signal slice2winner1_best_but_last_0 : natural_16383_1d(0 to 7);
   signal slice2winner1_best_index_0_0 : boolean;
   signal slice2winner1_best_index_0_1 : natural range 0 to 3;
   signal slice2winner1_best_index_0_2 : natural range 0 to 5;
@@ -674,46 +435,37 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2winner1_best_index_0_6 : natural range 0 to 13;
   signal slice2winner1_best_index_0_7 : natural range 0 to 15;
   -- slice2winner2
-  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 16383;
-  signal slice2winner2_best_below_0_0, slice2winner2_best_below_0_1 : natural range 0 to 16383;
-  signal slice2winner2_best_below_0_2, slice2winner2_best_below_0_3 : natural range 0 to 16383;
-  signal slice2winner2_best_above_0_0, slice2winner2_best_above_0_1 : natural range 0 to 16383;
-  signal slice2winner2_best_above_0_2, slice2winner2_best_above_0_3 : natural range 0 to 16383;
-  signal slice2winner2_best_first_0_0, slice2winner2_best_first_0_1 : natural range 0 to 16383;
-  signal slice2winner2_best_first_0_2, slice2winner2_best_first_0_3 : natural range 0 to 16383;
-  signal slice2winner2_best_last_0_0, slice2winner2_best_last_0_1 : natural range 0 to 16383;
-  signal slice2winner2_best_last_0_2, slice2winner2_best_last_0_3 : natural range 0 to 16383;
-  signal slice2winner2_best_late_cost_0_0, slice2winner2_best_late_cost_0_1 : natural range 0 to 16383;
-  signal slice2winner2_best_late_cost_0_2, slice2winner2_best_late_cost_0_3 : natural range 0 to 16383;
-  signal slice2winner2_best_second_0_0, slice2winner2_best_second_0_1 : natural range 0 to 16383;
-  signal slice2winner2_best_second_0_2, slice2winner2_best_second_0_3 : natural range 0 to 16383;
-  signal slice2winner2_best_but_first_0_0, slice2winner2_best_but_first_0_1 : natural range 0 to 16383;
-  signal slice2winner2_best_but_first_0_2, slice2winner2_best_but_first_0_3 : natural range 0 to 16383;
-  signal slice2winner2_best_but_last_0_0, slice2winner2_best_but_last_0_1 : natural range 0 to 16383;
-  signal slice2winner2_best_but_last_0_2, slice2winner2_best_but_last_0_3 : natural range 0 to 16383;
+  signal slice2winner2_best_cost_0 : natural_16383_1d(0 to 3);
+  signal slice2winner2_best_below_0 : natural_16383_1d(0 to 3);
+  signal slice2winner2_best_above_0 : natural_16383_1d(0 to 3);
+  signal slice2winner2_best_first_0 : natural_16383_1d(0 to 3);
+  signal slice2winner2_best_last_0 : natural_16383_1d(0 to 3);
+  signal slice2winner2_best_late_cost_0 : natural_16383_1d(0 to 3);
+  signal slice2winner2_best_second_0 : natural_16383_1d(0 to 3);
+  signal slice2winner2_best_but_first_0 : natural_16383_1d(0 to 3);
+  signal slice2winner2_best_but_last_0 : natural_16383_1d(0 to 3);
   signal slice2winner2_best_index_0_0 : natural range 0 to 3;
   signal slice2winner2_best_index_0_1 : natural range 0 to 7;
   signal slice2winner2_best_index_0_2 : natural range 0 to 11;
   signal slice2winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice2winner2_best_place_0_0, slice2winner2_best_place_0_1, slice2winner2_best_place_0_2 : boolean;
-  signal slice2winner2_best_place_0_3, slice2winner2_best_at_start_0_0, slice2winner2_best_at_start_0_1 : boolean;
-  signal slice2winner2_best_at_start_0_2, slice2winner2_best_at_start_0_3, slice2winner2_best_at_end_0_0 : boolean;
-  signal slice2winner2_best_at_end_0_1, slice2winner2_best_at_end_0_2, slice2winner2_best_at_end_0_3 : boolean;
+  signal slice2winner2_best_place_0 : boolean_1d(0 to 3);
+  signal slice2winner2_best_at_start_0 : boolean_1d(0 to 3);
+  signal slice2winner2_best_at_end_0 : boolean_1d(0 to 3);
   -- slice2winner3
-  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 16383;
-  signal slice2winner3_best_below_0_0, slice2winner3_best_below_0_1 : natural range 0 to 16383;
-  signal slice2winner3_best_above_0_0, slice2winner3_best_above_0_1 : natural range 0 to 16383;
-  signal slice2winner3_best_first_0_0, slice2winner3_best_first_0_1 : natural range 0 to 16383;
-  signal slice2winner3_best_last_0_0, slice2winner3_best_last_0_1 : natural range 0 to 16383;
-  signal slice2winner3_best_late_cost_0_0, slice2winner3_best_late_cost_0_1 : natural range 0 to 16383;
-  signal slice2winner3_best_second_0_0, slice2winner3_best_second_0_1 : natural range 0 to 16383;
-  signal slice2winner3_best_but_first_0_0, slice2winner3_best_but_first_0_1 : natural range 0 to 16383;
-  signal slice2winner3_best_but_last_0_0, slice2winner3_best_but_last_0_1 : natural range 0 to 16383;
+  signal slice2winner3_best_cost_0 : natural_16383_1d(0 to 1);
+  signal slice2winner3_best_below_0 : natural_16383_1d(0 to 1);
+  signal slice2winner3_best_above_0 : natural_16383_1d(0 to 1);
+  signal slice2winner3_best_first_0 : natural_16383_1d(0 to 1);
+  signal slice2winner3_best_last_0 : natural_16383_1d(0 to 1);
+  signal slice2winner3_best_late_cost_0 : natural_16383_1d(0 to 1);
+  signal slice2winner3_best_second_0 : natural_16383_1d(0 to 1);
+  signal slice2winner3_best_but_first_0 : natural_16383_1d(0 to 1);
+  signal slice2winner3_best_but_last_0 : natural_16383_1d(0 to 1);
   signal slice2winner3_best_index_0_0 : natural range 0 to 7;
   signal slice2winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice2winner3_best_place_0_0, slice2winner3_best_place_0_1, slice2winner3_best_at_start_0_0 : boolean;
-  signal slice2winner3_best_at_start_0_1, slice2winner3_best_at_end_0_0, slice2winner3_best_at_end_0_1 : boolean;
+  signal slice2winner3_best_place_0 : boolean_1d(0 to 1);
+  signal slice2winner3_best_at_start_0 : boolean_1d(0 to 1);
+  signal slice2winner3_best_at_end_0 : boolean_1d(0 to 1);
   -- slice2winner4
   signal slice2winner4_best_cost_0_0, slice2winner4_best_below_0_0 : natural range 0 to 16383;
   signal slice2winner4_best_above_0_0, slice2winner4_best_first_0_0 : natural range 0 to 16383;
@@ -730,128 +482,40 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2_best_place_0_0, slice2_best_at_start_0_0, slice2_best_at_end_0_0, slice2_best_tag_valid : boolean;
   signal slice2_best_tag_output_column, slice2_best_tag_start_of_frame, slice2_best_tag_end_of_line : boolean;
   -- slice3shift
-  signal slice3shift_search_0_0, slice3shift_search_0_1, slice3shift_search_0_2 : natural range 0 to 127;
-  signal slice3shift_search_0_3, slice3shift_search_0_4, slice3shift_search_0_5 : natural range 0 to 127;
-  signal slice3shift_search_0_6, slice3shift_search_0_7, slice3shift_search_0_8 : natural range 0 to 127;
-  signal slice3shift_search_0_9, slice3shift_search_0_10, slice3shift_search_0_11 : natural range 0 to 127;
-  signal slice3shift_search_0_12, slice3shift_search_0_13, slice3shift_search_0_14 : natural range 0 to 127;
-  signal slice3shift_search_0_15, slice3shift_search_1_0, slice3shift_search_1_1 : natural range 0 to 127;
-  signal slice3shift_search_1_2, slice3shift_search_1_3, slice3shift_search_1_4 : natural range 0 to 127;
-  signal slice3shift_search_1_5, slice3shift_search_1_6, slice3shift_search_1_7 : natural range 0 to 127;
-  signal slice3shift_search_1_8, slice3shift_search_1_9, slice3shift_search_1_10 : natural range 0 to 127;
-  signal slice3shift_search_1_11, slice3shift_search_1_12, slice3shift_search_1_13 : natural range 0 to 127;
-  signal slice3shift_search_1_14, slice3shift_search_1_15, slice3shift_reference_0 : natural range 0 to 127;
-  signal slice3shift_reference_1 : natural range 0 to 127;
+  signal slice3shift_search : natural_127_2d(0 to 1, 0 to 15);
+  signal slice3shift_reference : natural_127_1d(0 to 1);
   -- slice3cost
-  signal slice3cost_pixels_first_0_0, slice3cost_pixels_first_0_1 : integer range -127 to 127;
-  signal slice3cost_pixels_first_0_2, slice3cost_pixels_first_0_3 : integer range -127 to 127;
-  signal slice3cost_pixels_first_0_4, slice3cost_pixels_first_0_5 : integer range -127 to 127;
-  signal slice3cost_pixels_first_0_6, slice3cost_pixels_first_0_7 : integer range -127 to 127;
-  signal slice3cost_pixels_first_0_8, slice3cost_pixels_first_0_9 : integer range -127 to 127;
-  signal slice3cost_pixels_first_0_10, slice3cost_pixels_first_0_11 : integer range -127 to 127;
-  signal slice3cost_pixels_first_0_12, slice3cost_pixels_first_0_13 : integer range -127 to 127;
-  signal slice3cost_pixels_first_0_14, slice3cost_pixels_first_0_15 : integer range -127 to 127;
-  signal slice3cost_pixels_first_1_0, slice3cost_pixels_first_1_1 : integer range -127 to 127;
-  signal slice3cost_pixels_first_1_2, slice3cost_pixels_first_1_3 : integer range -127 to 127;
-  signal slice3cost_pixels_first_1_4, slice3cost_pixels_first_1_5 : integer range -127 to 127;
-  signal slice3cost_pixels_first_1_6, slice3cost_pixels_first_1_7 : integer range -127 to 127;
-  signal slice3cost_pixels_first_1_8, slice3cost_pixels_first_1_9 : integer range -127 to 127;
-  signal slice3cost_pixels_first_1_10, slice3cost_pixels_first_1_11 : integer range -127 to 127;
-  signal slice3cost_pixels_first_1_12, slice3cost_pixels_first_1_13 : integer range -127 to 127;
-  signal slice3cost_pixels_first_1_14, slice3cost_pixels_first_1_15 : integer range -127 to 127;
-  signal slice3cost_pixels_cost_0_0, slice3cost_pixels_cost_0_1, slice3cost_pixels_cost_0_2 : natural range 0 to 128;
-  signal slice3cost_pixels_cost_0_3, slice3cost_pixels_cost_0_4, slice3cost_pixels_cost_0_5 : natural range 0 to 128;
-  signal slice3cost_pixels_cost_0_6, slice3cost_pixels_cost_0_7, slice3cost_pixels_cost_0_8 : natural range 0 to 128;
-  signal slice3cost_pixels_cost_0_9, slice3cost_pixels_cost_0_10, slice3cost_pixels_cost_0_11 : natural range 0 to 128;
-  signal slice3cost_pixels_cost_0_12, slice3cost_pixels_cost_0_13, slice3cost_pixels_cost_0_14 : natural range 0 to 128;
-  signal slice3cost_pixels_cost_0_15, slice3cost_pixels_cost_1_0, slice3cost_pixels_cost_1_1 : natural range 0 to 128;
-  signal slice3cost_pixels_cost_1_2, slice3cost_pixels_cost_1_3, slice3cost_pixels_cost_1_4 : natural range 0 to 128;
-  signal slice3cost_pixels_cost_1_5, slice3cost_pixels_cost_1_6, slice3cost_pixels_cost_1_7 : natural range 0 to 128;
-  signal slice3cost_pixels_cost_1_8, slice3cost_pixels_cost_1_9, slice3cost_pixels_cost_1_10 : natural range 0 to 128;
-  signal slice3cost_pixels_cost_1_11, slice3cost_pixels_cost_1_12, slice3cost_pixels_cost_1_13 : natural range 0 to 128;
-  signal slice3cost_pixels_cost_1_14, slice3cost_pixels_cost_1_15 : natural range 0 to 128;
+  signal slice3cost_pixels_first : integer_minus_127_to_127_2d(0 to 1, 0 to 15);
+  signal slice3cost_pixels_cost : natural_128_2d(0 to 1, 0 to 15);
   signal slice3cost_read_column, slice3cost_change_column, slice3cost_ready_column : natural range 0 to 511;
   signal slice3cost_write_column : natural range 0 to 511;
-  signal slice3cost_read_words_0, slice3cost_read_words_1, slice3cost_read_words_2 : unsigned(29 downto 0);
-  signal slice3cost_read_words_3, slice3cost_read_words_4 : unsigned(29 downto 0);
+  signal slice3cost_read_words : unsigned_30_1d(0 to 4);
   signal slice3cost_read_words_5 : unsigned(9 downto 0);
-  signal slice3cost_change_0_0, slice3cost_change_0_1, slice3cost_change_0_2 : integer range -128 to 128;
-  signal slice3cost_change_0_3, slice3cost_change_0_4, slice3cost_change_0_5 : integer range -128 to 128;
-  signal slice3cost_change_0_6, slice3cost_change_0_7, slice3cost_change_0_8 : integer range -128 to 128;
-  signal slice3cost_change_0_9, slice3cost_change_0_10, slice3cost_change_0_11 : integer range -128 to 128;
-  signal slice3cost_change_0_12, slice3cost_change_0_13, slice3cost_change_0_14 : integer range -128 to 128;
-  signal slice3cost_change_0_15 : integer range -128 to 128;
-  signal slice3cost_ready_words_0, slice3cost_ready_words_1, slice3cost_ready_words_2 : natural range 0 to 1073741823;
-  signal slice3cost_ready_words_3, slice3cost_ready_words_4, slice3cost_write_words_0 : natural range 0 to 1073741823;
-  signal slice3cost_write_words_1, slice3cost_write_words_2, slice3cost_write_words_3 : natural range 0 to 1073741823;
-  signal slice3cost_write_words_4 : natural range 0 to 1073741823;
-  signal slice3cost_ready_words_5, slice3cost_column_0_0, slice3cost_column_0_1 : natural range 0 to 1023;
-  signal slice3cost_column_0_2, slice3cost_column_0_3, slice3cost_column_0_4 : natural range 0 to 1023;
-  signal slice3cost_column_0_5, slice3cost_column_0_6, slice3cost_column_0_7 : natural range 0 to 1023;
-  signal slice3cost_column_0_8, slice3cost_column_0_9, slice3cost_column_0_10 : natural range 0 to 1023;
-  signal slice3cost_column_0_11, slice3cost_column_0_12, slice3cost_column_0_13 : natural range 0 to 1023;
-  signal slice3cost_column_0_14, slice3cost_column_0_15, slice3cost_write_words_5 : natural range 0 to 1023;
+  signal slice3cost_change_0 : integer_minus_128_to_128_1d(0 to 15);
+  signal slice3cost_ready_words : natural_1073741823_1d(0 to 4);
+  signal slice3cost_write_words : natural_1073741823_1d(0 to 4);
+  signal slice3cost_ready_words_5 : natural range 0 to 1023;
+  signal slice3cost_column_0 : natural_1023_1d(0 to 15);
+  signal slice3cost_write_words_5 : natural range 0 to 1023;
   -- slice3window
   signal slice3window_ring_read_address, slice3window_ring_write_address : natural range 0 to 15;
-  signal slice3window_leaving_0, slice3window_leaving_1, slice3window_leaving_2 : unsigned(29 downto 0);
-  signal slice3window_leaving_3, slice3window_leaving_4 : unsigned(29 downto 0);
+  signal slice3window_leaving : unsigned_30_1d(0 to 4);
   signal slice3window_leaving_5 : unsigned(9 downto 0);
-  signal slice3window_entering_0_0, slice3window_entering_0_1, slice3window_entering_0_2 : natural range 0 to 1023;
-  signal slice3window_entering_0_3, slice3window_entering_0_4, slice3window_entering_0_5 : natural range 0 to 1023;
-  signal slice3window_entering_0_6, slice3window_entering_0_7, slice3window_entering_0_8 : natural range 0 to 1023;
-  signal slice3window_entering_0_9, slice3window_entering_0_10, slice3window_entering_0_11 : natural range 0 to 1023;
-  signal slice3window_entering_0_12, slice3window_entering_0_13, slice3window_entering_0_14 : natural range 0 to 1023;
-  signal slice3window_entering_0_15 : natural range 0 to 1023;
-  signal slice3window_change_0_0, slice3window_change_0_1, slice3window_change_0_2 : integer range -1023 to 1023;
-  signal slice3window_change_0_3, slice3window_change_0_4, slice3window_change_0_5 : integer range -1023 to 1023;
-  signal slice3window_change_0_6, slice3window_change_0_7, slice3window_change_0_8 : integer range -1023 to 1023;
-  signal slice3window_change_0_9, slice3window_change_0_10, slice3window_change_0_11 : integer range -1023 to 1023;
-  signal slice3window_change_0_12, slice3window_change_0_13, slice3window_change_0_14 : integer range -1023 to 1023;
-  signal slice3window_change_0_15 : integer range -1023 to 1023;
-  signal slice3window_change_tag_first_cost, slice3window_centre_output_column_0 : boolean;
-  signal slice3window_centre_output_column_1, slice3window_centre_output_column_2 : boolean;
-  signal slice3window_centre_output_column_3, slice3window_centre_output_column_4 : boolean;
-  signal slice3window_centre_output_column_5, slice3window_centre_start_of_frame_1 : boolean;
-  signal slice3window_centre_start_of_frame_5, slice3window_centre_end_of_line_0 : boolean;
-  signal slice3window_centre_end_of_line_1, slice3window_centre_end_of_line_2 : boolean;
-  signal slice3window_centre_end_of_line_3, slice3window_centre_end_of_line_4 : boolean;
-  signal slice3window_centre_end_of_line_5 : boolean;
-  signal slice3window_sum_0_0, slice3window_sum_0_1, slice3window_sum_0_2 : natural range 0 to 16383;
-  signal slice3window_sum_0_3, slice3window_sum_0_4, slice3window_sum_0_5 : natural range 0 to 16383;
-  signal slice3window_sum_0_6, slice3window_sum_0_7, slice3window_sum_0_8 : natural range 0 to 16383;
-  signal slice3window_sum_0_9, slice3window_sum_0_10, slice3window_sum_0_11 : natural range 0 to 16383;
-  signal slice3window_sum_0_12, slice3window_sum_0_13, slice3window_sum_0_14 : natural range 0 to 16383;
-  signal slice3window_sum_0_15 : natural range 0 to 16383;
+  signal slice3window_entering_0 : natural_1023_1d(0 to 15);
+  signal slice3window_change_0 : integer_minus_1023_to_1023_1d(0 to 15);
+  signal slice3window_change_tag_first_cost : boolean;
+  signal slice3window_centre_output_column : boolean_1d(0 to 5);
+  signal slice3window_centre_start_of_frame_1, slice3window_centre_start_of_frame_5 : boolean;
+  signal slice3window_centre_end_of_line : boolean_1d(0 to 5);
+  signal slice3window_sum_0 : natural_16383_1d(0 to 15);
   -- slice3winner1
-  signal slice3winner1_held_0_0, slice3winner1_held_0_1, slice3winner1_held_0_2 : natural range 0 to 16383;
-  signal slice3winner1_held_0_3, slice3winner1_held_0_4, slice3winner1_held_0_5 : natural range 0 to 16383;
-  signal slice3winner1_held_0_6, slice3winner1_held_0_7, slice3winner1_held_0_8 : natural range 0 to 16383;
-  signal slice3winner1_held_0_9, slice3winner1_held_0_10, slice3winner1_held_0_11 : natural range 0 to 16383;
-  signal slice3winner1_held_0_12, slice3winner1_held_0_13, slice3winner1_held_0_14 : natural range 0 to 16383;
-  signal slice3winner1_held_0_15, slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 16383;
-  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 16383;
-  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 16383;
-  signal slice3winner1_best_cost_0_6, slice3winner1_best_cost_0_7 : natural range 0 to 16383;
-  signal slice3winner1_best_below_0_0, slice3winner1_best_below_0_1 : natural range 0 to 16383;
-  signal slice3winner1_best_below_0_2, slice3winner1_best_below_0_3 : natural range 0 to 16383;
-  signal slice3winner1_best_below_0_4, slice3winner1_best_below_0_5 : natural range 0 to 16383;
-  signal slice3winner1_best_below_0_6, slice3winner1_best_below_0_7 : natural range 0 to 16383;
-  signal slice3winner1_best_above_0_0, slice3winner1_best_above_0_1 : natural range 0 to 16383;
-  signal slice3winner1_best_above_0_2, slice3winner1_best_above_0_3 : natural range 0 to 16383;
-  signal slice3winner1_best_above_0_4, slice3winner1_best_above_0_5 : natural range 0 to 16383;
-  signal slice3winner1_best_above_0_6, slice3winner1_best_above_0_7 : natural range 0 to 16383;
-  signal slice3winner1_best_late_cost_0_0, slice3winner1_best_late_cost_0_1 : natural range 0 to 16383;
-  signal slice3winner1_best_late_cost_0_2, slice3winner1_best_late_cost_0_3 : natural range 0 to 16383;
-  signal slice3winner1_best_late_cost_0_4, slice3winner1_best_late_cost_0_5 : natural range 0 to 16383;
-  signal slice3winner1_best_late_cost_0_6, slice3winner1_best_late_cost_0_7 : natural range 0 to 16383;
-  signal slice3winner1_best_but_first_0_0, slice3winner1_best_but_first_0_1 : natural range 0 to 16383;
-  signal slice3winner1_best_but_first_0_2, slice3winner1_best_but_first_0_3 : natural range 0 to 16383;
-  signal slice3winner1_best_but_first_0_4, slice3winner1_best_but_first_0_5 : natural range 0 to 16383;
-  signal slice3winner1_best_but_first_0_6, slice3winner1_best_but_first_0_7 : natural range 0 to 16383;
-  signal slice3winner1_best_but_last_0_0, slice3winner1_best_but_last_0_1 : natural range 0 to 16383;
-  signal slice3winner1_best_but_last_0_2, slice3winner1_best_but_last_0_3 : natural range 0 to 16383;
-  signal slice3winner1_best_but_last_0_4, slice3winner1_best_but_last_0_5 : natural range 0 to 16383;
-  signal slice3winner1_best_but_last_0_6 : natural range 0 to 16383;
+  signal slice3winner1_held_0 : natural_16383_1d(0 to 15);
+  signal slice3winner1_best_cost_0 : natural_16383_1d(0 to 7);
+  signal slice3winner1_best_below_0 : natural_16383_1d(0 to 7);
+  signal slice3winner1_best_above_0 : natural_16383_1d(0 to 7);
+  signal slice3winner1_best_late_cost_0 : natural_16383_1d(0 to 7);
+  signal slice3winner1_best_but_first_0 : natural_16383_1d(0 to 7);
+  signal slice3winner1_best_but_last_0 : natural_16383_1d(0 to 6);
   signal slice3winner1_best_index_0_0 : boolean;
   signal slice3winner1_best_index_0_1 : natural range 0 to 3;
   signal slice3winner1_best_index_0_2 : natural range 0 to 5;
@@ -861,44 +525,37 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3winner1_best_index_0_6 : natural range 0 to 13;
   signal slice3winner1_best_index_0_7 : natural range 0 to 15;
   -- slice3winner2
-  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice3winner2_best_cost_0_2, slice3winner2_best_cost_0_3 : natural range 0 to 16383;
-  signal slice3winner2_best_below_0_0, slice3winner2_best_below_0_1 : natural range 0 to 16383;
-  signal slice3winner2_best_below_0_2, slice3winner2_best_below_0_3 : natural range 0 to 16383;
-  signal slice3winner2_best_above_0_0, slice3winner2_best_above_0_1 : natural range 0 to 16383;
-  signal slice3winner2_best_above_0_2, slice3winner2_best_above_0_3 : natural range 0 to 16383;
-  signal slice3winner2_best_first_0_0, slice3winner2_best_first_0_1 : natural range 0 to 16383;
-  signal slice3winner2_best_first_0_2, slice3winner2_best_first_0_3 : natural range 0 to 16383;
-  signal slice3winner2_best_last_0_0, slice3winner2_best_last_0_1 : natural range 0 to 16383;
-  signal slice3winner2_best_last_0_2, slice3winner2_best_late_cost_0_0 : natural range 0 to 16383;
-  signal slice3winner2_best_late_cost_0_1, slice3winner2_best_late_cost_0_2 : natural range 0 to 16383;
-  signal slice3winner2_best_late_cost_0_3, slice3winner2_best_second_0_0 : natural range 0 to 16383;
-  signal slice3winner2_best_second_0_1, slice3winner2_best_second_0_2 : natural range 0 to 16383;
-  signal slice3winner2_best_second_0_3, slice3winner2_best_but_first_0_0 : natural range 0 to 16383;
-  signal slice3winner2_best_but_first_0_1, slice3winner2_best_but_first_0_2 : natural range 0 to 16383;
-  signal slice3winner2_best_but_first_0_3, slice3winner2_best_but_last_0_0 : natural range 0 to 16383;
-  signal slice3winner2_best_but_last_0_1, slice3winner2_best_but_last_0_2 : natural range 0 to 16383;
+  signal slice3winner2_best_cost_0 : natural_16383_1d(0 to 3);
+  signal slice3winner2_best_below_0 : natural_16383_1d(0 to 3);
+  signal slice3winner2_best_above_0 : natural_16383_1d(0 to 3);
+  signal slice3winner2_best_first_0 : natural_16383_1d(0 to 3);
+  signal slice3winner2_best_last_0 : natural_16383_1d(0 to 2);
+  signal slice3winner2_best_late_cost_0 : natural_16383_1d(0 to 3);
+  signal slice3winner2_best_second_0 : natural_16383_1d(0 to 3);
+  signal slice3winner2_best_but_first_0 : natural_16383_1d(0 to 3);
+  signal slice3winner2_best_but_last_0 : natural_16383_1d(0 to 2);
   signal slice3winner2_best_index_0_0 : natural range 0 to 3;
   signal slice3winner2_best_index_0_1 : natural range 0 to 7;
   signal slice3winner2_best_index_0_2 : natural range 0 to 11;
   signal slice3winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice3winner2_best_place_0_0, slice3winner2_best_place_0_1, slice3winner2_best_place_0_2 : boolean;
-  signal slice3winner2_best_place_0_3, slice3winner2_best_at_start_0_0, slice3winner2_best_at_start_0_1 : boolean;
-  signal slice3winner2_best_at_start_0_2, slice3winner2_best_at_start_0_3, slice3winner2_best_at_end_0_0 : boolean;
-  signal slice3winner2_best_at_end_0_1, slice3winner2_best_at_end_0_2, slice3winner2_best_at_end_0_3 : boolean;
+  signal slice3winner2_best_place_0 : boolean_1d(0 to 3);
+  signal slice3winner2_best_at_start_0 : boolean_1d(0 to 3);
+  signal slice3winner2_best_at_end_0 : boolean_1d(0 to 3);
   -- slice3winner3
-  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 16383;
-  signal slice3winner3_best_below_0_0, slice3winner3_best_below_0_1 : natural range 0 to 16383;
-  signal slice3winner3_best_above_0_0, slice3winner3_best_above_0_1 : natural range 0 to 16383;
-  signal slice3winner3_best_first_0_0, slice3winner3_best_first_0_1 : natural range 0 to 16383;
-  signal slice3winner3_best_last_0_0, slice3winner3_best_late_cost_0_0 : natural range 0 to 16383;
-  signal slice3winner3_best_late_cost_0_1, slice3winner3_best_second_0_0 : natural range 0 to 16383;
-  signal slice3winner3_best_second_0_1, slice3winner3_best_but_first_0_0 : natural range 0 to 16383;
-  signal slice3winner3_best_but_first_0_1, slice3winner3_best_but_last_0_0 : natural range 0 to 16383;
+  signal slice3winner3_best_cost_0 : natural_16383_1d(0 to 1);
+  signal slice3winner3_best_below_0 : natural_16383_1d(0 to 1);
+  signal slice3winner3_best_above_0 : natural_16383_1d(0 to 1);
+  signal slice3winner3_best_first_0 : natural_16383_1d(0 to 1);
+  signal slice3winner3_best_last_0_0 : natural range 0 to 16383;
+  signal slice3winner3_best_late_cost_0 : natural_16383_1d(0 to 1);
+  signal slice3winner3_best_second_0 : natural_16383_1d(0 to 1);
+  signal slice3winner3_best_but_first_0 : natural_16383_1d(0 to 1);
+  signal slice3winner3_best_but_last_0_0 : natural range 0 to 16383;
   signal slice3winner3_best_index_0_0 : natural range 0 to 7;
   signal slice3winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice3winner3_best_place_0_0, slice3winner3_best_place_0_1, slice3winner3_best_at_start_0_0 : boolean;
-  signal slice3winner3_best_at_start_0_1, slice3winner3_best_at_end_0_0, slice3winner3_best_at_end_0_1 : boolean;
+  signal slice3winner3_best_place_0 : boolean_1d(0 to 1);
+  signal slice3winner3_best_at_start_0 : boolean_1d(0 to 1);
+  signal slice3winner3_best_at_end_0 : boolean_1d(0 to 1);
   -- slice3winner4
   signal slice3winner4_best_cost_0_0, slice3winner4_best_below_0_0 : natural range 0 to 16383;
   signal slice3winner4_best_above_0_0, slice3winner4_best_first_0_0 : natural range 0 to 16383;
@@ -913,12 +570,11 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3_best_place_0_0, slice3_best_at_start_0_0, slice3_best_at_end_0_0, slice3_best_tag_valid : boolean;
   signal slice3_best_tag_output_column, slice3_best_tag_start_of_frame, slice3_best_tag_end_of_line : boolean;
   -- texture
-  signal texture_taps_search_0_0, texture_taps_search_1_0 : natural range 0 to 31;
-  signal texture_passes_0_0, texture_passes_1_0, texture_passes_2_0, texture_passes_3_0, texture_passes_4_0 : boolean;
-  signal texture_passes_5_0, texture_passes_6_0, texture_passes_7_0 : boolean;
+  signal texture_taps_search_0 : natural_31_1d(0 to 1);  -- texture_taps_search_#_0
+  signal texture_passes_0 : boolean_1d(0 to 7);  -- texture_passes_#_0
   -- texturecost
-  signal texturecost_pixels_first_0_0, texturecost_pixels_first_1_0 : integer range -127 to 31;
-  signal texturecost_pixels_cost_0_0, texturecost_pixels_cost_1_0 : natural range 0 to 127;
+  signal texturecost_pixels_first_0 : integer_minus_127_to_31_1d(0 to 1);  -- texturecost_pixels_first_#_0
+  signal texturecost_pixels_cost_0 : natural_127_1d(0 to 1);  -- texturecost_pixels_cost_#_0
   signal texturecost_read_words_0 : unsigned(9 downto 0);
   signal texturecost_change_0_0 : integer range -127 to 127;
   signal texturecost_ready_words_0, texturecost_column_0_0, texturecost_write_words_0 : natural range 0 to 1023;
@@ -928,39 +584,18 @@ architecture rtl of stereo_core_opencv_bm is
   signal texturewindow_change_0_0 : integer range -1023 to 1023;
   signal texturewindow_sum_0_0 : natural range 0 to 16383;
   -- refinement
-  signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 63;
-  signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 63;
-  signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 63;
-  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 63;
-  signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
-  signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
-  signal refinement_passed_8_0, refinement_passed_9_0, refinement_passed_10_0, refinement_passed_11_0 : boolean;
-  signal refinement_tag_0_valid, refinement_tag_0_output_column, refinement_tag_0_start_of_frame : boolean;
-  signal refinement_tag_0_end_of_line, refinement_tag_1_valid, refinement_tag_1_output_column : boolean;
-  signal refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line, refinement_tag_2_valid : boolean;
-  signal refinement_tag_2_output_column, refinement_tag_2_start_of_frame, refinement_tag_2_end_of_line : boolean;
-  signal refinement_tag_3_valid, refinement_tag_3_output_column, refinement_tag_3_start_of_frame : boolean;
-  signal refinement_tag_3_end_of_line, refinement_tag_4_valid, refinement_tag_4_output_column : boolean;
-  signal refinement_tag_4_start_of_frame, refinement_tag_4_end_of_line, refinement_tag_5_valid : boolean;
-  signal refinement_tag_5_output_column, refinement_tag_5_start_of_frame, refinement_tag_5_end_of_line : boolean;
-  signal refinement_tag_6_valid, refinement_tag_6_output_column, refinement_tag_6_start_of_frame : boolean;
-  signal refinement_tag_6_end_of_line, refinement_tag_7_valid, refinement_tag_7_output_column : boolean;
-  signal refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line, refinement_tag_8_valid : boolean;
-  signal refinement_tag_8_output_column, refinement_tag_8_start_of_frame, refinement_tag_8_end_of_line : boolean;
-  signal refinement_tag_9_valid, refinement_tag_9_output_column, refinement_tag_9_start_of_frame : boolean;
-  signal refinement_tag_9_end_of_line, refinement_tag_10_valid, refinement_tag_10_output_column : boolean;
-  signal refinement_tag_10_start_of_frame, refinement_tag_10_end_of_line, refinement_tag_11_valid : boolean;
-  signal refinement_tag_11_output_column, refinement_tag_11_start_of_frame, refinement_tag_11_end_of_line : boolean;
-  signal refinement_alone_0_0, refinement_alone_1_0, refinement_negative_0_0, refinement_negative_1_0 : boolean;
-  signal refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0, refinement_negative_5_0 : boolean;
-  signal refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
+  signal refinement_disparity_0 : natural_63_1d(0 to 11);  -- refinement_disparity_#_0
+  signal refinement_passed_0 : boolean_1d(0 to 11);  -- refinement_passed_#_0
+  signal refinement_tag_valid : boolean_1d(0 to 11);  -- refinement_tag_#_valid
+  signal refinement_tag_output_column : boolean_1d(0 to 11);  -- refinement_tag_#_output_column
+  signal refinement_tag_start_of_frame : boolean_1d(0 to 11);  -- refinement_tag_#_start_of_frame
+  signal refinement_tag_end_of_line : boolean_1d(0 to 11);  -- refinement_tag_#_end_of_line
+  signal refinement_alone_0 : boolean_1d(0 to 1);  -- refinement_alone_#_0
+  signal refinement_negative_0 : boolean_1d(0 to 8);  -- refinement_negative_#_0
   signal refinement_gap_0, refinement_lowest_0, refinement_below_0, refinement_above_0 : natural range 0 to 16383;
-  signal refinement_u_0, refinement_v_0, refinement_remainder_0_0, refinement_remainder_1_0 : natural range 0 to 16383;
-  signal refinement_remainder_2_0, refinement_remainder_3_0, refinement_remainder_4_0 : natural range 0 to 16383;
-  signal refinement_remainder_5_0, refinement_remainder_6_0, refinement_remainder_7_0 : natural range 0 to 16383;
-  signal refinement_divisor_0_0, refinement_divisor_1_0, refinement_divisor_2_0 : natural range 0 to 16383;
-  signal refinement_divisor_3_0, refinement_divisor_4_0, refinement_divisor_5_0 : natural range 0 to 16383;
-  signal refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 16383;
+  signal refinement_u_0, refinement_v_0 : natural range 0 to 16383;
+  signal refinement_remainder_0 : natural_16383_1d(0 to 7);  -- refinement_remainder_#_0
+  signal refinement_divisor_0 : natural_16383_1d(0 to 7);  -- refinement_divisor_#_0
   signal refinement_scaled_gap_0 : natural range 0 to 327660;
   signal refinement_scaled_cost_0 : natural range 0 to 49149;
   signal refinement_difference_0 : integer range -16383 to 16383;
@@ -969,8 +604,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal map_out_disparity_0 : natural range 0 to 65535;
   signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   -- other
-  signal other_0, other_1, other_2, other_3, other_4, other_5, other_13, other_14, other_15, other_16 : boolean;
-  signal other_17, other_18, other_19, other_20, other_21, other_22 : boolean;
+  signal other : boolean_1d(0 to 5);
+  signal others_from_13 : boolean_1d(13 to 22);  -- other_#
   signal other_6 : natural range 0 to 254;
   signal other_7 : natural range 0 to 252;
   signal other_8 : natural range 0 to 248;
@@ -987,28 +622,22 @@ architecture rtl of stereo_core_opencv_bm is
   signal texturecost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal texturecost_read_words_0_memory_write_data : unsigned(9 downto 0);
   signal slice3window_leaving_5_memory_read_enable : boolean;
-  signal slice3window_leaving_5_memory_read_address : unsigned(3 downto 0);
-  signal slice3window_leaving_5_memory_write_address : unsigned(3 downto 0);
+  signal slice3window_leaving_5_memory_read_address, slice3window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_5_memory_write_data : unsigned(9 downto 0);
   signal slice3window_leaving_4_memory_read_enable : boolean;
-  signal slice3window_leaving_4_memory_read_address : unsigned(3 downto 0);
-  signal slice3window_leaving_4_memory_write_address : unsigned(3 downto 0);
+  signal slice3window_leaving_4_memory_read_address, slice3window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_4_memory_write_data : unsigned(29 downto 0);
   signal slice3window_leaving_3_memory_read_enable : boolean;
-  signal slice3window_leaving_3_memory_read_address : unsigned(3 downto 0);
-  signal slice3window_leaving_3_memory_write_address : unsigned(3 downto 0);
+  signal slice3window_leaving_3_memory_read_address, slice3window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_3_memory_write_data : unsigned(29 downto 0);
   signal slice3window_leaving_2_memory_read_enable : boolean;
-  signal slice3window_leaving_2_memory_read_address : unsigned(3 downto 0);
-  signal slice3window_leaving_2_memory_write_address : unsigned(3 downto 0);
+  signal slice3window_leaving_2_memory_read_address, slice3window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_2_memory_write_data : unsigned(29 downto 0);
   signal slice3window_leaving_1_memory_read_enable : boolean;
-  signal slice3window_leaving_1_memory_read_address : unsigned(3 downto 0);
-  signal slice3window_leaving_1_memory_write_address : unsigned(3 downto 0);
+  signal slice3window_leaving_1_memory_read_address, slice3window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_1_memory_write_data : unsigned(29 downto 0);
   signal slice3window_leaving_0_memory_read_enable : boolean;
-  signal slice3window_leaving_0_memory_read_address : unsigned(3 downto 0);
-  signal slice3window_leaving_0_memory_write_address : unsigned(3 downto 0);
+  signal slice3window_leaving_0_memory_read_address, slice3window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_0_memory_write_data : unsigned(29 downto 0);
   signal slice3cost_read_words_5_memory_read_enable : boolean;
   signal slice3cost_read_words_5_memory_read_address : unsigned(8 downto 0);
@@ -1035,28 +664,22 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_0_memory_write_data : unsigned(29 downto 0);
   signal slice2window_leaving_5_memory_read_enable : boolean;
-  signal slice2window_leaving_5_memory_read_address : unsigned(3 downto 0);
-  signal slice2window_leaving_5_memory_write_address : unsigned(3 downto 0);
+  signal slice2window_leaving_5_memory_read_address, slice2window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_5_memory_write_data : unsigned(9 downto 0);
   signal slice2window_leaving_4_memory_read_enable : boolean;
-  signal slice2window_leaving_4_memory_read_address : unsigned(3 downto 0);
-  signal slice2window_leaving_4_memory_write_address : unsigned(3 downto 0);
+  signal slice2window_leaving_4_memory_read_address, slice2window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_4_memory_write_data : unsigned(29 downto 0);
   signal slice2window_leaving_3_memory_read_enable : boolean;
-  signal slice2window_leaving_3_memory_read_address : unsigned(3 downto 0);
-  signal slice2window_leaving_3_memory_write_address : unsigned(3 downto 0);
+  signal slice2window_leaving_3_memory_read_address, slice2window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_3_memory_write_data : unsigned(29 downto 0);
   signal slice2window_leaving_2_memory_read_enable : boolean;
-  signal slice2window_leaving_2_memory_read_address : unsigned(3 downto 0);
-  signal slice2window_leaving_2_memory_write_address : unsigned(3 downto 0);
+  signal slice2window_leaving_2_memory_read_address, slice2window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_2_memory_write_data : unsigned(29 downto 0);
   signal slice2window_leaving_1_memory_read_enable : boolean;
-  signal slice2window_leaving_1_memory_read_address : unsigned(3 downto 0);
-  signal slice2window_leaving_1_memory_write_address : unsigned(3 downto 0);
+  signal slice2window_leaving_1_memory_read_address, slice2window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_1_memory_write_data : unsigned(29 downto 0);
   signal slice2window_leaving_0_memory_read_enable : boolean;
-  signal slice2window_leaving_0_memory_read_address : unsigned(3 downto 0);
-  signal slice2window_leaving_0_memory_write_address : unsigned(3 downto 0);
+  signal slice2window_leaving_0_memory_read_address, slice2window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(29 downto 0);
   signal slice2cost_read_words_5_memory_read_enable : boolean;
   signal slice2cost_read_words_5_memory_read_address : unsigned(8 downto 0);
@@ -1083,28 +706,22 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(29 downto 0);
   signal slice1window_leaving_5_memory_read_enable : boolean;
-  signal slice1window_leaving_5_memory_read_address : unsigned(3 downto 0);
-  signal slice1window_leaving_5_memory_write_address : unsigned(3 downto 0);
+  signal slice1window_leaving_5_memory_read_address, slice1window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_5_memory_write_data : unsigned(9 downto 0);
   signal slice1window_leaving_4_memory_read_enable : boolean;
-  signal slice1window_leaving_4_memory_read_address : unsigned(3 downto 0);
-  signal slice1window_leaving_4_memory_write_address : unsigned(3 downto 0);
+  signal slice1window_leaving_4_memory_read_address, slice1window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_4_memory_write_data : unsigned(29 downto 0);
   signal slice1window_leaving_3_memory_read_enable : boolean;
-  signal slice1window_leaving_3_memory_read_address : unsigned(3 downto 0);
-  signal slice1window_leaving_3_memory_write_address : unsigned(3 downto 0);
+  signal slice1window_leaving_3_memory_read_address, slice1window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_3_memory_write_data : unsigned(29 downto 0);
   signal slice1window_leaving_2_memory_read_enable : boolean;
-  signal slice1window_leaving_2_memory_read_address : unsigned(3 downto 0);
-  signal slice1window_leaving_2_memory_write_address : unsigned(3 downto 0);
+  signal slice1window_leaving_2_memory_read_address, slice1window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_2_memory_write_data : unsigned(29 downto 0);
   signal slice1window_leaving_1_memory_read_enable : boolean;
-  signal slice1window_leaving_1_memory_read_address : unsigned(3 downto 0);
-  signal slice1window_leaving_1_memory_write_address : unsigned(3 downto 0);
+  signal slice1window_leaving_1_memory_read_address, slice1window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_1_memory_write_data : unsigned(29 downto 0);
   signal slice1window_leaving_0_memory_read_enable : boolean;
-  signal slice1window_leaving_0_memory_read_address : unsigned(3 downto 0);
-  signal slice1window_leaving_0_memory_write_address : unsigned(3 downto 0);
+  signal slice1window_leaving_0_memory_read_address, slice1window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(29 downto 0);
   signal slice1cost_read_words_5_memory_read_enable : boolean;
   signal slice1cost_read_words_5_memory_read_address : unsigned(8 downto 0);
@@ -1131,28 +748,22 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(29 downto 0);
   signal slice0window_leaving_5_memory_read_enable : boolean;
-  signal slice0window_leaving_5_memory_read_address : unsigned(3 downto 0);
-  signal slice0window_leaving_5_memory_write_address : unsigned(3 downto 0);
+  signal slice0window_leaving_5_memory_read_address, slice0window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_5_memory_write_data : unsigned(9 downto 0);
   signal slice0window_leaving_4_memory_read_enable : boolean;
-  signal slice0window_leaving_4_memory_read_address : unsigned(3 downto 0);
-  signal slice0window_leaving_4_memory_write_address : unsigned(3 downto 0);
+  signal slice0window_leaving_4_memory_read_address, slice0window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_4_memory_write_data : unsigned(29 downto 0);
   signal slice0window_leaving_3_memory_read_enable : boolean;
-  signal slice0window_leaving_3_memory_read_address : unsigned(3 downto 0);
-  signal slice0window_leaving_3_memory_write_address : unsigned(3 downto 0);
+  signal slice0window_leaving_3_memory_read_address, slice0window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_3_memory_write_data : unsigned(29 downto 0);
   signal slice0window_leaving_2_memory_read_enable : boolean;
-  signal slice0window_leaving_2_memory_read_address : unsigned(3 downto 0);
-  signal slice0window_leaving_2_memory_write_address : unsigned(3 downto 0);
+  signal slice0window_leaving_2_memory_read_address, slice0window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_2_memory_write_data : unsigned(29 downto 0);
   signal slice0window_leaving_1_memory_read_enable : boolean;
-  signal slice0window_leaving_1_memory_read_address : unsigned(3 downto 0);
-  signal slice0window_leaving_1_memory_write_address : unsigned(3 downto 0);
+  signal slice0window_leaving_1_memory_read_address, slice0window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_1_memory_write_data : unsigned(29 downto 0);
   signal slice0window_leaving_0_memory_read_enable : boolean;
-  signal slice0window_leaving_0_memory_read_address : unsigned(3 downto 0);
-  signal slice0window_leaving_0_memory_write_address : unsigned(3 downto 0);
+  signal slice0window_leaving_0_memory_read_address, slice0window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(29 downto 0);
   signal slice0cost_read_words_5_memory_read_enable : boolean;
   signal slice0cost_read_words_5_memory_read_address : unsigned(8 downto 0);
@@ -1255,7 +866,7 @@ begin
   slice3window_leaving_5_memory_read_enable <= true;
   slice3window_leaving_5_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
   slice3window_leaving_5_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
-  slice3window_leaving_5_memory_write_data <= to_unsigned(slice3cost_column_0_15, 10);
+  slice3window_leaving_5_memory_write_data <= to_unsigned(slice3cost_column_0(15), 10);
   slice3window_leaving_5_memory : entity work.line_memory
     generic map (depth => 16, width => 10, address_bits => 4)
     port map (
@@ -1266,56 +877,56 @@ begin
   slice3window_leaving_4_memory_read_enable <= true;
   slice3window_leaving_4_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
   slice3window_leaving_4_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
-  slice3window_leaving_4_memory_write_data <= to_unsigned(slice3cost_column_0_14, 10) & to_unsigned(slice3cost_column_0_13, 10) & to_unsigned(slice3cost_column_0_12, 10);
+  slice3window_leaving_4_memory_write_data <= to_unsigned(slice3cost_column_0(14), 10) & to_unsigned(slice3cost_column_0(13), 10) & to_unsigned(slice3cost_column_0(12), 10);
   slice3window_leaving_4_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice3window_leaving_4_memory_read_enable,
-      read_address => slice3window_leaving_4_memory_read_address, read_data => slice3window_leaving_4,
+      read_address => slice3window_leaving_4_memory_read_address, read_data => slice3window_leaving(4),
       write_address => slice3window_leaving_4_memory_write_address, write_data => slice3window_leaving_4_memory_write_data);
 
   slice3window_leaving_3_memory_read_enable <= true;
   slice3window_leaving_3_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
   slice3window_leaving_3_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
-  slice3window_leaving_3_memory_write_data <= to_unsigned(slice3cost_column_0_11, 10) & to_unsigned(slice3cost_column_0_10, 10) & to_unsigned(slice3cost_column_0_9, 10);
+  slice3window_leaving_3_memory_write_data <= to_unsigned(slice3cost_column_0(11), 10) & to_unsigned(slice3cost_column_0(10), 10) & to_unsigned(slice3cost_column_0(9), 10);
   slice3window_leaving_3_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice3window_leaving_3_memory_read_enable,
-      read_address => slice3window_leaving_3_memory_read_address, read_data => slice3window_leaving_3,
+      read_address => slice3window_leaving_3_memory_read_address, read_data => slice3window_leaving(3),
       write_address => slice3window_leaving_3_memory_write_address, write_data => slice3window_leaving_3_memory_write_data);
 
   slice3window_leaving_2_memory_read_enable <= true;
   slice3window_leaving_2_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
   slice3window_leaving_2_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
-  slice3window_leaving_2_memory_write_data <= to_unsigned(slice3cost_column_0_8, 10) & to_unsigned(slice3cost_column_0_7, 10) & to_unsigned(slice3cost_column_0_6, 10);
+  slice3window_leaving_2_memory_write_data <= to_unsigned(slice3cost_column_0(8), 10) & to_unsigned(slice3cost_column_0(7), 10) & to_unsigned(slice3cost_column_0(6), 10);
   slice3window_leaving_2_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice3window_leaving_2_memory_read_enable,
-      read_address => slice3window_leaving_2_memory_read_address, read_data => slice3window_leaving_2,
+      read_address => slice3window_leaving_2_memory_read_address, read_data => slice3window_leaving(2),
       write_address => slice3window_leaving_2_memory_write_address, write_data => slice3window_leaving_2_memory_write_data);
 
   slice3window_leaving_1_memory_read_enable <= true;
   slice3window_leaving_1_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
   slice3window_leaving_1_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
-  slice3window_leaving_1_memory_write_data <= to_unsigned(slice3cost_column_0_5, 10) & to_unsigned(slice3cost_column_0_4, 10) & to_unsigned(slice3cost_column_0_3, 10);
+  slice3window_leaving_1_memory_write_data <= to_unsigned(slice3cost_column_0(5), 10) & to_unsigned(slice3cost_column_0(4), 10) & to_unsigned(slice3cost_column_0(3), 10);
   slice3window_leaving_1_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice3window_leaving_1_memory_read_enable,
-      read_address => slice3window_leaving_1_memory_read_address, read_data => slice3window_leaving_1,
+      read_address => slice3window_leaving_1_memory_read_address, read_data => slice3window_leaving(1),
       write_address => slice3window_leaving_1_memory_write_address, write_data => slice3window_leaving_1_memory_write_data);
 
   slice3window_leaving_0_memory_read_enable <= true;
   slice3window_leaving_0_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
   slice3window_leaving_0_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
-  slice3window_leaving_0_memory_write_data <= to_unsigned(slice3cost_column_0_2, 10) & to_unsigned(slice3cost_column_0_1, 10) & to_unsigned(slice3cost_column_0_0, 10);
+  slice3window_leaving_0_memory_write_data <= to_unsigned(slice3cost_column_0(2), 10) & to_unsigned(slice3cost_column_0(1), 10) & to_unsigned(slice3cost_column_0(0), 10);
   slice3window_leaving_0_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice3window_leaving_0_memory_read_enable,
-      read_address => slice3window_leaving_0_memory_read_address, read_data => slice3window_leaving_0,
+      read_address => slice3window_leaving_0_memory_read_address, read_data => slice3window_leaving(0),
       write_address => slice3window_leaving_0_memory_write_address, write_data => slice3window_leaving_0_memory_write_data);
 
   slice3cost_read_words_5_memory_read_enable <= true;
@@ -1332,62 +943,62 @@ begin
   slice3cost_read_words_4_memory_read_enable <= true;
   slice3cost_read_words_4_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
   slice3cost_read_words_4_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
-  slice3cost_read_words_4_memory_write_data <= to_unsigned(slice3cost_write_words_4, 30);
+  slice3cost_read_words_4_memory_write_data <= to_unsigned(slice3cost_write_words(4), 30);
   slice3cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice3cost_read_words_4_memory_read_enable,
-      read_address => slice3cost_read_words_4_memory_read_address, read_data => slice3cost_read_words_4,
+      read_address => slice3cost_read_words_4_memory_read_address, read_data => slice3cost_read_words(4),
       write_address => slice3cost_read_words_4_memory_write_address, write_data => slice3cost_read_words_4_memory_write_data);
 
   slice3cost_read_words_3_memory_read_enable <= true;
   slice3cost_read_words_3_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
   slice3cost_read_words_3_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
-  slice3cost_read_words_3_memory_write_data <= to_unsigned(slice3cost_write_words_3, 30);
+  slice3cost_read_words_3_memory_write_data <= to_unsigned(slice3cost_write_words(3), 30);
   slice3cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice3cost_read_words_3_memory_read_enable,
-      read_address => slice3cost_read_words_3_memory_read_address, read_data => slice3cost_read_words_3,
+      read_address => slice3cost_read_words_3_memory_read_address, read_data => slice3cost_read_words(3),
       write_address => slice3cost_read_words_3_memory_write_address, write_data => slice3cost_read_words_3_memory_write_data);
 
   slice3cost_read_words_2_memory_read_enable <= true;
   slice3cost_read_words_2_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
   slice3cost_read_words_2_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
-  slice3cost_read_words_2_memory_write_data <= to_unsigned(slice3cost_write_words_2, 30);
+  slice3cost_read_words_2_memory_write_data <= to_unsigned(slice3cost_write_words(2), 30);
   slice3cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice3cost_read_words_2_memory_read_enable,
-      read_address => slice3cost_read_words_2_memory_read_address, read_data => slice3cost_read_words_2,
+      read_address => slice3cost_read_words_2_memory_read_address, read_data => slice3cost_read_words(2),
       write_address => slice3cost_read_words_2_memory_write_address, write_data => slice3cost_read_words_2_memory_write_data);
 
   slice3cost_read_words_1_memory_read_enable <= true;
   slice3cost_read_words_1_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
   slice3cost_read_words_1_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
-  slice3cost_read_words_1_memory_write_data <= to_unsigned(slice3cost_write_words_1, 30);
+  slice3cost_read_words_1_memory_write_data <= to_unsigned(slice3cost_write_words(1), 30);
   slice3cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice3cost_read_words_1_memory_read_enable,
-      read_address => slice3cost_read_words_1_memory_read_address, read_data => slice3cost_read_words_1,
+      read_address => slice3cost_read_words_1_memory_read_address, read_data => slice3cost_read_words(1),
       write_address => slice3cost_read_words_1_memory_write_address, write_data => slice3cost_read_words_1_memory_write_data);
 
   slice3cost_read_words_0_memory_read_enable <= true;
   slice3cost_read_words_0_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
   slice3cost_read_words_0_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
-  slice3cost_read_words_0_memory_write_data <= to_unsigned(slice3cost_write_words_0, 30);
+  slice3cost_read_words_0_memory_write_data <= to_unsigned(slice3cost_write_words(0), 30);
   slice3cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice3cost_read_words_0_memory_read_enable,
-      read_address => slice3cost_read_words_0_memory_read_address, read_data => slice3cost_read_words_0,
+      read_address => slice3cost_read_words_0_memory_read_address, read_data => slice3cost_read_words(0),
       write_address => slice3cost_read_words_0_memory_write_address, write_data => slice3cost_read_words_0_memory_write_data);
 
   slice2window_leaving_5_memory_read_enable <= true;
   slice2window_leaving_5_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
   slice2window_leaving_5_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_5_memory_write_data <= to_unsigned(slice2cost_column_0_15, 10);
+  slice2window_leaving_5_memory_write_data <= to_unsigned(slice2cost_column_0(15), 10);
   slice2window_leaving_5_memory : entity work.line_memory
     generic map (depth => 16, width => 10, address_bits => 4)
     port map (
@@ -1398,56 +1009,56 @@ begin
   slice2window_leaving_4_memory_read_enable <= true;
   slice2window_leaving_4_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
   slice2window_leaving_4_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_4_memory_write_data <= to_unsigned(slice2cost_column_0_14, 10) & to_unsigned(slice2cost_column_0_13, 10) & to_unsigned(slice2cost_column_0_12, 10);
+  slice2window_leaving_4_memory_write_data <= to_unsigned(slice2cost_column_0(14), 10) & to_unsigned(slice2cost_column_0(13), 10) & to_unsigned(slice2cost_column_0(12), 10);
   slice2window_leaving_4_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice2window_leaving_4_memory_read_enable,
-      read_address => slice2window_leaving_4_memory_read_address, read_data => slice2window_leaving_4,
+      read_address => slice2window_leaving_4_memory_read_address, read_data => slice2window_leaving(4),
       write_address => slice2window_leaving_4_memory_write_address, write_data => slice2window_leaving_4_memory_write_data);
 
   slice2window_leaving_3_memory_read_enable <= true;
   slice2window_leaving_3_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
   slice2window_leaving_3_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_3_memory_write_data <= to_unsigned(slice2cost_column_0_11, 10) & to_unsigned(slice2cost_column_0_10, 10) & to_unsigned(slice2cost_column_0_9, 10);
+  slice2window_leaving_3_memory_write_data <= to_unsigned(slice2cost_column_0(11), 10) & to_unsigned(slice2cost_column_0(10), 10) & to_unsigned(slice2cost_column_0(9), 10);
   slice2window_leaving_3_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice2window_leaving_3_memory_read_enable,
-      read_address => slice2window_leaving_3_memory_read_address, read_data => slice2window_leaving_3,
+      read_address => slice2window_leaving_3_memory_read_address, read_data => slice2window_leaving(3),
       write_address => slice2window_leaving_3_memory_write_address, write_data => slice2window_leaving_3_memory_write_data);
 
   slice2window_leaving_2_memory_read_enable <= true;
   slice2window_leaving_2_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
   slice2window_leaving_2_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_2_memory_write_data <= to_unsigned(slice2cost_column_0_8, 10) & to_unsigned(slice2cost_column_0_7, 10) & to_unsigned(slice2cost_column_0_6, 10);
+  slice2window_leaving_2_memory_write_data <= to_unsigned(slice2cost_column_0(8), 10) & to_unsigned(slice2cost_column_0(7), 10) & to_unsigned(slice2cost_column_0(6), 10);
   slice2window_leaving_2_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice2window_leaving_2_memory_read_enable,
-      read_address => slice2window_leaving_2_memory_read_address, read_data => slice2window_leaving_2,
+      read_address => slice2window_leaving_2_memory_read_address, read_data => slice2window_leaving(2),
       write_address => slice2window_leaving_2_memory_write_address, write_data => slice2window_leaving_2_memory_write_data);
 
   slice2window_leaving_1_memory_read_enable <= true;
   slice2window_leaving_1_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
   slice2window_leaving_1_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_0_5, 10) & to_unsigned(slice2cost_column_0_4, 10) & to_unsigned(slice2cost_column_0_3, 10);
+  slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_0(5), 10) & to_unsigned(slice2cost_column_0(4), 10) & to_unsigned(slice2cost_column_0(3), 10);
   slice2window_leaving_1_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice2window_leaving_1_memory_read_enable,
-      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving_1,
+      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving(1),
       write_address => slice2window_leaving_1_memory_write_address, write_data => slice2window_leaving_1_memory_write_data);
 
   slice2window_leaving_0_memory_read_enable <= true;
   slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
   slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_2, 10) & to_unsigned(slice2cost_column_0_1, 10) & to_unsigned(slice2cost_column_0_0, 10);
+  slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0(2), 10) & to_unsigned(slice2cost_column_0(1), 10) & to_unsigned(slice2cost_column_0(0), 10);
   slice2window_leaving_0_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
-      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving_0,
+      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving(0),
       write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
 
   slice2cost_read_words_5_memory_read_enable <= true;
@@ -1464,62 +1075,62 @@ begin
   slice2cost_read_words_4_memory_read_enable <= true;
   slice2cost_read_words_4_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
   slice2cost_read_words_4_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
-  slice2cost_read_words_4_memory_write_data <= to_unsigned(slice2cost_write_words_4, 30);
+  slice2cost_read_words_4_memory_write_data <= to_unsigned(slice2cost_write_words(4), 30);
   slice2cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice2cost_read_words_4_memory_read_enable,
-      read_address => slice2cost_read_words_4_memory_read_address, read_data => slice2cost_read_words_4,
+      read_address => slice2cost_read_words_4_memory_read_address, read_data => slice2cost_read_words(4),
       write_address => slice2cost_read_words_4_memory_write_address, write_data => slice2cost_read_words_4_memory_write_data);
 
   slice2cost_read_words_3_memory_read_enable <= true;
   slice2cost_read_words_3_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
   slice2cost_read_words_3_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
-  slice2cost_read_words_3_memory_write_data <= to_unsigned(slice2cost_write_words_3, 30);
+  slice2cost_read_words_3_memory_write_data <= to_unsigned(slice2cost_write_words(3), 30);
   slice2cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice2cost_read_words_3_memory_read_enable,
-      read_address => slice2cost_read_words_3_memory_read_address, read_data => slice2cost_read_words_3,
+      read_address => slice2cost_read_words_3_memory_read_address, read_data => slice2cost_read_words(3),
       write_address => slice2cost_read_words_3_memory_write_address, write_data => slice2cost_read_words_3_memory_write_data);
 
   slice2cost_read_words_2_memory_read_enable <= true;
   slice2cost_read_words_2_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
   slice2cost_read_words_2_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
-  slice2cost_read_words_2_memory_write_data <= to_unsigned(slice2cost_write_words_2, 30);
+  slice2cost_read_words_2_memory_write_data <= to_unsigned(slice2cost_write_words(2), 30);
   slice2cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice2cost_read_words_2_memory_read_enable,
-      read_address => slice2cost_read_words_2_memory_read_address, read_data => slice2cost_read_words_2,
+      read_address => slice2cost_read_words_2_memory_read_address, read_data => slice2cost_read_words(2),
       write_address => slice2cost_read_words_2_memory_write_address, write_data => slice2cost_read_words_2_memory_write_data);
 
   slice2cost_read_words_1_memory_read_enable <= true;
   slice2cost_read_words_1_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
   slice2cost_read_words_1_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
-  slice2cost_read_words_1_memory_write_data <= to_unsigned(slice2cost_write_words_1, 30);
+  slice2cost_read_words_1_memory_write_data <= to_unsigned(slice2cost_write_words(1), 30);
   slice2cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice2cost_read_words_1_memory_read_enable,
-      read_address => slice2cost_read_words_1_memory_read_address, read_data => slice2cost_read_words_1,
+      read_address => slice2cost_read_words_1_memory_read_address, read_data => slice2cost_read_words(1),
       write_address => slice2cost_read_words_1_memory_write_address, write_data => slice2cost_read_words_1_memory_write_data);
 
   slice2cost_read_words_0_memory_read_enable <= true;
   slice2cost_read_words_0_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
   slice2cost_read_words_0_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
-  slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 30);
+  slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words(0), 30);
   slice2cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
-      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words_0,
+      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words(0),
       write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
 
   slice1window_leaving_5_memory_read_enable <= true;
   slice1window_leaving_5_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
   slice1window_leaving_5_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0_15, 10);
+  slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0(15), 10);
   slice1window_leaving_5_memory : entity work.line_memory
     generic map (depth => 16, width => 10, address_bits => 4)
     port map (
@@ -1530,56 +1141,56 @@ begin
   slice1window_leaving_4_memory_read_enable <= true;
   slice1window_leaving_4_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
   slice1window_leaving_4_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_4_memory_write_data <= to_unsigned(slice1cost_column_0_14, 10) & to_unsigned(slice1cost_column_0_13, 10) & to_unsigned(slice1cost_column_0_12, 10);
+  slice1window_leaving_4_memory_write_data <= to_unsigned(slice1cost_column_0(14), 10) & to_unsigned(slice1cost_column_0(13), 10) & to_unsigned(slice1cost_column_0(12), 10);
   slice1window_leaving_4_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice1window_leaving_4_memory_read_enable,
-      read_address => slice1window_leaving_4_memory_read_address, read_data => slice1window_leaving_4,
+      read_address => slice1window_leaving_4_memory_read_address, read_data => slice1window_leaving(4),
       write_address => slice1window_leaving_4_memory_write_address, write_data => slice1window_leaving_4_memory_write_data);
 
   slice1window_leaving_3_memory_read_enable <= true;
   slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
   slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0_11, 10) & to_unsigned(slice1cost_column_0_10, 10) & to_unsigned(slice1cost_column_0_9, 10);
+  slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0(11), 10) & to_unsigned(slice1cost_column_0(10), 10) & to_unsigned(slice1cost_column_0(9), 10);
   slice1window_leaving_3_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
-      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving_3,
+      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving(3),
       write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
 
   slice1window_leaving_2_memory_read_enable <= true;
   slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
   slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0_8, 10) & to_unsigned(slice1cost_column_0_7, 10) & to_unsigned(slice1cost_column_0_6, 10);
+  slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0(8), 10) & to_unsigned(slice1cost_column_0(7), 10) & to_unsigned(slice1cost_column_0(6), 10);
   slice1window_leaving_2_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
-      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving_2,
+      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving(2),
       write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
 
   slice1window_leaving_1_memory_read_enable <= true;
   slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
   slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0_5, 10) & to_unsigned(slice1cost_column_0_4, 10) & to_unsigned(slice1cost_column_0_3, 10);
+  slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0(5), 10) & to_unsigned(slice1cost_column_0(4), 10) & to_unsigned(slice1cost_column_0(3), 10);
   slice1window_leaving_1_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
-      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving_1,
+      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving(1),
       write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
 
   slice1window_leaving_0_memory_read_enable <= true;
   slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
   slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_2, 10) & to_unsigned(slice1cost_column_0_1, 10) & to_unsigned(slice1cost_column_0_0, 10);
+  slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0(2), 10) & to_unsigned(slice1cost_column_0(1), 10) & to_unsigned(slice1cost_column_0(0), 10);
   slice1window_leaving_0_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
-      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving(0),
       write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
   slice1cost_read_words_5_memory_read_enable <= true;
@@ -1596,62 +1207,62 @@ begin
   slice1cost_read_words_4_memory_read_enable <= true;
   slice1cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
   slice1cost_read_words_4_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words_4, 30);
+  slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words(4), 30);
   slice1cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice1cost_read_words_4_memory_read_enable,
-      read_address => slice1cost_read_words_4_memory_read_address, read_data => slice1cost_read_words_4,
+      read_address => slice1cost_read_words_4_memory_read_address, read_data => slice1cost_read_words(4),
       write_address => slice1cost_read_words_4_memory_write_address, write_data => slice1cost_read_words_4_memory_write_data);
 
   slice1cost_read_words_3_memory_read_enable <= true;
   slice1cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
   slice1cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words_3, 30);
+  slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words(3), 30);
   slice1cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice1cost_read_words_3_memory_read_enable,
-      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words_3,
+      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words(3),
       write_address => slice1cost_read_words_3_memory_write_address, write_data => slice1cost_read_words_3_memory_write_data);
 
   slice1cost_read_words_2_memory_read_enable <= true;
   slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
   slice1cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words_2, 30);
+  slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words(2), 30);
   slice1cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
-      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words_2,
+      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words(2),
       write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
 
   slice1cost_read_words_1_memory_read_enable <= true;
   slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
   slice1cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 30);
+  slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words(1), 30);
   slice1cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
-      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words_1,
+      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words(1),
       write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
 
   slice1cost_read_words_0_memory_read_enable <= true;
   slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
   slice1cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 30);
+  slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words(0), 30);
   slice1cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
-      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words(0),
       write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
   slice0window_leaving_5_memory_read_enable <= true;
   slice0window_leaving_5_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
   slice0window_leaving_5_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0_15, 10);
+  slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0(15), 10);
   slice0window_leaving_5_memory : entity work.line_memory
     generic map (depth => 16, width => 10, address_bits => 4)
     port map (
@@ -1662,56 +1273,56 @@ begin
   slice0window_leaving_4_memory_read_enable <= true;
   slice0window_leaving_4_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
   slice0window_leaving_4_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0_14, 10) & to_unsigned(slice0cost_column_0_13, 10) & to_unsigned(slice0cost_column_0_12, 10);
+  slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0(14), 10) & to_unsigned(slice0cost_column_0(13), 10) & to_unsigned(slice0cost_column_0(12), 10);
   slice0window_leaving_4_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice0window_leaving_4_memory_read_enable,
-      read_address => slice0window_leaving_4_memory_read_address, read_data => slice0window_leaving_4,
+      read_address => slice0window_leaving_4_memory_read_address, read_data => slice0window_leaving(4),
       write_address => slice0window_leaving_4_memory_write_address, write_data => slice0window_leaving_4_memory_write_data);
 
   slice0window_leaving_3_memory_read_enable <= true;
   slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
   slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0_11, 10) & to_unsigned(slice0cost_column_0_10, 10) & to_unsigned(slice0cost_column_0_9, 10);
+  slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0(11), 10) & to_unsigned(slice0cost_column_0(10), 10) & to_unsigned(slice0cost_column_0(9), 10);
   slice0window_leaving_3_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
-      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving_3,
+      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving(3),
       write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
 
   slice0window_leaving_2_memory_read_enable <= true;
   slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
   slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0_8, 10) & to_unsigned(slice0cost_column_0_7, 10) & to_unsigned(slice0cost_column_0_6, 10);
+  slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0(8), 10) & to_unsigned(slice0cost_column_0(7), 10) & to_unsigned(slice0cost_column_0(6), 10);
   slice0window_leaving_2_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
-      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving_2,
+      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving(2),
       write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
 
   slice0window_leaving_1_memory_read_enable <= true;
   slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
   slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_5, 10) & to_unsigned(slice0cost_column_0_4, 10) & to_unsigned(slice0cost_column_0_3, 10);
+  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0(5), 10) & to_unsigned(slice0cost_column_0(4), 10) & to_unsigned(slice0cost_column_0(3), 10);
   slice0window_leaving_1_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
-      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving_1,
+      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving(1),
       write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
 
   slice0window_leaving_0_memory_read_enable <= true;
   slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
   slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_2, 10) & to_unsigned(slice0cost_column_0_1, 10) & to_unsigned(slice0cost_column_0_0, 10);
+  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0(2), 10) & to_unsigned(slice0cost_column_0(1), 10) & to_unsigned(slice0cost_column_0(0), 10);
   slice0window_leaving_0_memory : entity work.line_memory
     generic map (depth => 16, width => 30, address_bits => 4)
     port map (
       clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
-      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving(0),
       write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
   slice0cost_read_words_5_memory_read_enable <= true;
@@ -1728,56 +1339,56 @@ begin
   slice0cost_read_words_4_memory_read_enable <= true;
   slice0cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
   slice0cost_read_words_4_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words_4, 30);
+  slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words(4), 30);
   slice0cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice0cost_read_words_4_memory_read_enable,
-      read_address => slice0cost_read_words_4_memory_read_address, read_data => slice0cost_read_words_4,
+      read_address => slice0cost_read_words_4_memory_read_address, read_data => slice0cost_read_words(4),
       write_address => slice0cost_read_words_4_memory_write_address, write_data => slice0cost_read_words_4_memory_write_data);
 
   slice0cost_read_words_3_memory_read_enable <= true;
   slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
   slice0cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words_3, 30);
+  slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words(3), 30);
   slice0cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
-      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words_3,
+      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words(3),
       write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
 
   slice0cost_read_words_2_memory_read_enable <= true;
   slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
   slice0cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words_2, 30);
+  slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words(2), 30);
   slice0cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
-      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words_2,
+      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words(2),
       write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
 
   slice0cost_read_words_1_memory_read_enable <= true;
   slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
   slice0cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 30);
+  slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words(1), 30);
   slice0cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
-      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words_1,
+      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words(1),
       write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
 
   slice0cost_read_words_0_memory_read_enable <= true;
   slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
   slice0cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 30);
+  slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words(0), 30);
   slice0cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 30, address_bits => 9)
     port map (
       clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
-      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words(0),
       write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_3_memory_read_enable <= true;
@@ -1794,34 +1405,34 @@ begin
   rows_search_rows_read_words_2_memory_read_enable <= true;
   rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
   rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 28);
+  rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words(2), 28);
   rows_search_rows_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 28, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
-      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words_2,
+      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words(2),
       write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
 
   rows_search_rows_read_words_1_memory_read_enable <= true;
   rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
   rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 28);
+  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words(1), 28);
   rows_search_rows_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 28, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words(1),
       write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
   rows_search_rows_read_words_0_memory_read_enable <= true;
   rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
   rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words(0), 28);
   rows_search_rows_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 28, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words(0),
       write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
   rows_reference_rows_read_words_3_memory_read_enable <= true;
@@ -1838,34 +1449,34 @@ begin
   rows_reference_rows_read_words_2_memory_read_enable <= true;
   rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
   rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 28);
+  rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words(2), 28);
   rows_reference_rows_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 28, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
-      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words_2,
+      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words(2),
       write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
 
   rows_reference_rows_read_words_1_memory_read_enable <= true;
   rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
   rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 28);
+  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words(1), 28);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 28, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words(1),
       write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
   rows_reference_rows_read_words_0_memory_read_enable <= true;
   rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
   rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words(0), 28);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 28, address_bits => 9)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words(0),
       write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   transform_left_rows_read_words_0_memory_read_enable <= true;
@@ -1893,62 +1504,51 @@ begin
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_differs, transform_read_column_inside_0_differs : boolean;
-    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
-    variable transform_counter_next_frame_choice_3, transform_left_filter_column_0_0_choice_3 : boolean;
-    variable transform_right_filter_column_0_0_choice_3, raster_place_group_is_equal : boolean;
-    variable slice0winner1_best_index_0_0_is_not_less, slice0winner1_best_index_0_1_is_less : boolean;
-    variable slice0winner1_best_index_0_2_is_less, slice0winner1_best_index_0_3_is_less : boolean;
-    variable slice0winner1_best_index_0_4_is_less, slice0winner1_best_index_0_5_is_less : boolean;
-    variable slice0winner1_best_index_0_6_is_less, slice0winner1_best_index_0_7_is_less : boolean;
-    variable slice0winner2_best_index_0_0_is_not_less, slice0winner2_best_index_0_1_is_not_less : boolean;
-    variable slice0winner2_best_index_0_2_is_not_less, slice0winner2_best_index_0_3_is_not_less : boolean;
-    variable slice0winner2_best_above_0_3_value, slice0winner3_best_index_0_0_is_not_less : boolean;
-    variable slice0winner3_best_index_0_1_is_not_less, slice0winner3_best_below_0_0_is_equal : boolean;
-    variable slice0winner3_best_below_0_1_is_equal, slice0winner3_best_above_0_0_is_equal : boolean;
-    variable slice0winner3_best_above_0_1_is_equal, slice0winner4_best_index_0_0_is_less : boolean;
-    variable slice0winner4_best_below_0_0_is_equal, slice0winner4_best_above_0_0_is_equal : boolean;
-    variable slice0winner4_best_place_0_0_is_not_less, slice1winner1_best_index_0_0_is_not_less : boolean;
-    variable slice1winner1_best_index_0_1_is_less, slice1winner1_best_index_0_2_is_less : boolean;
-    variable slice1winner1_best_index_0_3_is_less, slice1winner1_best_index_0_4_is_less : boolean;
-    variable slice1winner1_best_index_0_5_is_less, slice1winner1_best_index_0_6_is_less : boolean;
-    variable slice1winner1_best_index_0_7_is_less, slice1winner2_best_index_0_0_is_not_less : boolean;
-    variable slice1winner2_best_index_0_1_is_not_less, slice1winner2_best_index_0_2_is_not_less : boolean;
-    variable slice1winner2_best_index_0_3_is_not_less, slice1winner2_best_above_0_3_value : boolean;
-    variable slice1winner3_best_index_0_0_is_not_less, slice1winner3_best_index_0_1_is_not_less : boolean;
-    variable slice1winner3_best_below_0_0_is_equal, slice1winner3_best_below_0_1_is_equal : boolean;
-    variable slice1winner3_best_above_0_0_is_equal, slice1winner3_best_above_0_1_is_equal : boolean;
+    variable transform_counter_next_frame_choice : boolean;
+    variable transform_counter_next_frame_choices : boolean_1d(2 to 3);  -- transform_counter_next_frame_choice_#
+    variable transform_left_filter_column_0_0_choice_3, transform_right_filter_column_0_0_choice_3 : boolean;
+    variable raster_place_group_is_equal, slice0winner1_best_index_0_0_is_not_less : boolean;
+    variable slice0winner1_best_index_0_is_less : boolean_1d(1 to 7);  -- slice0winner1_best_index_0_#_is_less
+    variable slice0winner2_best_index_0_is_not_less : boolean_1d(0 to 3);  -- slice0winner2_best_index_0_#_is_not_less
+    variable slice0winner2_best_above_0_3_value : boolean;
+    variable slice0winner3_best_index_0_is_not_less : boolean_1d(0 to 1);  -- slice0winner3_best_index_0_#_is_not_less
+    variable slice0winner3_best_below_0_is_equal : boolean_1d(0 to 1);  -- slice0winner3_best_below_0_#_is_equal
+    variable slice0winner3_best_above_0_is_equal : boolean_1d(0 to 1);  -- slice0winner3_best_above_0_#_is_equal
+    variable slice0winner4_best_index_0_0_is_less, slice0winner4_best_below_0_0_is_equal : boolean;
+    variable slice0winner4_best_above_0_0_is_equal, slice0winner4_best_place_0_0_is_not_less : boolean;
+    variable slice1winner1_best_index_0_0_is_not_less : boolean;
+    variable slice1winner1_best_index_0_is_less : boolean_1d(1 to 7);  -- slice1winner1_best_index_0_#_is_less
+    variable slice1winner2_best_index_0_is_not_less : boolean_1d(0 to 3);  -- slice1winner2_best_index_0_#_is_not_less
+    variable slice1winner2_best_above_0_3_value : boolean;
+    variable slice1winner3_best_index_0_is_not_less : boolean_1d(0 to 1);  -- slice1winner3_best_index_0_#_is_not_less
+    variable slice1winner3_best_below_0_is_equal : boolean_1d(0 to 1);  -- slice1winner3_best_below_0_#_is_equal
+    variable slice1winner3_best_above_0_is_equal : boolean_1d(0 to 1);  -- slice1winner3_best_above_0_#_is_equal
     variable slice1winner4_best_index_0_0_is_less, slice1winner4_best_below_0_0_is_equal : boolean;
     variable slice1winner4_best_above_0_0_is_equal, slice1winner4_best_place_0_0_is_not_less : boolean;
     variable slice1_best_index_0_0_is_less, slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal : boolean;
     variable slice1_best_place_0_0_is_not_less, slice2winner1_best_index_0_0_is_not_less : boolean;
-    variable slice2winner1_best_index_0_1_is_less, slice2winner1_best_index_0_2_is_less : boolean;
-    variable slice2winner1_best_index_0_3_is_less, slice2winner1_best_index_0_4_is_less : boolean;
-    variable slice2winner1_best_index_0_5_is_less, slice2winner1_best_index_0_6_is_less : boolean;
-    variable slice2winner1_best_index_0_7_is_less, slice2winner2_best_index_0_0_is_not_less : boolean;
-    variable slice2winner2_best_index_0_1_is_not_less, slice2winner2_best_index_0_2_is_not_less : boolean;
-    variable slice2winner2_best_index_0_3_is_not_less, slice2winner2_best_above_0_3_value : boolean;
-    variable slice2winner3_best_index_0_0_is_not_less, slice2winner3_best_index_0_1_is_not_less : boolean;
-    variable slice2winner3_best_below_0_0_is_equal, slice2winner3_best_below_0_1_is_equal : boolean;
-    variable slice2winner3_best_above_0_0_is_equal, slice2winner3_best_above_0_1_is_equal : boolean;
+    variable slice2winner1_best_index_0_is_less : boolean_1d(1 to 7);  -- slice2winner1_best_index_0_#_is_less
+    variable slice2winner2_best_index_0_is_not_less : boolean_1d(0 to 3);  -- slice2winner2_best_index_0_#_is_not_less
+    variable slice2winner2_best_above_0_3_value : boolean;
+    variable slice2winner3_best_index_0_is_not_less : boolean_1d(0 to 1);  -- slice2winner3_best_index_0_#_is_not_less
+    variable slice2winner3_best_below_0_is_equal : boolean_1d(0 to 1);  -- slice2winner3_best_below_0_#_is_equal
+    variable slice2winner3_best_above_0_is_equal : boolean_1d(0 to 1);  -- slice2winner3_best_above_0_#_is_equal
     variable slice2winner4_best_index_0_0_is_less, slice2winner4_best_below_0_0_is_equal : boolean;
     variable slice2winner4_best_above_0_0_is_equal, slice2winner4_best_place_0_0_is_not_less : boolean;
     variable slice2_best_index_0_0_is_less, slice2_best_below_0_0_is_equal, slice2_best_above_0_0_is_equal : boolean;
     variable slice2_best_place_0_0_is_not_less, slice3winner1_best_index_0_0_is_not_less : boolean;
-    variable slice3winner1_best_index_0_1_is_less, slice3winner1_best_index_0_2_is_less : boolean;
-    variable slice3winner1_best_index_0_3_is_less, slice3winner1_best_index_0_4_is_less : boolean;
-    variable slice3winner1_best_index_0_5_is_less, slice3winner1_best_index_0_6_is_less : boolean;
-    variable slice3winner1_best_index_0_7_is_less, slice3winner2_best_index_0_0_is_not_less : boolean;
-    variable slice3winner2_best_index_0_1_is_not_less, slice3winner2_best_index_0_2_is_not_less : boolean;
-    variable slice3winner2_best_index_0_3_is_not_less, slice3winner2_best_above_0_3_value : boolean;
-    variable slice3winner3_best_index_0_0_is_not_less, slice3winner3_best_index_0_1_is_not_less : boolean;
-    variable slice3winner3_best_below_0_0_is_equal, slice3winner3_best_below_0_1_is_equal : boolean;
-    variable slice3winner3_best_above_0_0_is_equal, slice3winner3_best_above_0_1_is_equal : boolean;
+    variable slice3winner1_best_index_0_is_less : boolean_1d(1 to 7);  -- slice3winner1_best_index_0_#_is_less
+    variable slice3winner2_best_index_0_is_not_less : boolean_1d(0 to 3);  -- slice3winner2_best_index_0_#_is_not_less
+    variable slice3winner2_best_above_0_3_value : boolean;
+    variable slice3winner3_best_index_0_is_not_less : boolean_1d(0 to 1);  -- slice3winner3_best_index_0_#_is_not_less
+    variable slice3winner3_best_below_0_is_equal : boolean_1d(0 to 1);  -- slice3winner3_best_below_0_#_is_equal
+    variable slice3winner3_best_above_0_is_equal : boolean_1d(0 to 1);  -- slice3winner3_best_above_0_#_is_equal
     variable slice3winner4_best_index_0_0_is_less, slice3winner4_best_below_0_0_is_equal : boolean;
     variable slice3winner4_best_above_0_0_is_equal, slice3winner4_best_place_0_0_is_not_less : boolean;
     variable slice3_best_index_0_0_is_less, slice3_best_below_0_0_is_equal, slice3_best_above_0_0_is_equal : boolean;
     variable slice3_best_place_0_0_is_not_less, refinement_divisor_0_0_is_less : boolean;
     variable transform_counter_group_choice : natural range 0 to 375;
-    variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 511;
+    variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- transform_counter_group_choice_#
     variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_choice_2 : natural range 0 to 127;
     variable transform_right_filter_feature_0_choice : natural range 0 to 127;
     variable transform_right_filter_feature_0_choice_2 : natural range 0 to 127;
@@ -1956,234 +1556,80 @@ begin
     variable transform_left_filter_column_0_0_choice_2 : natural range 0 to 255;
     variable transform_right_filter_column_0_0_choice : natural range 0 to 255;
     variable transform_right_filter_column_0_0_choice_2, refinement_fraction_0_choice : natural range 0 to 255;
-    variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_3_choice, slice0cost_column_0_3_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_4_choice, slice0cost_column_0_4_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_5_choice, slice0cost_column_0_5_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_6_choice, slice0cost_column_0_6_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_7_choice, slice0cost_column_0_7_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_8_choice, slice0cost_column_0_8_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_9_choice, slice0cost_column_0_9_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_10_choice, slice0cost_column_0_10_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_11_choice, slice0cost_column_0_11_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_12_choice, slice0cost_column_0_12_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_13_choice, slice0cost_column_0_13_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_14_choice, slice0cost_column_0_14_choice_2 : natural range 0 to 1023;
-    variable slice0cost_column_0_15_choice, slice0cost_column_0_15_choice_2 : natural range 0 to 1023;
-    variable slice0window_change_0_0_choice, slice0window_change_0_1_choice : natural range 0 to 1023;
-    variable slice0window_change_0_2_choice, slice0window_change_0_3_choice : natural range 0 to 1023;
-    variable slice0window_change_0_4_choice, slice0window_change_0_5_choice : natural range 0 to 1023;
-    variable slice0window_change_0_6_choice, slice0window_change_0_7_choice : natural range 0 to 1023;
-    variable slice0window_change_0_8_choice, slice0window_change_0_9_choice : natural range 0 to 1023;
-    variable slice0window_change_0_10_choice, slice0window_change_0_11_choice : natural range 0 to 1023;
-    variable slice0window_change_0_12_choice, slice0window_change_0_13_choice : natural range 0 to 1023;
-    variable slice0window_change_0_14_choice, slice0window_change_0_15_choice : natural range 0 to 1023;
-    variable slice1cost_column_0_0_choice, slice1cost_column_0_0_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_1_choice, slice1cost_column_0_1_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_2_choice, slice1cost_column_0_2_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_3_choice, slice1cost_column_0_3_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_4_choice, slice1cost_column_0_4_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_5_choice, slice1cost_column_0_5_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_6_choice, slice1cost_column_0_6_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_7_choice, slice1cost_column_0_7_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_8_choice, slice1cost_column_0_8_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_9_choice, slice1cost_column_0_9_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_10_choice, slice1cost_column_0_10_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_11_choice, slice1cost_column_0_11_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_12_choice, slice1cost_column_0_12_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_13_choice, slice1cost_column_0_13_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_14_choice, slice1cost_column_0_14_choice_2 : natural range 0 to 1023;
-    variable slice1cost_column_0_15_choice, slice1cost_column_0_15_choice_2 : natural range 0 to 1023;
-    variable slice1window_change_0_0_choice, slice1window_change_0_1_choice : natural range 0 to 1023;
-    variable slice1window_change_0_2_choice, slice1window_change_0_3_choice : natural range 0 to 1023;
-    variable slice1window_change_0_4_choice, slice1window_change_0_5_choice : natural range 0 to 1023;
-    variable slice1window_change_0_6_choice, slice1window_change_0_7_choice : natural range 0 to 1023;
-    variable slice1window_change_0_8_choice, slice1window_change_0_9_choice : natural range 0 to 1023;
-    variable slice1window_change_0_10_choice, slice1window_change_0_11_choice : natural range 0 to 1023;
-    variable slice1window_change_0_12_choice, slice1window_change_0_13_choice : natural range 0 to 1023;
-    variable slice1window_change_0_14_choice, slice1window_change_0_15_choice : natural range 0 to 1023;
-    variable slice2cost_column_0_0_choice, slice2cost_column_0_0_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_1_choice, slice2cost_column_0_1_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_2_choice, slice2cost_column_0_2_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_3_choice, slice2cost_column_0_3_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_4_choice, slice2cost_column_0_4_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_5_choice, slice2cost_column_0_5_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_6_choice, slice2cost_column_0_6_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_7_choice, slice2cost_column_0_7_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_8_choice, slice2cost_column_0_8_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_9_choice, slice2cost_column_0_9_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_10_choice, slice2cost_column_0_10_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_11_choice, slice2cost_column_0_11_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_12_choice, slice2cost_column_0_12_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_13_choice, slice2cost_column_0_13_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_14_choice, slice2cost_column_0_14_choice_2 : natural range 0 to 1023;
-    variable slice2cost_column_0_15_choice, slice2cost_column_0_15_choice_2 : natural range 0 to 1023;
-    variable slice2window_change_0_0_choice, slice2window_change_0_1_choice : natural range 0 to 1023;
-    variable slice2window_change_0_2_choice, slice2window_change_0_3_choice : natural range 0 to 1023;
-    variable slice2window_change_0_4_choice, slice2window_change_0_5_choice : natural range 0 to 1023;
-    variable slice2window_change_0_6_choice, slice2window_change_0_7_choice : natural range 0 to 1023;
-    variable slice2window_change_0_8_choice, slice2window_change_0_9_choice : natural range 0 to 1023;
-    variable slice2window_change_0_10_choice, slice2window_change_0_11_choice : natural range 0 to 1023;
-    variable slice2window_change_0_12_choice, slice2window_change_0_13_choice : natural range 0 to 1023;
-    variable slice2window_change_0_14_choice, slice2window_change_0_15_choice : natural range 0 to 1023;
-    variable slice3cost_column_0_0_choice, slice3cost_column_0_0_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_1_choice, slice3cost_column_0_1_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_2_choice, slice3cost_column_0_2_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_3_choice, slice3cost_column_0_3_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_4_choice, slice3cost_column_0_4_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_5_choice, slice3cost_column_0_5_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_6_choice, slice3cost_column_0_6_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_7_choice, slice3cost_column_0_7_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_8_choice, slice3cost_column_0_8_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_9_choice, slice3cost_column_0_9_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_10_choice, slice3cost_column_0_10_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_11_choice, slice3cost_column_0_11_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_12_choice, slice3cost_column_0_12_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_13_choice, slice3cost_column_0_13_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_14_choice, slice3cost_column_0_14_choice_2 : natural range 0 to 1023;
-    variable slice3cost_column_0_15_choice, slice3cost_column_0_15_choice_2 : natural range 0 to 1023;
-    variable slice3window_change_0_0_choice, slice3window_change_0_1_choice : natural range 0 to 1023;
-    variable slice3window_change_0_2_choice, slice3window_change_0_3_choice : natural range 0 to 1023;
-    variable slice3window_change_0_4_choice, slice3window_change_0_5_choice : natural range 0 to 1023;
-    variable slice3window_change_0_6_choice, slice3window_change_0_7_choice : natural range 0 to 1023;
-    variable slice3window_change_0_8_choice, slice3window_change_0_9_choice : natural range 0 to 1023;
-    variable slice3window_change_0_10_choice, slice3window_change_0_11_choice : natural range 0 to 1023;
-    variable slice3window_change_0_12_choice, slice3window_change_0_13_choice : natural range 0 to 1023;
-    variable slice3window_change_0_14_choice, slice3window_change_0_15_choice : natural range 0 to 1023;
+    variable slice0cost_column_0_choice : natural_1023_1d(0 to 15);  -- slice0cost_column_0_#_choice
+    variable slice0cost_column_0_choice_2 : natural_1023_1d(0 to 15);  -- slice0cost_column_0_#_choice_2
+    variable slice0window_change_0_choice : natural_1023_1d(0 to 15);  -- slice0window_change_0_#_choice
+    variable slice1cost_column_0_choice : natural_1023_1d(0 to 15);  -- slice1cost_column_0_#_choice
+    variable slice1cost_column_0_choice_2 : natural_1023_1d(0 to 15);  -- slice1cost_column_0_#_choice_2
+    variable slice1window_change_0_choice : natural_1023_1d(0 to 15);  -- slice1window_change_0_#_choice
+    variable slice2cost_column_0_choice : natural_1023_1d(0 to 15);  -- slice2cost_column_0_#_choice
+    variable slice2cost_column_0_choice_2 : natural_1023_1d(0 to 15);  -- slice2cost_column_0_#_choice_2
+    variable slice2window_change_0_choice : natural_1023_1d(0 to 15);  -- slice2window_change_0_#_choice
+    variable slice3cost_column_0_choice : natural_1023_1d(0 to 15);  -- slice3cost_column_0_#_choice
+    variable slice3cost_column_0_choice_2 : natural_1023_1d(0 to 15);  -- slice3cost_column_0_#_choice_2
+    variable slice3window_change_0_choice : natural_1023_1d(0 to 15);  -- slice3window_change_0_#_choice
     variable texturecost_column_0_0_choice, texturecost_column_0_0_choice_2 : natural range 0 to 1023;
     variable texturewindow_change_0_0_choice : natural range 0 to 1023;
-    variable slice0window_sum_0_0_choice, slice0window_sum_0_1_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_2_choice, slice0window_sum_0_3_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_4_choice, slice0window_sum_0_5_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_6_choice, slice0window_sum_0_7_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_8_choice, slice0window_sum_0_9_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_10_choice, slice0window_sum_0_11_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_12_choice, slice0window_sum_0_13_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_14_choice, slice0window_sum_0_15_choice : natural range 0 to 16383;
-    variable slice0winner2_best_below_0_0_choice, slice0winner2_best_below_0_1_choice : natural range 0 to 16383;
-    variable slice0winner2_best_below_0_2_choice, slice0winner2_best_below_0_3_choice : natural range 0 to 16383;
-    variable slice0winner2_best_above_0_0_choice, slice0winner2_best_above_0_1_choice : natural range 0 to 16383;
-    variable slice0winner2_best_above_0_2_choice, slice0winner2_best_above_0_3_choice : natural range 0 to 16383;
-    variable slice0winner2_best_second_0_0_choice, slice0winner2_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice0winner2_best_second_0_0_choice_3, slice0winner2_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice0winner2_best_second_0_1_choice, slice0winner2_best_second_0_1_choice_2 : natural range 0 to 16383;
-    variable slice0winner2_best_second_0_1_choice_3, slice0winner2_best_second_0_1_choice_4 : natural range 0 to 16383;
-    variable slice0winner2_best_second_0_2_choice, slice0winner2_best_second_0_2_choice_2 : natural range 0 to 16383;
-    variable slice0winner2_best_second_0_2_choice_3, slice0winner2_best_second_0_2_choice_4 : natural range 0 to 16383;
-    variable slice0winner2_best_second_0_3_choice, slice0winner2_best_second_0_3_choice_2 : natural range 0 to 16383;
-    variable slice0winner2_best_second_0_3_choice_3, slice0winner2_best_second_0_3_choice_4 : natural range 0 to 16383;
-    variable slice0winner3_best_below_0_0_choice, slice0winner3_best_below_0_1_choice : natural range 0 to 16383;
-    variable slice0winner3_best_above_0_0_choice, slice0winner3_best_above_0_1_choice : natural range 0 to 16383;
-    variable slice0winner3_best_second_0_0_choice, slice0winner3_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice0winner3_best_second_0_0_choice_3, slice0winner3_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice0winner3_best_second_0_1_choice, slice0winner3_best_second_0_1_choice_2 : natural range 0 to 16383;
-    variable slice0winner3_best_second_0_1_choice_3, slice0winner3_best_second_0_1_choice_4 : natural range 0 to 16383;
+    variable slice0window_sum_0_choice : natural_16383_1d(0 to 15);  -- slice0window_sum_0_#_choice
+    variable slice0winner2_best_below_0_choice : natural_16383_1d(0 to 3);  -- slice0winner2_best_below_0_#_choice
+    variable slice0winner2_best_above_0_choice : natural_16383_1d(0 to 3);  -- slice0winner2_best_above_0_#_choice
+    variable slice0winner2_best_second_0_choice : natural_16383_1d(0 to 3);  -- slice0winner2_best_second_0_#_choice
+    variable slice0winner2_best_second_0_choices : natural_16383_2d(0 to 3, 2 to 4);  -- slice0winner2_best_second_0_#_choice_#
+    variable slice0winner3_best_below_0_choice : natural_16383_1d(0 to 1);  -- slice0winner3_best_below_0_#_choice
+    variable slice0winner3_best_above_0_choice : natural_16383_1d(0 to 1);  -- slice0winner3_best_above_0_#_choice
+    variable slice0winner3_best_second_0_choice : natural_16383_1d(0 to 1);  -- slice0winner3_best_second_0_#_choice
+    variable slice0winner3_best_second_0_choices : natural_16383_2d(0 to 1, 2 to 4);  -- slice0winner3_best_second_0_#_choice_#
     variable slice0winner4_best_below_0_0_choice, slice0winner4_best_above_0_0_choice : natural range 0 to 16383;
-    variable slice0winner4_best_second_0_0_choice, slice0winner4_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice0winner4_best_second_0_0_choice_3, slice0winner4_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice1window_sum_0_0_choice, slice1window_sum_0_1_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_2_choice, slice1window_sum_0_3_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_4_choice, slice1window_sum_0_5_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_6_choice, slice1window_sum_0_7_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_8_choice, slice1window_sum_0_9_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_10_choice, slice1window_sum_0_11_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_12_choice, slice1window_sum_0_13_choice : natural range 0 to 16383;
-    variable slice1window_sum_0_14_choice, slice1window_sum_0_15_choice : natural range 0 to 16383;
-    variable slice1winner2_best_below_0_0_choice, slice1winner2_best_below_0_1_choice : natural range 0 to 16383;
-    variable slice1winner2_best_below_0_2_choice, slice1winner2_best_below_0_3_choice : natural range 0 to 16383;
-    variable slice1winner2_best_above_0_0_choice, slice1winner2_best_above_0_1_choice : natural range 0 to 16383;
-    variable slice1winner2_best_above_0_2_choice, slice1winner2_best_above_0_3_choice : natural range 0 to 16383;
-    variable slice1winner2_best_second_0_0_choice, slice1winner2_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice1winner2_best_second_0_0_choice_3, slice1winner2_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice1winner2_best_second_0_1_choice, slice1winner2_best_second_0_1_choice_2 : natural range 0 to 16383;
-    variable slice1winner2_best_second_0_1_choice_3, slice1winner2_best_second_0_1_choice_4 : natural range 0 to 16383;
-    variable slice1winner2_best_second_0_2_choice, slice1winner2_best_second_0_2_choice_2 : natural range 0 to 16383;
-    variable slice1winner2_best_second_0_2_choice_3, slice1winner2_best_second_0_2_choice_4 : natural range 0 to 16383;
-    variable slice1winner2_best_second_0_3_choice, slice1winner2_best_second_0_3_choice_2 : natural range 0 to 16383;
-    variable slice1winner2_best_second_0_3_choice_3, slice1winner2_best_second_0_3_choice_4 : natural range 0 to 16383;
-    variable slice1winner3_best_below_0_0_choice, slice1winner3_best_below_0_1_choice : natural range 0 to 16383;
-    variable slice1winner3_best_above_0_0_choice, slice1winner3_best_above_0_1_choice : natural range 0 to 16383;
-    variable slice1winner3_best_second_0_0_choice, slice1winner3_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice1winner3_best_second_0_0_choice_3, slice1winner3_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice1winner3_best_second_0_1_choice, slice1winner3_best_second_0_1_choice_2 : natural range 0 to 16383;
-    variable slice1winner3_best_second_0_1_choice_3, slice1winner3_best_second_0_1_choice_4 : natural range 0 to 16383;
+    variable slice0winner4_best_second_0_0_choice : natural range 0 to 16383;
+    variable slice0winner4_best_second_0_0_choices : natural_16383_1d(2 to 4);  -- slice0winner4_best_second_0_0_choice_#
+    variable slice1window_sum_0_choice : natural_16383_1d(0 to 15);  -- slice1window_sum_0_#_choice
+    variable slice1winner2_best_below_0_choice : natural_16383_1d(0 to 3);  -- slice1winner2_best_below_0_#_choice
+    variable slice1winner2_best_above_0_choice : natural_16383_1d(0 to 3);  -- slice1winner2_best_above_0_#_choice
+    variable slice1winner2_best_second_0_choice : natural_16383_1d(0 to 3);  -- slice1winner2_best_second_0_#_choice
+    variable slice1winner2_best_second_0_choices : natural_16383_2d(0 to 3, 2 to 4);  -- slice1winner2_best_second_0_#_choice_#
+    variable slice1winner3_best_below_0_choice : natural_16383_1d(0 to 1);  -- slice1winner3_best_below_0_#_choice
+    variable slice1winner3_best_above_0_choice : natural_16383_1d(0 to 1);  -- slice1winner3_best_above_0_#_choice
+    variable slice1winner3_best_second_0_choice : natural_16383_1d(0 to 1);  -- slice1winner3_best_second_0_#_choice
+    variable slice1winner3_best_second_0_choices : natural_16383_2d(0 to 1, 2 to 4);  -- slice1winner3_best_second_0_#_choice_#
     variable slice1winner4_best_below_0_0_choice, slice1winner4_best_above_0_0_choice : natural range 0 to 16383;
-    variable slice1winner4_best_second_0_0_choice, slice1winner4_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice1winner4_best_second_0_0_choice_3, slice1winner4_best_second_0_0_choice_4 : natural range 0 to 16383;
+    variable slice1winner4_best_second_0_0_choice : natural range 0 to 16383;
+    variable slice1winner4_best_second_0_0_choices : natural_16383_1d(2 to 4);  -- slice1winner4_best_second_0_0_choice_#
     variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 16383;
-    variable slice1_best_second_0_0_choice, slice1_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice1_best_second_0_0_choice_3, slice1_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice2window_sum_0_0_choice, slice2window_sum_0_1_choice : natural range 0 to 16383;
-    variable slice2window_sum_0_2_choice, slice2window_sum_0_3_choice : natural range 0 to 16383;
-    variable slice2window_sum_0_4_choice, slice2window_sum_0_5_choice : natural range 0 to 16383;
-    variable slice2window_sum_0_6_choice, slice2window_sum_0_7_choice : natural range 0 to 16383;
-    variable slice2window_sum_0_8_choice, slice2window_sum_0_9_choice : natural range 0 to 16383;
-    variable slice2window_sum_0_10_choice, slice2window_sum_0_11_choice : natural range 0 to 16383;
-    variable slice2window_sum_0_12_choice, slice2window_sum_0_13_choice : natural range 0 to 16383;
-    variable slice2window_sum_0_14_choice, slice2window_sum_0_15_choice : natural range 0 to 16383;
-    variable slice2winner2_best_below_0_0_choice, slice2winner2_best_below_0_1_choice : natural range 0 to 16383;
-    variable slice2winner2_best_below_0_2_choice, slice2winner2_best_below_0_3_choice : natural range 0 to 16383;
-    variable slice2winner2_best_above_0_0_choice, slice2winner2_best_above_0_1_choice : natural range 0 to 16383;
-    variable slice2winner2_best_above_0_2_choice, slice2winner2_best_above_0_3_choice : natural range 0 to 16383;
-    variable slice2winner2_best_second_0_0_choice, slice2winner2_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice2winner2_best_second_0_0_choice_3, slice2winner2_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice2winner2_best_second_0_1_choice, slice2winner2_best_second_0_1_choice_2 : natural range 0 to 16383;
-    variable slice2winner2_best_second_0_1_choice_3, slice2winner2_best_second_0_1_choice_4 : natural range 0 to 16383;
-    variable slice2winner2_best_second_0_2_choice, slice2winner2_best_second_0_2_choice_2 : natural range 0 to 16383;
-    variable slice2winner2_best_second_0_2_choice_3, slice2winner2_best_second_0_2_choice_4 : natural range 0 to 16383;
-    variable slice2winner2_best_second_0_3_choice, slice2winner2_best_second_0_3_choice_2 : natural range 0 to 16383;
-    variable slice2winner2_best_second_0_3_choice_3, slice2winner2_best_second_0_3_choice_4 : natural range 0 to 16383;
-    variable slice2winner3_best_below_0_0_choice, slice2winner3_best_below_0_1_choice : natural range 0 to 16383;
-    variable slice2winner3_best_above_0_0_choice, slice2winner3_best_above_0_1_choice : natural range 0 to 16383;
-    variable slice2winner3_best_second_0_0_choice, slice2winner3_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice2winner3_best_second_0_0_choice_3, slice2winner3_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice2winner3_best_second_0_1_choice, slice2winner3_best_second_0_1_choice_2 : natural range 0 to 16383;
-    variable slice2winner3_best_second_0_1_choice_3, slice2winner3_best_second_0_1_choice_4 : natural range 0 to 16383;
+    variable slice1_best_second_0_0_choice : natural range 0 to 16383;
+    variable slice1_best_second_0_0_choices : natural_16383_1d(2 to 4);  -- slice1_best_second_0_0_choice_#
+    variable slice2window_sum_0_choice : natural_16383_1d(0 to 15);  -- slice2window_sum_0_#_choice
+    variable slice2winner2_best_below_0_choice : natural_16383_1d(0 to 3);  -- slice2winner2_best_below_0_#_choice
+    variable slice2winner2_best_above_0_choice : natural_16383_1d(0 to 3);  -- slice2winner2_best_above_0_#_choice
+    variable slice2winner2_best_second_0_choice : natural_16383_1d(0 to 3);  -- slice2winner2_best_second_0_#_choice
+    variable slice2winner2_best_second_0_choices : natural_16383_2d(0 to 3, 2 to 4);  -- slice2winner2_best_second_0_#_choice_#
+    variable slice2winner3_best_below_0_choice : natural_16383_1d(0 to 1);  -- slice2winner3_best_below_0_#_choice
+    variable slice2winner3_best_above_0_choice : natural_16383_1d(0 to 1);  -- slice2winner3_best_above_0_#_choice
+    variable slice2winner3_best_second_0_choice : natural_16383_1d(0 to 1);  -- slice2winner3_best_second_0_#_choice
+    variable slice2winner3_best_second_0_choices : natural_16383_2d(0 to 1, 2 to 4);  -- slice2winner3_best_second_0_#_choice_#
     variable slice2winner4_best_below_0_0_choice, slice2winner4_best_above_0_0_choice : natural range 0 to 16383;
-    variable slice2winner4_best_second_0_0_choice, slice2winner4_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice2winner4_best_second_0_0_choice_3, slice2winner4_best_second_0_0_choice_4 : natural range 0 to 16383;
+    variable slice2winner4_best_second_0_0_choice : natural range 0 to 16383;
+    variable slice2winner4_best_second_0_0_choices : natural_16383_1d(2 to 4);  -- slice2winner4_best_second_0_0_choice_#
     variable slice2_best_below_0_0_choice, slice2_best_above_0_0_choice : natural range 0 to 16383;
-    variable slice2_best_second_0_0_choice, slice2_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice2_best_second_0_0_choice_3, slice2_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice3window_sum_0_0_choice, slice3window_sum_0_1_choice : natural range 0 to 16383;
-    variable slice3window_sum_0_2_choice, slice3window_sum_0_3_choice : natural range 0 to 16383;
-    variable slice3window_sum_0_4_choice, slice3window_sum_0_5_choice : natural range 0 to 16383;
-    variable slice3window_sum_0_6_choice, slice3window_sum_0_7_choice : natural range 0 to 16383;
-    variable slice3window_sum_0_8_choice, slice3window_sum_0_9_choice : natural range 0 to 16383;
-    variable slice3window_sum_0_10_choice, slice3window_sum_0_11_choice : natural range 0 to 16383;
-    variable slice3window_sum_0_12_choice, slice3window_sum_0_13_choice : natural range 0 to 16383;
-    variable slice3window_sum_0_14_choice, slice3window_sum_0_15_choice : natural range 0 to 16383;
-    variable slice3winner2_best_below_0_0_choice, slice3winner2_best_below_0_1_choice : natural range 0 to 16383;
-    variable slice3winner2_best_below_0_2_choice, slice3winner2_best_below_0_3_choice : natural range 0 to 16383;
-    variable slice3winner2_best_above_0_0_choice, slice3winner2_best_above_0_1_choice : natural range 0 to 16383;
-    variable slice3winner2_best_above_0_2_choice, slice3winner2_best_above_0_3_choice : natural range 0 to 16383;
-    variable slice3winner2_best_second_0_0_choice, slice3winner2_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice3winner2_best_second_0_0_choice_3, slice3winner2_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice3winner2_best_second_0_1_choice, slice3winner2_best_second_0_1_choice_2 : natural range 0 to 16383;
-    variable slice3winner2_best_second_0_1_choice_3, slice3winner2_best_second_0_1_choice_4 : natural range 0 to 16383;
-    variable slice3winner2_best_second_0_2_choice, slice3winner2_best_second_0_2_choice_2 : natural range 0 to 16383;
-    variable slice3winner2_best_second_0_2_choice_3, slice3winner2_best_second_0_2_choice_4 : natural range 0 to 16383;
-    variable slice3winner2_best_second_0_3_choice, slice3winner2_best_second_0_3_choice_2 : natural range 0 to 16383;
-    variable slice3winner2_best_second_0_3_choice_3, slice3winner2_best_second_0_3_choice_4 : natural range 0 to 16383;
-    variable slice3winner3_best_below_0_0_choice, slice3winner3_best_below_0_1_choice : natural range 0 to 16383;
-    variable slice3winner3_best_above_0_0_choice, slice3winner3_best_above_0_1_choice : natural range 0 to 16383;
-    variable slice3winner3_best_second_0_0_choice, slice3winner3_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice3winner3_best_second_0_0_choice_3, slice3winner3_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice3winner3_best_second_0_1_choice, slice3winner3_best_second_0_1_choice_2 : natural range 0 to 16383;
-    variable slice3winner3_best_second_0_1_choice_3, slice3winner3_best_second_0_1_choice_4 : natural range 0 to 16383;
+    variable slice2_best_second_0_0_choice : natural range 0 to 16383;
+    variable slice2_best_second_0_0_choices : natural_16383_1d(2 to 4);  -- slice2_best_second_0_0_choice_#
+    variable slice3window_sum_0_choice : natural_16383_1d(0 to 15);  -- slice3window_sum_0_#_choice
+    variable slice3winner2_best_below_0_choice : natural_16383_1d(0 to 3);  -- slice3winner2_best_below_0_#_choice
+    variable slice3winner2_best_above_0_choice : natural_16383_1d(0 to 3);  -- slice3winner2_best_above_0_#_choice
+    variable slice3winner2_best_second_0_choice : natural_16383_1d(0 to 3);  -- slice3winner2_best_second_0_#_choice
+    variable slice3winner2_best_second_0_choices : natural_16383_2d(0 to 3, 2 to 4);  -- slice3winner2_best_second_0_#_choice_#
+    variable slice3winner3_best_below_0_choice : natural_16383_1d(0 to 1);  -- slice3winner3_best_below_0_#_choice
+    variable slice3winner3_best_above_0_choice : natural_16383_1d(0 to 1);  -- slice3winner3_best_above_0_#_choice
+    variable slice3winner3_best_second_0_choice : natural_16383_1d(0 to 1);  -- slice3winner3_best_second_0_#_choice
+    variable slice3winner3_best_second_0_choices : natural_16383_2d(0 to 1, 2 to 4);  -- slice3winner3_best_second_0_#_choice_#
     variable slice3winner4_best_below_0_0_choice, slice3winner4_best_above_0_0_choice : natural range 0 to 16383;
-    variable slice3winner4_best_second_0_0_choice, slice3winner4_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice3winner4_best_second_0_0_choice_3, slice3winner4_best_second_0_0_choice_4 : natural range 0 to 16383;
+    variable slice3winner4_best_second_0_0_choice : natural range 0 to 16383;
+    variable slice3winner4_best_second_0_0_choices : natural_16383_1d(2 to 4);  -- slice3winner4_best_second_0_0_choice_#
     variable slice3_best_below_0_0_choice, slice3_best_above_0_0_choice : natural range 0 to 16383;
-    variable slice3_best_second_0_0_choice, slice3_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice3_best_second_0_0_choice_3, slice3_best_second_0_0_choice_4 : natural range 0 to 16383;
+    variable slice3_best_second_0_0_choice : natural range 0 to 16383;
+    variable slice3_best_second_0_0_choices : natural_16383_1d(2 to 4);  -- slice3_best_second_0_0_choice_#
     variable texturewindow_sum_0_0_choice, refinement_divisor_0_0_choice : natural range 0 to 16383;
     variable refinement_remainder_1_0_difference : natural range 16385 to 49151;
-    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 16385 to 65534;
-    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 16385 to 65534;
-    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 16385 to 65534;
+    variable refinement_remainder_0_difference : natural_16385_to_65534_1d(2 to 7);  -- refinement_remainder_#_0_difference
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
@@ -2199,14 +1645,14 @@ begin
       end if;
       transform_counter_group_differs := transform_counter_group /= 376;
       if (transform_counter_group = 375) and transform_counter_next_frame then
-        transform_counter_group_choice_2 := 1;
+        transform_counter_group_choices(2) := 1;
       else
-        transform_counter_group_choice_2 := (transform_counter_group + 1) mod 512;
+        transform_counter_group_choices(2) := (transform_counter_group + 1) mod 512;
       end if;
       if transform_counter_group_differs and transform_counter_group_is_equal_2 and in_valid then
-        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+        transform_counter_group_choices(3) := transform_counter_group_choices(2);
       else
-        transform_counter_group_choice_3 := transform_counter_group;
+        transform_counter_group_choices(3) := transform_counter_group;
       end if;
       transform_read_column_inside_0_differs := transform_counter_column /= 0;
       if 31 < transform_left_filter_slope_0 then
@@ -2253,33 +1699,33 @@ begin
       transform_ready_column_inside_2 <= transform_read_column_inside_2;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
-      transform_left_column_0 <= transform_left_rows_ready_words_0 mod 256;
-      transform_left_column_1 <= transform_left_rows_ready_words_0 / 256;
-      transform_left_column_2 <= transform_left_rows_ready_newest_0;
-      transform_right_column_0 <= transform_right_rows_ready_words_0 mod 256;
-      transform_right_column_1 <= transform_right_rows_ready_words_0 / 256;
-      transform_right_column_2 <= transform_right_rows_ready_newest_0;
+      transform_left_column(0) <= transform_left_rows_ready_words_0 mod 256;
+      transform_left_column(1) <= transform_left_rows_ready_words_0 / 256;
+      transform_left_column(2) <= transform_left_rows_ready_newest_0;
+      transform_right_column(0) <= transform_right_rows_ready_words_0 mod 256;
+      transform_right_column(1) <= transform_right_rows_ready_words_0 / 256;
+      transform_right_column(2) <= transform_right_rows_ready_newest_0;
       transform_columns_row_inside_0 <= transform_ready_row_inside_0;
       transform_columns_row_inside_2 <= transform_ready_row_inside_2;
       transform_columns_column_inside_0 <= transform_ready_column_inside_0;
       transform_columns_column_inside_2 <= transform_ready_column_inside_2;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
+      transform_left_filter_slope_0 <= transform_left_filter_column_0(0) - transform_left_filter_column_0(2);
       transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
-      transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
+      transform_right_filter_slope_0 <= transform_right_filter_column_0(0) - transform_right_filter_column_0(2);
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_0_valid <= transform_columns_valid;
-      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
-      transform_filtering_1_valid <= transform_filtering_0_valid;
-      transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
-      transform_filtering_2_valid <= transform_filtering_1_valid;
+      transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
+      transform_filtering_valid(0) <= transform_columns_valid;
+      transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
+      transform_filtering_valid(1) <= transform_filtering_valid(0);
+      transform_filtering_start_of_frame(2) <= transform_filtering_start_of_frame(1);
+      transform_filtering_valid(2) <= transform_filtering_valid(1);
       if in_start_of_frame and in_valid then
         transform_counter_group <= transform_counter_group_choice;
       else
-        transform_counter_group <= transform_counter_group_choice_3;
+        transform_counter_group <= transform_counter_group_choices(3);
       end if;
       if transform_left_filter_whole then
         transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2;
@@ -2294,14 +1740,14 @@ begin
         transform_counter_next_frame_choice := transform_counter_next_frame;
       end if;
       if transform_counter_group_differs then
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
+        transform_counter_next_frame_choices(2) := transform_counter_next_frame_choice;
       else
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+        transform_counter_next_frame_choices(2) := transform_counter_next_frame;
       end if;
       if transform_counter_group_is_equal then
-        transform_counter_next_frame_choice_3 := transform_counter_group_is_equal_2 or (not in_start_of_frame);
+        transform_counter_next_frame_choices(3) := transform_counter_group_is_equal_2 or (not in_start_of_frame);
       else
-        transform_counter_next_frame_choice_3 := not in_start_of_frame;
+        transform_counter_next_frame_choices(3) := not in_start_of_frame;
       end if;
       if in_valid then
         if transform_counter_group_is_equal_2 or in_start_of_frame then
@@ -2309,8 +1755,8 @@ begin
         else
           transform_counter_column <= (transform_counter_column + 1) mod 512;
         end if;
-        if transform_counter_next_frame_choice_2 then
-          transform_counter_next_frame <= transform_counter_next_frame_choice_3;
+        if transform_counter_next_frame_choices(2) then
+          transform_counter_next_frame <= transform_counter_next_frame_choices(3);
         else
           transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
             in_start_of_frame;
@@ -2324,60 +1770,60 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_columns_row_inside_0 then
-        transform_left_filter_column_0_0_choice := transform_left_column_0;
+        transform_left_filter_column_0_0_choice := transform_left_column(0);
       else
-        transform_left_filter_column_0_0_choice := transform_left_column_2;
+        transform_left_filter_column_0_0_choice := transform_left_column(2);
       end if;
       if transform_columns_row_inside_2 then
-        transform_left_filter_column_0_0_choice_2 := transform_left_column_2;
+        transform_left_filter_column_0_0_choice_2 := transform_left_column(2);
       else
-        transform_left_filter_column_0_0_choice_2 := transform_left_column_0;
+        transform_left_filter_column_0_0_choice_2 := transform_left_column(0);
       end if;
       if transform_columns_row_inside_2 then
-        transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1;
+        transform_left_filter_column_0_0_choice_3 := is_set(transform_left_column(2), 0);
       else
-        transform_left_filter_column_0_0_choice_3 := (transform_left_column_0 mod 2) = 1;
+        transform_left_filter_column_0_0_choice_3 := is_set(transform_left_column(0), 0);
       end if;
       if transform_columns_row_inside_0 then
-        transform_right_filter_column_0_0_choice := transform_right_column_0;
+        transform_right_filter_column_0_0_choice := transform_right_column(0);
       else
-        transform_right_filter_column_0_0_choice := transform_right_column_2;
+        transform_right_filter_column_0_0_choice := transform_right_column(2);
       end if;
       if transform_columns_row_inside_2 then
-        transform_right_filter_column_0_0_choice_2 := transform_right_column_2;
+        transform_right_filter_column_0_0_choice_2 := transform_right_column(2);
       else
-        transform_right_filter_column_0_0_choice_2 := transform_right_column_0;
+        transform_right_filter_column_0_0_choice_2 := transform_right_column(0);
       end if;
       if transform_columns_row_inside_2 then
-        transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1;
+        transform_right_filter_column_0_0_choice_3 := is_set(transform_right_column(2), 0);
       else
-        transform_right_filter_column_0_0_choice_3 := (transform_right_column_0 mod 2) = 1;
+        transform_right_filter_column_0_0_choice_3 := is_set(transform_right_column(0), 0);
       end if;
       if transform_columns_valid then
-        transform_left_filter_column_0_0 <= transform_left_filter_column_0_0_choice +
-          (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column_1) * 2) +
+        transform_left_filter_column_0(0) <= transform_left_filter_column_0_0_choice +
+          (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column(1)) * 2) +
           as_number(transform_left_filter_column_0_0_choice_3);
-        transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
-        transform_left_filter_column_2_0 <= transform_left_filter_column_1_0;
-        transform_right_filter_column_0_0 <= transform_right_filter_column_0_0_choice +
-          (((transform_right_filter_column_0_0_choice_2 / 2) + transform_right_column_1) * 2) +
+        transform_left_filter_column_0(1) <= transform_left_filter_column_0(0);
+        transform_left_filter_column_0(2) <= transform_left_filter_column_0(1);
+        transform_right_filter_column_0(0) <= transform_right_filter_column_0_0_choice +
+          (((transform_right_filter_column_0_0_choice_2 / 2) + transform_right_column(1)) * 2) +
           as_number(transform_right_filter_column_0_0_choice_3);
-        transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
-        transform_right_filter_column_2_0 <= transform_right_filter_column_1_0;
+        transform_right_filter_column_0(1) <= transform_right_filter_column_0(0);
+        transform_right_filter_column_0(2) <= transform_right_filter_column_0(1);
       end if;
       -- raster
       raster_place_group_is_equal := raster_place_column = 449;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
-      raster_features_valid <= transform_filtering_2_valid;
-      if transform_filtering_2_start_of_frame and transform_filtering_2_valid then
+      raster_features_valid <= transform_filtering_valid(2);
+      if transform_filtering_start_of_frame(2) and transform_filtering_valid(2) then
         raster_place_group <= 0;
       else
         raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 382) and
-          raster_place_group_is_equal and transform_filtering_2_valid))) mod 512;
+          raster_place_group_is_equal and transform_filtering_valid(2)))) mod 512;
       end if;
-      if transform_filtering_2_valid then
-        if raster_place_group_is_equal or transform_filtering_2_start_of_frame then
+      if transform_filtering_valid(2) then
+        if raster_place_group_is_equal or transform_filtering_start_of_frame(2) then
           raster_place_column <= 0;
         else
           raster_place_column <= (raster_place_column + 1) mod 512;
@@ -2387,8 +1833,8 @@ begin
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= (raster_place_group >= 15) and (raster_place_group < 390);
-      delay_row_inside_1 <= raster_place_group < 375;
+      delay_row_inside(0) <= (raster_place_group >= 15) and (raster_place_group < 390);
+      delay_row_inside(1) <= raster_place_group < 375;
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= raster_place_column = 0;
       delay_tag_first_group <= raster_place_group = 0;
@@ -2402,20 +1848,20 @@ begin
       delay_tag_end_of_line <= raster_place_group_is_equal;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
-      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
-      rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
-      rows_search_rows_ready_words_2 <= to_integer(rows_search_rows_read_words_2);
+      rows_search_rows_ready_words(0) <= to_integer(rows_search_rows_read_words(0));
+      rows_search_rows_ready_words(1) <= to_integer(rows_search_rows_read_words(1));
+      rows_search_rows_ready_words(2) <= to_integer(rows_search_rows_read_words(2));
       rows_search_rows_ready_words_3 <= to_integer(rows_search_rows_read_words_3);
       rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
       rows_reference_rows_read_newest_0 <= delay_ahead_0;
-      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
-      rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
-      rows_reference_rows_ready_words_2 <= to_integer(rows_reference_rows_read_words_2);
+      rows_reference_rows_ready_words(0) <= to_integer(rows_reference_rows_read_words(0));
+      rows_reference_rows_ready_words(1) <= to_integer(rows_reference_rows_read_words(1));
+      rows_reference_rows_ready_words(2) <= to_integer(rows_reference_rows_read_words(2));
       rows_reference_rows_ready_words_3 <= to_integer(rows_reference_rows_read_words_3);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside_0 <= delay_row_inside_0;
-      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside(0) <= delay_row_inside(0);
+      rows_read_inside(1) <= delay_row_inside(1);
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_row_start <= delay_tag_row_start;
       rows_read_tag_first_group <= delay_tag_first_group;
@@ -2426,8 +1872,8 @@ begin
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside(0) <= rows_read_inside(0);
+      rows_ready_inside(1) <= rows_read_inside(1);
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_row_start <= rows_read_tag_row_start;
       rows_ready_tag_first_group <= rows_read_tag_first_group;
@@ -2437,8 +1883,8 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_inside_0 <= rows_ready_inside_0;
-      rows_inside_1 <= rows_ready_inside_1;
+      rows_inside(0) <= rows_ready_inside(0);
+      rows_inside(1) <= rows_ready_inside(1);
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_first_group <= rows_ready_tag_first_group;
@@ -2448,34 +1894,34 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside_0 then
-        rows_search_0 <= rows_search_rows_ready_words_0 mod 128;
-        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128;
+      if rows_ready_inside(0) then
+        rows_search(0) <= rows_search_rows_ready_words(0) mod 128;
+        rows_reference(0) <= rows_reference_rows_ready_words(0) mod 128;
       else
-        rows_search_0 <= 0;
-        rows_reference_0 <= 0;
+        rows_search(0) <= 0;
+        rows_reference(0) <= 0;
       end if;
-      if rows_ready_inside_1 then
-        rows_search_1 <= rows_search_rows_ready_newest_0;
-        rows_reference_1 <= rows_reference_rows_ready_newest_0;
+      if rows_ready_inside(1) then
+        rows_search(1) <= rows_search_rows_ready_newest_0;
+        rows_reference(1) <= rows_reference_rows_ready_newest_0;
       else
-        rows_search_1 <= 0;
-        rows_reference_1 <= 0;
+        rows_search(1) <= 0;
+        rows_reference(1) <= 0;
       end if;
       if rows_ready_tag_valid then
-        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 128) + ((rows_search_rows_ready_words_1 mod
-          128) * 2097152);
-        rows_search_rows_write_words_1 <= (rows_search_rows_ready_words_1 / 128) + ((rows_search_rows_ready_words_2 mod
-          128) * 2097152);
-        rows_search_rows_write_words_2 <= (rows_search_rows_ready_words_2 / 128) + ((rows_search_rows_ready_words_3 mod
-          128) * 2097152);
+        rows_search_rows_write_words(0) <= (rows_search_rows_ready_words(0) / 128) + ((rows_search_rows_ready_words(1)
+          mod 128) * 2097152);
+        rows_search_rows_write_words(1) <= (rows_search_rows_ready_words(1) / 128) + ((rows_search_rows_ready_words(2)
+          mod 128) * 2097152);
+        rows_search_rows_write_words(2) <= (rows_search_rows_ready_words(2) / 128) + ((rows_search_rows_ready_words_3
+          mod 128) * 2097152);
         rows_search_rows_write_words_3 <= (rows_search_rows_ready_words_3 / 128) + (rows_search_rows_ready_newest_0 *
           16384);
-        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 128) +
-          ((rows_reference_rows_ready_words_1 mod 128) * 2097152);
-        rows_reference_rows_write_words_1 <= (rows_reference_rows_ready_words_1 / 128) +
-          ((rows_reference_rows_ready_words_2 mod 128) * 2097152);
-        rows_reference_rows_write_words_2 <= (rows_reference_rows_ready_words_2 / 128) +
+        rows_reference_rows_write_words(0) <= (rows_reference_rows_ready_words(0) / 128) +
+          ((rows_reference_rows_ready_words(1) mod 128) * 2097152);
+        rows_reference_rows_write_words(1) <= (rows_reference_rows_ready_words(1) / 128) +
+          ((rows_reference_rows_ready_words(2) mod 128) * 2097152);
+        rows_reference_rows_write_words(2) <= (rows_reference_rows_ready_words(2) / 128) +
           ((rows_reference_rows_ready_words_3 mod 128) * 2097152);
         rows_reference_rows_write_words_3 <= (rows_reference_rows_ready_words_3 / 128) +
           (rows_reference_rows_ready_newest_0 * 16384);
@@ -2483,43 +1929,17 @@ begin
       end if;
       -- slice0shift
       if rows_tag_valid then
-        slice0shift_search_0_0 <= rows_search_0;
-        slice0shift_search_0_1 <= slice0shift_search_0_0;
-        slice0shift_search_0_2 <= slice0shift_search_0_1;
-        slice0shift_search_0_3 <= slice0shift_search_0_2;
-        slice0shift_search_0_4 <= slice0shift_search_0_3;
-        slice0shift_search_0_5 <= slice0shift_search_0_4;
-        slice0shift_search_0_6 <= slice0shift_search_0_5;
-        slice0shift_search_0_7 <= slice0shift_search_0_6;
-        slice0shift_search_0_8 <= slice0shift_search_0_7;
-        slice0shift_search_0_9 <= slice0shift_search_0_8;
-        slice0shift_search_0_10 <= slice0shift_search_0_9;
-        slice0shift_search_0_11 <= slice0shift_search_0_10;
-        slice0shift_search_0_12 <= slice0shift_search_0_11;
-        slice0shift_search_0_13 <= slice0shift_search_0_12;
-        slice0shift_search_0_14 <= slice0shift_search_0_13;
-        slice0shift_search_0_15 <= slice0shift_search_0_14;
-        slice0shift_search_1_0 <= rows_search_1;
-        slice0shift_search_1_1 <= slice0shift_search_1_0;
-        slice0shift_search_1_2 <= slice0shift_search_1_1;
-        slice0shift_search_1_3 <= slice0shift_search_1_2;
-        slice0shift_search_1_4 <= slice0shift_search_1_3;
-        slice0shift_search_1_5 <= slice0shift_search_1_4;
-        slice0shift_search_1_6 <= slice0shift_search_1_5;
-        slice0shift_search_1_7 <= slice0shift_search_1_6;
-        slice0shift_search_1_8 <= slice0shift_search_1_7;
-        slice0shift_search_1_9 <= slice0shift_search_1_8;
-        slice0shift_search_1_10 <= slice0shift_search_1_9;
-        slice0shift_search_1_11 <= slice0shift_search_1_10;
-        slice0shift_search_1_12 <= slice0shift_search_1_11;
-        slice0shift_search_1_13 <= slice0shift_search_1_12;
-        slice0shift_search_1_14 <= slice0shift_search_1_13;
-        slice0shift_search_1_15 <= slice0shift_search_1_14;
+        for i in 0 to 1 loop
+          slice0shift_search(i, 0) <= rows_search(i);
+          for j in 1 to 15 loop
+            slice0shift_search(i, j) <= slice0shift_search(i, j - 1);
+          end loop;
+        end loop;
       end if;
-      slice0shift_reference_0 <= rows_reference_0;
-      slice0shift_reference_1 <= rows_reference_1;
-      slice0shift_search_out_0 <= slice0shift_search_0_15;
-      slice0shift_search_out_1 <= slice0shift_search_1_15;
+      slice0shift_reference(0) <= rows_reference(0);
+      slice0shift_reference(1) <= rows_reference(1);
+      slice0shift_search_out(0) <= slice0shift_search(0, 15);
+      slice0shift_search_out(1) <= slice0shift_search(1, 15);
       slice0shift_tag_valid <= rows_tag_valid;
       slice0shift_tag_row_start <= rows_tag_row_start;
       slice0shift_tag_first_group <= rows_tag_first_group;
@@ -2530,198 +1950,57 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
+      for i in 0 to 4 loop
+        if slice0cost_ready_tag_first_group then
+          slice0cost_column_0_choice(3 * i) := 0;
+        else
+          slice0cost_column_0_choice(3 * i) := slice0cost_ready_words(i) mod 1024;
+        end if;
+        if slice0cost_ready_tag_border_column then
+          slice0cost_column_0_choice_2(3 * i) := 0;
+        else
+          slice0cost_column_0_choice_2(3 * i) := (slice0cost_change_0(3 * i) + slice0cost_column_0_choice(3 * i)) mod
+            1024;
+        end if;
+        if slice0cost_ready_tag_first_group then
+          slice0cost_column_0_choice(3 * i + 1) := 0;
+        else
+          slice0cost_column_0_choice(3 * i + 1) := (slice0cost_ready_words(i) / 1024) mod 1024;
+        end if;
+        if slice0cost_ready_tag_border_column then
+          slice0cost_column_0_choice_2(3 * i + 1) := 0;
+        else
+          slice0cost_column_0_choice_2(3 * i + 1) := (slice0cost_change_0(3 * i + 1) + slice0cost_column_0_choice(3 * i
+            + 1)) mod 1024;
+        end if;
+        if slice0cost_ready_tag_first_group then
+          slice0cost_column_0_choice(3 * i + 2) := 0;
+        else
+          slice0cost_column_0_choice(3 * i + 2) := slice0cost_ready_words(i) / 1048576;
+        end if;
+        if slice0cost_ready_tag_border_column then
+          slice0cost_column_0_choice_2(3 * i + 2) := 0;
+        else
+          slice0cost_column_0_choice_2(3 * i + 2) := (slice0cost_change_0(3 * i + 2) + slice0cost_column_0_choice(3 * i
+            + 2)) mod 1024;
+        end if;
+      end loop;
       if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_0_choice := 0;
+        slice0cost_column_0_choice(15) := 0;
       else
-        slice0cost_column_0_0_choice := slice0cost_ready_words_0 mod 1024;
+        slice0cost_column_0_choice(15) := slice0cost_ready_words_5;
       end if;
       if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_0_choice_2 := 0;
+        slice0cost_column_0_choice_2(15) := 0;
       else
-        slice0cost_column_0_0_choice_2 := (slice0cost_change_0_0 + slice0cost_column_0_0_choice) mod 1024;
+        slice0cost_column_0_choice_2(15) := (slice0cost_change_0(15) + slice0cost_column_0_choice(15)) mod 1024;
       end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_1_choice := 0;
-      else
-        slice0cost_column_0_1_choice := (slice0cost_ready_words_0 / 1024) mod 1024;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_1_choice_2 := 0;
-      else
-        slice0cost_column_0_1_choice_2 := (slice0cost_change_0_1 + slice0cost_column_0_1_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_2_choice := 0;
-      else
-        slice0cost_column_0_2_choice := slice0cost_ready_words_0 / 1048576;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_2_choice_2 := 0;
-      else
-        slice0cost_column_0_2_choice_2 := (slice0cost_change_0_2 + slice0cost_column_0_2_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_3_choice := 0;
-      else
-        slice0cost_column_0_3_choice := slice0cost_ready_words_1 mod 1024;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_3_choice_2 := 0;
-      else
-        slice0cost_column_0_3_choice_2 := (slice0cost_change_0_3 + slice0cost_column_0_3_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_4_choice := 0;
-      else
-        slice0cost_column_0_4_choice := (slice0cost_ready_words_1 / 1024) mod 1024;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_4_choice_2 := 0;
-      else
-        slice0cost_column_0_4_choice_2 := (slice0cost_change_0_4 + slice0cost_column_0_4_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_5_choice := 0;
-      else
-        slice0cost_column_0_5_choice := slice0cost_ready_words_1 / 1048576;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_5_choice_2 := 0;
-      else
-        slice0cost_column_0_5_choice_2 := (slice0cost_change_0_5 + slice0cost_column_0_5_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_6_choice := 0;
-      else
-        slice0cost_column_0_6_choice := slice0cost_ready_words_2 mod 1024;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_6_choice_2 := 0;
-      else
-        slice0cost_column_0_6_choice_2 := (slice0cost_change_0_6 + slice0cost_column_0_6_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_7_choice := 0;
-      else
-        slice0cost_column_0_7_choice := (slice0cost_ready_words_2 / 1024) mod 1024;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_7_choice_2 := 0;
-      else
-        slice0cost_column_0_7_choice_2 := (slice0cost_change_0_7 + slice0cost_column_0_7_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_8_choice := 0;
-      else
-        slice0cost_column_0_8_choice := slice0cost_ready_words_2 / 1048576;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_8_choice_2 := 0;
-      else
-        slice0cost_column_0_8_choice_2 := (slice0cost_change_0_8 + slice0cost_column_0_8_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_9_choice := 0;
-      else
-        slice0cost_column_0_9_choice := slice0cost_ready_words_3 mod 1024;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_9_choice_2 := 0;
-      else
-        slice0cost_column_0_9_choice_2 := (slice0cost_change_0_9 + slice0cost_column_0_9_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_10_choice := 0;
-      else
-        slice0cost_column_0_10_choice := (slice0cost_ready_words_3 / 1024) mod 1024;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_10_choice_2 := 0;
-      else
-        slice0cost_column_0_10_choice_2 := (slice0cost_change_0_10 + slice0cost_column_0_10_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_11_choice := 0;
-      else
-        slice0cost_column_0_11_choice := slice0cost_ready_words_3 / 1048576;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_11_choice_2 := 0;
-      else
-        slice0cost_column_0_11_choice_2 := (slice0cost_change_0_11 + slice0cost_column_0_11_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_12_choice := 0;
-      else
-        slice0cost_column_0_12_choice := slice0cost_ready_words_4 mod 1024;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_12_choice_2 := 0;
-      else
-        slice0cost_column_0_12_choice_2 := (slice0cost_change_0_12 + slice0cost_column_0_12_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_13_choice := 0;
-      else
-        slice0cost_column_0_13_choice := (slice0cost_ready_words_4 / 1024) mod 1024;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_13_choice_2 := 0;
-      else
-        slice0cost_column_0_13_choice_2 := (slice0cost_change_0_13 + slice0cost_column_0_13_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_14_choice := 0;
-      else
-        slice0cost_column_0_14_choice := slice0cost_ready_words_4 / 1048576;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_14_choice_2 := 0;
-      else
-        slice0cost_column_0_14_choice_2 := (slice0cost_change_0_14 + slice0cost_column_0_14_choice) mod 1024;
-      end if;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_15_choice := 0;
-      else
-        slice0cost_column_0_15_choice := slice0cost_ready_words_5;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_15_choice_2 := 0;
-      else
-        slice0cost_column_0_15_choice_2 := (slice0cost_change_0_15 + slice0cost_column_0_15_choice) mod 1024;
-      end if;
-      slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_5 <= slice0shift_search_0_5 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_6 <= slice0shift_search_0_6 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_7 <= slice0shift_search_0_7 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_8 <= slice0shift_search_0_8 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_9 <= slice0shift_search_0_9 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_10 <= slice0shift_search_0_10 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_11 <= slice0shift_search_0_11 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_12 <= slice0shift_search_0_12 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_13 <= slice0shift_search_0_13 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_14 <= slice0shift_search_0_14 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_15 <= slice0shift_search_0_15 - slice0shift_reference_0;
-      slice0cost_pixels_first_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_3 <= slice0shift_search_1_3 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_4 <= slice0shift_search_1_4 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_5 <= slice0shift_search_1_5 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_6 <= slice0shift_search_1_6 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_7 <= slice0shift_search_1_7 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_8 <= slice0shift_search_1_8 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_9 <= slice0shift_search_1_9 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_10 <= slice0shift_search_1_10 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_11 <= slice0shift_search_1_11 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_12 <= slice0shift_search_1_12 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_13 <= slice0shift_search_1_13 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_14 <= slice0shift_search_1_14 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_15 <= slice0shift_search_1_15 - slice0shift_reference_1;
+      for i in 0 to 15 loop
+        slice0cost_pixels_first(0, i) <= slice0shift_search(0, i) - slice0shift_reference(0);
+      end loop;
+      for i in 0 to 15 loop
+        slice0cost_pixels_first(1, i) <= slice0shift_search(1, i) - slice0shift_reference(1);
+      end loop;
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
       slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
@@ -2731,50 +2010,12 @@ begin
       slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pixels_cost_0_0 <= folded(slice0cost_pixels_first_0_0) + as_number((slice0cost_pixels_first_0_0 < 0));
-      slice0cost_pixels_cost_0_1 <= folded(slice0cost_pixels_first_0_1) + as_number((slice0cost_pixels_first_0_1 < 0));
-      slice0cost_pixels_cost_0_2 <= folded(slice0cost_pixels_first_0_2) + as_number((slice0cost_pixels_first_0_2 < 0));
-      slice0cost_pixels_cost_0_3 <= folded(slice0cost_pixels_first_0_3) + as_number((slice0cost_pixels_first_0_3 < 0));
-      slice0cost_pixels_cost_0_4 <= folded(slice0cost_pixels_first_0_4) + as_number((slice0cost_pixels_first_0_4 < 0));
-      slice0cost_pixels_cost_0_5 <= folded(slice0cost_pixels_first_0_5) + as_number((slice0cost_pixels_first_0_5 < 0));
-      slice0cost_pixels_cost_0_6 <= folded(slice0cost_pixels_first_0_6) + as_number((slice0cost_pixels_first_0_6 < 0));
-      slice0cost_pixels_cost_0_7 <= folded(slice0cost_pixels_first_0_7) + as_number((slice0cost_pixels_first_0_7 < 0));
-      slice0cost_pixels_cost_0_8 <= folded(slice0cost_pixels_first_0_8) + as_number((slice0cost_pixels_first_0_8 < 0));
-      slice0cost_pixels_cost_0_9 <= folded(slice0cost_pixels_first_0_9) + as_number((slice0cost_pixels_first_0_9 < 0));
-      slice0cost_pixels_cost_0_10 <= folded(slice0cost_pixels_first_0_10) + as_number((slice0cost_pixels_first_0_10 <
-        0));
-      slice0cost_pixels_cost_0_11 <= folded(slice0cost_pixels_first_0_11) + as_number((slice0cost_pixels_first_0_11 <
-        0));
-      slice0cost_pixels_cost_0_12 <= folded(slice0cost_pixels_first_0_12) + as_number((slice0cost_pixels_first_0_12 <
-        0));
-      slice0cost_pixels_cost_0_13 <= folded(slice0cost_pixels_first_0_13) + as_number((slice0cost_pixels_first_0_13 <
-        0));
-      slice0cost_pixels_cost_0_14 <= folded(slice0cost_pixels_first_0_14) + as_number((slice0cost_pixels_first_0_14 <
-        0));
-      slice0cost_pixels_cost_0_15 <= folded(slice0cost_pixels_first_0_15) + as_number((slice0cost_pixels_first_0_15 <
-        0));
-      slice0cost_pixels_cost_1_0 <= folded(slice0cost_pixels_first_1_0) + as_number((slice0cost_pixels_first_1_0 < 0));
-      slice0cost_pixels_cost_1_1 <= folded(slice0cost_pixels_first_1_1) + as_number((slice0cost_pixels_first_1_1 < 0));
-      slice0cost_pixels_cost_1_2 <= folded(slice0cost_pixels_first_1_2) + as_number((slice0cost_pixels_first_1_2 < 0));
-      slice0cost_pixels_cost_1_3 <= folded(slice0cost_pixels_first_1_3) + as_number((slice0cost_pixels_first_1_3 < 0));
-      slice0cost_pixels_cost_1_4 <= folded(slice0cost_pixels_first_1_4) + as_number((slice0cost_pixels_first_1_4 < 0));
-      slice0cost_pixels_cost_1_5 <= folded(slice0cost_pixels_first_1_5) + as_number((slice0cost_pixels_first_1_5 < 0));
-      slice0cost_pixels_cost_1_6 <= folded(slice0cost_pixels_first_1_6) + as_number((slice0cost_pixels_first_1_6 < 0));
-      slice0cost_pixels_cost_1_7 <= folded(slice0cost_pixels_first_1_7) + as_number((slice0cost_pixels_first_1_7 < 0));
-      slice0cost_pixels_cost_1_8 <= folded(slice0cost_pixels_first_1_8) + as_number((slice0cost_pixels_first_1_8 < 0));
-      slice0cost_pixels_cost_1_9 <= folded(slice0cost_pixels_first_1_9) + as_number((slice0cost_pixels_first_1_9 < 0));
-      slice0cost_pixels_cost_1_10 <= folded(slice0cost_pixels_first_1_10) + as_number((slice0cost_pixels_first_1_10 <
-        0));
-      slice0cost_pixels_cost_1_11 <= folded(slice0cost_pixels_first_1_11) + as_number((slice0cost_pixels_first_1_11 <
-        0));
-      slice0cost_pixels_cost_1_12 <= folded(slice0cost_pixels_first_1_12) + as_number((slice0cost_pixels_first_1_12 <
-        0));
-      slice0cost_pixels_cost_1_13 <= folded(slice0cost_pixels_first_1_13) + as_number((slice0cost_pixels_first_1_13 <
-        0));
-      slice0cost_pixels_cost_1_14 <= folded(slice0cost_pixels_first_1_14) + as_number((slice0cost_pixels_first_1_14 <
-        0));
-      slice0cost_pixels_cost_1_15 <= folded(slice0cost_pixels_first_1_15) + as_number((slice0cost_pixels_first_1_15 <
-        0));
+      for i in 0 to 1 loop
+        for j in 0 to 15 loop
+          slice0cost_pixels_cost(i, j) <= folded(slice0cost_pixels_first(i, j)) + as_number((slice0cost_pixels_first(i,
+            j) < 0));
+        end loop;
+      end loop;
       slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
       slice0cost_pixels_tag_row_start <= slice0cost_pixels_first_tag_row_start;
       slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
@@ -2784,27 +2025,12 @@ begin
       slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
       slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
       slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
-      slice0cost_change_0_0 <= slice0cost_pixels_cost_1_0 - slice0cost_pixels_cost_0_0;
-      slice0cost_change_0_1 <= slice0cost_pixels_cost_1_1 - slice0cost_pixels_cost_0_1;
-      slice0cost_change_0_2 <= slice0cost_pixels_cost_1_2 - slice0cost_pixels_cost_0_2;
-      slice0cost_change_0_3 <= slice0cost_pixels_cost_1_3 - slice0cost_pixels_cost_0_3;
-      slice0cost_change_0_4 <= slice0cost_pixels_cost_1_4 - slice0cost_pixels_cost_0_4;
-      slice0cost_change_0_5 <= slice0cost_pixels_cost_1_5 - slice0cost_pixels_cost_0_5;
-      slice0cost_change_0_6 <= slice0cost_pixels_cost_1_6 - slice0cost_pixels_cost_0_6;
-      slice0cost_change_0_7 <= slice0cost_pixels_cost_1_7 - slice0cost_pixels_cost_0_7;
-      slice0cost_change_0_8 <= slice0cost_pixels_cost_1_8 - slice0cost_pixels_cost_0_8;
-      slice0cost_change_0_9 <= slice0cost_pixels_cost_1_9 - slice0cost_pixels_cost_0_9;
-      slice0cost_change_0_10 <= slice0cost_pixels_cost_1_10 - slice0cost_pixels_cost_0_10;
-      slice0cost_change_0_11 <= slice0cost_pixels_cost_1_11 - slice0cost_pixels_cost_0_11;
-      slice0cost_change_0_12 <= slice0cost_pixels_cost_1_12 - slice0cost_pixels_cost_0_12;
-      slice0cost_change_0_13 <= slice0cost_pixels_cost_1_13 - slice0cost_pixels_cost_0_13;
-      slice0cost_change_0_14 <= slice0cost_pixels_cost_1_14 - slice0cost_pixels_cost_0_14;
-      slice0cost_change_0_15 <= slice0cost_pixels_cost_1_15 - slice0cost_pixels_cost_0_15;
-      slice0cost_ready_words_0 <= to_integer(slice0cost_read_words_0);
-      slice0cost_ready_words_1 <= to_integer(slice0cost_read_words_1);
-      slice0cost_ready_words_2 <= to_integer(slice0cost_read_words_2);
-      slice0cost_ready_words_3 <= to_integer(slice0cost_read_words_3);
-      slice0cost_ready_words_4 <= to_integer(slice0cost_read_words_4);
+      for i in 0 to 15 loop
+        slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
+      end loop;
+      for i in 0 to 4 loop
+        slice0cost_ready_words(i) <= to_integer(slice0cost_read_words(i));
+      end loop;
       slice0cost_ready_words_5 <= to_integer(slice0cost_read_words_5);
       slice0cost_ready_column <= slice0cost_change_column;
       slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
@@ -2816,22 +2042,9 @@ begin
       slice0cost_ready_tag_output_column <= slice0cost_pixels_tag_output_column;
       slice0cost_ready_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
       slice0cost_ready_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_column_0_0 <= slice0cost_column_0_0_choice_2;
-      slice0cost_column_0_1 <= slice0cost_column_0_1_choice_2;
-      slice0cost_column_0_2 <= slice0cost_column_0_2_choice_2;
-      slice0cost_column_0_3 <= slice0cost_column_0_3_choice_2;
-      slice0cost_column_0_4 <= slice0cost_column_0_4_choice_2;
-      slice0cost_column_0_5 <= slice0cost_column_0_5_choice_2;
-      slice0cost_column_0_6 <= slice0cost_column_0_6_choice_2;
-      slice0cost_column_0_7 <= slice0cost_column_0_7_choice_2;
-      slice0cost_column_0_8 <= slice0cost_column_0_8_choice_2;
-      slice0cost_column_0_9 <= slice0cost_column_0_9_choice_2;
-      slice0cost_column_0_10 <= slice0cost_column_0_10_choice_2;
-      slice0cost_column_0_11 <= slice0cost_column_0_11_choice_2;
-      slice0cost_column_0_12 <= slice0cost_column_0_12_choice_2;
-      slice0cost_column_0_13 <= slice0cost_column_0_13_choice_2;
-      slice0cost_column_0_14 <= slice0cost_column_0_14_choice_2;
-      slice0cost_column_0_15 <= slice0cost_column_0_15_choice_2;
+      for i in 0 to 15 loop
+        slice0cost_column_0(i) <= slice0cost_column_0_choice_2(i);
+      end loop;
       slice0cost_write_column <= slice0cost_ready_column;
       slice0cost_tag_valid <= slice0cost_ready_tag_valid;
       slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
@@ -2856,17 +2069,11 @@ begin
         end if;
       end if;
       if slice0cost_ready_tag_valid then
-        slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 1024) + slice0cost_column_0_0_choice_2 +
-          (slice0cost_column_0_2_choice_2 * 1048576);
-        slice0cost_write_words_1 <= (slice0cost_column_0_4_choice_2 * 1024) + slice0cost_column_0_3_choice_2 +
-          (slice0cost_column_0_5_choice_2 * 1048576);
-        slice0cost_write_words_2 <= (slice0cost_column_0_7_choice_2 * 1024) + slice0cost_column_0_6_choice_2 +
-          (slice0cost_column_0_8_choice_2 * 1048576);
-        slice0cost_write_words_3 <= (slice0cost_column_0_10_choice_2 * 1024) + slice0cost_column_0_9_choice_2 +
-          (slice0cost_column_0_11_choice_2 * 1048576);
-        slice0cost_write_words_4 <= (slice0cost_column_0_13_choice_2 * 1024) + slice0cost_column_0_12_choice_2 +
-          (slice0cost_column_0_14_choice_2 * 1048576);
-        slice0cost_write_words_5 <= slice0cost_column_0_15_choice_2;
+        for i in 0 to 4 loop
+          slice0cost_write_words(i) <= (slice0cost_column_0_choice_2(3 * i + 1) * 1024) +
+            slice0cost_column_0_choice_2(3 * i) + (slice0cost_column_0_choice_2(3 * i + 2) * 1048576);
+        end loop;
+        slice0cost_write_words_5 <= slice0cost_column_0_choice_2(15);
       end if;
       -- slice0window
       if slice0cost_tag_valid then
@@ -2877,102 +2084,39 @@ begin
           slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 16;
         end if;
       end if;
+      for i in 0 to 1 loop
+        for j in 0 to 2 loop
+          if slice0window_entering_tag_leaves_window then
+            slice0window_change_0_choice(6 * i + j) := to_integer(slice0window_leaving(2 * i)(10 * j + 9 downto 10 *
+              j));
+          else
+            slice0window_change_0_choice(6 * i + j) := 0;
+          end if;
+        end loop;
+        for j in 3 to 5 loop
+          if slice0window_entering_tag_leaves_window then
+            slice0window_change_0_choice(6 * i + j) := to_integer(slice0window_leaving(2 * i + 1)(10 * j - 21 downto 10
+              * j - 30));
+          else
+            slice0window_change_0_choice(6 * i + j) := 0;
+          end if;
+        end loop;
+      end loop;
+      for i in 12 to 14 loop
+        if slice0window_entering_tag_leaves_window then
+          slice0window_change_0_choice(i) := to_integer(slice0window_leaving(4)(10 * i - 111 downto 10 * i - 120));
+        else
+          slice0window_change_0_choice(i) := 0;
+        end if;
+      end loop;
       if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(9 downto 0));
+        slice0window_change_0_choice(15) := to_integer(slice0window_leaving_5);
       else
-        slice0window_change_0_0_choice := 0;
+        slice0window_change_0_choice(15) := 0;
       end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(19 downto 10));
-      else
-        slice0window_change_0_1_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_2_choice := to_integer(slice0window_leaving_0(29 downto 20));
-      else
-        slice0window_change_0_2_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_3_choice := to_integer(slice0window_leaving_1(9 downto 0));
-      else
-        slice0window_change_0_3_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_4_choice := to_integer(slice0window_leaving_1(19 downto 10));
-      else
-        slice0window_change_0_4_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_5_choice := to_integer(slice0window_leaving_1(29 downto 20));
-      else
-        slice0window_change_0_5_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_6_choice := to_integer(slice0window_leaving_2(9 downto 0));
-      else
-        slice0window_change_0_6_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_7_choice := to_integer(slice0window_leaving_2(19 downto 10));
-      else
-        slice0window_change_0_7_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_8_choice := to_integer(slice0window_leaving_2(29 downto 20));
-      else
-        slice0window_change_0_8_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_9_choice := to_integer(slice0window_leaving_3(9 downto 0));
-      else
-        slice0window_change_0_9_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_10_choice := to_integer(slice0window_leaving_3(19 downto 10));
-      else
-        slice0window_change_0_10_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_11_choice := to_integer(slice0window_leaving_3(29 downto 20));
-      else
-        slice0window_change_0_11_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_12_choice := to_integer(slice0window_leaving_4(9 downto 0));
-      else
-        slice0window_change_0_12_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_13_choice := to_integer(slice0window_leaving_4(19 downto 10));
-      else
-        slice0window_change_0_13_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_14_choice := to_integer(slice0window_leaving_4(29 downto 20));
-      else
-        slice0window_change_0_14_choice := 0;
-      end if;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_15_choice := to_integer(slice0window_leaving_5);
-      else
-        slice0window_change_0_15_choice := 0;
-      end if;
-      slice0window_entering_0_0 <= slice0cost_column_0_0;
-      slice0window_entering_0_1 <= slice0cost_column_0_1;
-      slice0window_entering_0_2 <= slice0cost_column_0_2;
-      slice0window_entering_0_3 <= slice0cost_column_0_3;
-      slice0window_entering_0_4 <= slice0cost_column_0_4;
-      slice0window_entering_0_5 <= slice0cost_column_0_5;
-      slice0window_entering_0_6 <= slice0cost_column_0_6;
-      slice0window_entering_0_7 <= slice0cost_column_0_7;
-      slice0window_entering_0_8 <= slice0cost_column_0_8;
-      slice0window_entering_0_9 <= slice0cost_column_0_9;
-      slice0window_entering_0_10 <= slice0cost_column_0_10;
-      slice0window_entering_0_11 <= slice0cost_column_0_11;
-      slice0window_entering_0_12 <= slice0cost_column_0_12;
-      slice0window_entering_0_13 <= slice0cost_column_0_13;
-      slice0window_entering_0_14 <= slice0cost_column_0_14;
-      slice0window_entering_0_15 <= slice0cost_column_0_15;
+      for i in 0 to 15 loop
+        slice0window_entering_0(i) <= slice0cost_column_0(i);
+      end loop;
       slice0window_entering_tag_valid <= slice0cost_tag_valid;
       slice0window_entering_tag_first_group <= slice0cost_tag_first_group;
       slice0window_entering_tag_border_column <= slice0cost_tag_border_column;
@@ -2981,22 +2125,9 @@ begin
       slice0window_entering_tag_output_column <= slice0cost_tag_output_column;
       slice0window_entering_tag_start_of_frame <= slice0cost_tag_start_of_frame;
       slice0window_entering_tag_end_of_line <= slice0cost_tag_end_of_line;
-      slice0window_change_0_0 <= slice0window_entering_0_0 - slice0window_change_0_0_choice;
-      slice0window_change_0_1 <= slice0window_entering_0_1 - slice0window_change_0_1_choice;
-      slice0window_change_0_2 <= slice0window_entering_0_2 - slice0window_change_0_2_choice;
-      slice0window_change_0_3 <= slice0window_entering_0_3 - slice0window_change_0_3_choice;
-      slice0window_change_0_4 <= slice0window_entering_0_4 - slice0window_change_0_4_choice;
-      slice0window_change_0_5 <= slice0window_entering_0_5 - slice0window_change_0_5_choice;
-      slice0window_change_0_6 <= slice0window_entering_0_6 - slice0window_change_0_6_choice;
-      slice0window_change_0_7 <= slice0window_entering_0_7 - slice0window_change_0_7_choice;
-      slice0window_change_0_8 <= slice0window_entering_0_8 - slice0window_change_0_8_choice;
-      slice0window_change_0_9 <= slice0window_entering_0_9 - slice0window_change_0_9_choice;
-      slice0window_change_0_10 <= slice0window_entering_0_10 - slice0window_change_0_10_choice;
-      slice0window_change_0_11 <= slice0window_entering_0_11 - slice0window_change_0_11_choice;
-      slice0window_change_0_12 <= slice0window_entering_0_12 - slice0window_change_0_12_choice;
-      slice0window_change_0_13 <= slice0window_entering_0_13 - slice0window_change_0_13_choice;
-      slice0window_change_0_14 <= slice0window_entering_0_14 - slice0window_change_0_14_choice;
-      slice0window_change_0_15 <= slice0window_entering_0_15 - slice0window_change_0_15_choice;
+      for i in 0 to 15 loop
+        slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
+      end loop;
       slice0window_change_tag_valid <= slice0window_entering_tag_valid;
       slice0window_change_tag_first_group <= slice0window_entering_tag_first_group;
       slice0window_change_tag_border_column <= slice0window_entering_tag_border_column;
@@ -3006,715 +2137,419 @@ begin
       slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
       slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
       slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
-      slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
-      slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
+      slice0window_centre_start_of_frame(0) <= slice0window_change_tag_start_of_frame;
+      slice0window_centre_start_of_frame(1) <= slice0window_centre_start_of_frame(0);
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_0_choice := 0;
-      else
-        slice0window_sum_0_0_choice := slice0window_sum_0_0;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_1_choice := 0;
-      else
-        slice0window_sum_0_1_choice := slice0window_sum_0_1;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_2_choice := 0;
-      else
-        slice0window_sum_0_2_choice := slice0window_sum_0_2;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_3_choice := 0;
-      else
-        slice0window_sum_0_3_choice := slice0window_sum_0_3;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_4_choice := 0;
-      else
-        slice0window_sum_0_4_choice := slice0window_sum_0_4;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_5_choice := 0;
-      else
-        slice0window_sum_0_5_choice := slice0window_sum_0_5;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_6_choice := 0;
-      else
-        slice0window_sum_0_6_choice := slice0window_sum_0_6;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_7_choice := 0;
-      else
-        slice0window_sum_0_7_choice := slice0window_sum_0_7;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_8_choice := 0;
-      else
-        slice0window_sum_0_8_choice := slice0window_sum_0_8;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_9_choice := 0;
-      else
-        slice0window_sum_0_9_choice := slice0window_sum_0_9;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_10_choice := 0;
-      else
-        slice0window_sum_0_10_choice := slice0window_sum_0_10;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_11_choice := 0;
-      else
-        slice0window_sum_0_11_choice := slice0window_sum_0_11;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_12_choice := 0;
-      else
-        slice0window_sum_0_12_choice := slice0window_sum_0_12;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_13_choice := 0;
-      else
-        slice0window_sum_0_13_choice := slice0window_sum_0_13;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_14_choice := 0;
-      else
-        slice0window_sum_0_14_choice := slice0window_sum_0_14;
-      end if;
-      if slice0window_change_tag_first_cost then
-        slice0window_sum_0_15_choice := 0;
-      else
-        slice0window_sum_0_15_choice := slice0window_sum_0_15;
-      end if;
+      for i in 0 to 15 loop
+        if slice0window_change_tag_first_cost then
+          slice0window_sum_0_choice(i) := 0;
+        else
+          slice0window_sum_0_choice(i) := slice0window_sum_0(i);
+        end if;
+      end loop;
       if slice0window_change_tag_valid then
-        slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 16384;
-        slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 16384;
-        slice0window_sum_0_2 <= (slice0window_sum_0_2_choice + slice0window_change_0_2) mod 16384;
-        slice0window_sum_0_3 <= (slice0window_sum_0_3_choice + slice0window_change_0_3) mod 16384;
-        slice0window_sum_0_4 <= (slice0window_sum_0_4_choice + slice0window_change_0_4) mod 16384;
-        slice0window_sum_0_5 <= (slice0window_sum_0_5_choice + slice0window_change_0_5) mod 16384;
-        slice0window_sum_0_6 <= (slice0window_sum_0_6_choice + slice0window_change_0_6) mod 16384;
-        slice0window_sum_0_7 <= (slice0window_sum_0_7_choice + slice0window_change_0_7) mod 16384;
-        slice0window_sum_0_8 <= (slice0window_sum_0_8_choice + slice0window_change_0_8) mod 16384;
-        slice0window_sum_0_9 <= (slice0window_sum_0_9_choice + slice0window_change_0_9) mod 16384;
-        slice0window_sum_0_10 <= (slice0window_sum_0_10_choice + slice0window_change_0_10) mod 16384;
-        slice0window_sum_0_11 <= (slice0window_sum_0_11_choice + slice0window_change_0_11) mod 16384;
-        slice0window_sum_0_12 <= (slice0window_sum_0_12_choice + slice0window_change_0_12) mod 16384;
-        slice0window_sum_0_13 <= (slice0window_sum_0_13_choice + slice0window_change_0_13) mod 16384;
-        slice0window_sum_0_14 <= (slice0window_sum_0_14_choice + slice0window_change_0_14) mod 16384;
-        slice0window_sum_0_15 <= (slice0window_sum_0_15_choice + slice0window_change_0_15) mod 16384;
+        for i in 0 to 15 loop
+          slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 16384;
+        end loop;
       end if;
       -- slice0winner1
-      slice0winner1_best_index_0_0_is_not_less := (slice0window_sum_0_0 - slice0window_sum_0_1) >= 0;
-      slice0winner1_best_index_0_1_is_less := (slice0window_sum_0_2 - slice0window_sum_0_3) < 0;
-      slice0winner1_best_index_0_2_is_less := (slice0window_sum_0_4 - slice0window_sum_0_5) < 0;
-      slice0winner1_best_index_0_3_is_less := (slice0window_sum_0_6 - slice0window_sum_0_7) < 0;
-      slice0winner1_best_index_0_4_is_less := (slice0window_sum_0_8 - slice0window_sum_0_9) < 0;
-      slice0winner1_best_index_0_5_is_less := (slice0window_sum_0_10 - slice0window_sum_0_11) < 0;
-      slice0winner1_best_index_0_6_is_less := (slice0window_sum_0_12 - slice0window_sum_0_13) < 0;
-      slice0winner1_best_index_0_7_is_less := (slice0window_sum_0_14 - slice0window_sum_0_15) < 0;
-      slice0winner1_held_0_0 <= slice0window_sum_0_0;
-      slice0winner1_held_0_1 <= slice0window_sum_0_1;
-      slice0winner1_held_0_2 <= slice0window_sum_0_2;
-      slice0winner1_held_0_3 <= slice0window_sum_0_3;
-      slice0winner1_held_0_4 <= slice0window_sum_0_4;
-      slice0winner1_held_0_5 <= slice0window_sum_0_5;
-      slice0winner1_held_0_6 <= slice0window_sum_0_6;
-      slice0winner1_held_0_7 <= slice0window_sum_0_7;
-      slice0winner1_held_0_8 <= slice0window_sum_0_8;
-      slice0winner1_held_0_9 <= slice0window_sum_0_9;
-      slice0winner1_held_0_10 <= slice0window_sum_0_10;
-      slice0winner1_held_0_11 <= slice0window_sum_0_11;
-      slice0winner1_held_0_12 <= slice0window_sum_0_12;
-      slice0winner1_held_0_13 <= slice0window_sum_0_13;
-      slice0winner1_held_0_14 <= slice0window_sum_0_14;
-      slice0winner1_held_0_15 <= slice0window_sum_0_15;
+      slice0winner1_best_index_0_0_is_not_less := (slice0window_sum_0(0) - slice0window_sum_0(1)) >= 0;
+      for i in 1 to 7 loop
+        slice0winner1_best_index_0_is_less(i) := (slice0window_sum_0(2 * i) - slice0window_sum_0(2 * i + 1)) < 0;
+      end loop;
+      for i in 0 to 15 loop
+        slice0winner1_held_0(i) <= slice0window_sum_0(i);
+      end loop;
       slice0winner1_best_index_0_0 <= slice0winner1_best_index_0_0_is_not_less;
-      slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
-      slice0winner1_best_late_cost_0_1 <= slice0winner1_best_cost_0_1;
-      slice0winner1_best_late_cost_0_2 <= slice0winner1_best_cost_0_2;
-      slice0winner1_best_late_cost_0_3 <= slice0winner1_best_cost_0_3;
-      slice0winner1_best_late_cost_0_4 <= slice0winner1_best_cost_0_4;
-      slice0winner1_best_late_cost_0_5 <= slice0winner1_best_cost_0_5;
-      slice0winner1_best_late_cost_0_6 <= slice0winner1_best_cost_0_6;
-      slice0winner1_best_late_cost_0_7 <= slice0winner1_best_cost_0_7;
-      slice0winner1_best_but_first_0_1 <= slice0winner1_held_0_3;
-      slice0winner1_best_but_first_0_2 <= slice0winner1_held_0_5;
-      slice0winner1_best_but_first_0_3 <= slice0winner1_held_0_7;
-      slice0winner1_best_but_first_0_4 <= slice0winner1_held_0_9;
-      slice0winner1_best_but_first_0_5 <= slice0winner1_held_0_11;
-      slice0winner1_best_but_first_0_6 <= slice0winner1_held_0_13;
-      slice0winner1_best_but_first_0_7 <= slice0winner1_held_0_15;
-      slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_0;
-      slice0winner1_best_but_last_0_1 <= slice0winner1_held_0_2;
-      slice0winner1_best_but_last_0_2 <= slice0winner1_held_0_4;
-      slice0winner1_best_but_last_0_3 <= slice0winner1_held_0_6;
-      slice0winner1_best_but_last_0_4 <= slice0winner1_held_0_8;
-      slice0winner1_best_but_last_0_5 <= slice0winner1_held_0_10;
-      slice0winner1_best_but_last_0_6 <= slice0winner1_held_0_12;
-      slice0winner1_best_but_last_0_7 <= slice0winner1_held_0_14;
+      for i in 0 to 7 loop
+        slice0winner1_best_late_cost_0(i) <= slice0winner1_best_cost_0(i);
+      end loop;
+      for i in 1 to 7 loop
+        slice0winner1_best_but_first_0(i) <= slice0winner1_held_0(2 * i + 1);
+      end loop;
+      for i in 0 to 7 loop
+        slice0winner1_best_but_last_0(i) <= slice0winner1_held_0(2 * i);
+      end loop;
       slice0winner1_tag_valid <= slice0window_tag_valid;
-      if (slice0window_sum_0_1 - slice0window_sum_0_0) < 0 then
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
-      else
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
-      end if;
-      if (slice0window_sum_0_3 - slice0window_sum_0_2) < 0 then
-        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
-      else
-        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      end if;
-      if (slice0window_sum_0_5 - slice0window_sum_0_4) < 0 then
-        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
-      else
-        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
-      end if;
-      if (slice0window_sum_0_7 - slice0window_sum_0_6) < 0 then
-        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
-      else
-        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
-      end if;
-      if (slice0window_sum_0_9 - slice0window_sum_0_8) < 0 then
-        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
-      else
-        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
-      end if;
-      if (slice0window_sum_0_11 - slice0window_sum_0_10) < 0 then
-        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
-      else
-        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
-      end if;
-      if (slice0window_sum_0_13 - slice0window_sum_0_12) < 0 then
-        slice0winner1_best_cost_0_6 <= slice0window_sum_0_13;
-      else
-        slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
-      end if;
-      if (slice0window_sum_0_15 - slice0window_sum_0_14) < 0 then
-        slice0winner1_best_cost_0_7 <= slice0window_sum_0_15;
-      else
-        slice0winner1_best_cost_0_7 <= slice0window_sum_0_14;
-      end if;
-      if slice0winner1_best_index_0_1_is_less then
+      for i in 0 to 7 loop
+        if (slice0window_sum_0(2 * i + 1) - slice0window_sum_0(2 * i)) < 0 then
+          slice0winner1_best_cost_0(i) <= slice0window_sum_0(2 * i + 1);
+        else
+          slice0winner1_best_cost_0(i) <= slice0window_sum_0(2 * i);
+        end if;
+      end loop;
+      if slice0winner1_best_index_0_is_less(1) then
         slice0winner1_best_index_0_1 <= 2;
-        slice0winner1_best_below_0_1 <= 0;
-        slice0winner1_best_above_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_below_0(1) <= 0;
+        slice0winner1_best_above_0(1) <= slice0window_sum_0(3);
       else
         slice0winner1_best_index_0_1 <= 3;
-        slice0winner1_best_below_0_1 <= slice0window_sum_0_2;
-        slice0winner1_best_above_0_1 <= 0;
+        slice0winner1_best_below_0(1) <= slice0window_sum_0(2);
+        slice0winner1_best_above_0(1) <= 0;
       end if;
-      if slice0winner1_best_index_0_2_is_less then
+      if slice0winner1_best_index_0_is_less(2) then
         slice0winner1_best_index_0_2 <= 4;
-        slice0winner1_best_below_0_2 <= 0;
-        slice0winner1_best_above_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_below_0(2) <= 0;
+        slice0winner1_best_above_0(2) <= slice0window_sum_0(5);
       else
         slice0winner1_best_index_0_2 <= 5;
-        slice0winner1_best_below_0_2 <= slice0window_sum_0_4;
-        slice0winner1_best_above_0_2 <= 0;
+        slice0winner1_best_below_0(2) <= slice0window_sum_0(4);
+        slice0winner1_best_above_0(2) <= 0;
       end if;
-      if slice0winner1_best_index_0_3_is_less then
+      if slice0winner1_best_index_0_is_less(3) then
         slice0winner1_best_index_0_3 <= 6;
-        slice0winner1_best_below_0_3 <= 0;
-        slice0winner1_best_above_0_3 <= slice0window_sum_0_7;
+        slice0winner1_best_below_0(3) <= 0;
+        slice0winner1_best_above_0(3) <= slice0window_sum_0(7);
       else
         slice0winner1_best_index_0_3 <= 7;
-        slice0winner1_best_below_0_3 <= slice0window_sum_0_6;
-        slice0winner1_best_above_0_3 <= 0;
+        slice0winner1_best_below_0(3) <= slice0window_sum_0(6);
+        slice0winner1_best_above_0(3) <= 0;
       end if;
-      if slice0winner1_best_index_0_4_is_less then
+      if slice0winner1_best_index_0_is_less(4) then
         slice0winner1_best_index_0_4 <= 8;
-        slice0winner1_best_below_0_4 <= 0;
-        slice0winner1_best_above_0_4 <= slice0window_sum_0_9;
+        slice0winner1_best_below_0(4) <= 0;
+        slice0winner1_best_above_0(4) <= slice0window_sum_0(9);
       else
         slice0winner1_best_index_0_4 <= 9;
-        slice0winner1_best_below_0_4 <= slice0window_sum_0_8;
-        slice0winner1_best_above_0_4 <= 0;
+        slice0winner1_best_below_0(4) <= slice0window_sum_0(8);
+        slice0winner1_best_above_0(4) <= 0;
       end if;
-      if slice0winner1_best_index_0_5_is_less then
+      if slice0winner1_best_index_0_is_less(5) then
         slice0winner1_best_index_0_5 <= 10;
-        slice0winner1_best_below_0_5 <= 0;
-        slice0winner1_best_above_0_5 <= slice0window_sum_0_11;
+        slice0winner1_best_below_0(5) <= 0;
+        slice0winner1_best_above_0(5) <= slice0window_sum_0(11);
       else
         slice0winner1_best_index_0_5 <= 11;
-        slice0winner1_best_below_0_5 <= slice0window_sum_0_10;
-        slice0winner1_best_above_0_5 <= 0;
+        slice0winner1_best_below_0(5) <= slice0window_sum_0(10);
+        slice0winner1_best_above_0(5) <= 0;
       end if;
-      if slice0winner1_best_index_0_6_is_less then
+      if slice0winner1_best_index_0_is_less(6) then
         slice0winner1_best_index_0_6 <= 12;
-        slice0winner1_best_below_0_6 <= 0;
-        slice0winner1_best_above_0_6 <= slice0window_sum_0_13;
+        slice0winner1_best_below_0(6) <= 0;
+        slice0winner1_best_above_0(6) <= slice0window_sum_0(13);
       else
         slice0winner1_best_index_0_6 <= 13;
-        slice0winner1_best_below_0_6 <= slice0window_sum_0_12;
-        slice0winner1_best_above_0_6 <= 0;
+        slice0winner1_best_below_0(6) <= slice0window_sum_0(12);
+        slice0winner1_best_above_0(6) <= 0;
       end if;
-      if slice0winner1_best_index_0_7_is_less then
+      if slice0winner1_best_index_0_is_less(7) then
         slice0winner1_best_index_0_7 <= 14;
-        slice0winner1_best_below_0_7 <= 0;
-        slice0winner1_best_above_0_7 <= slice0window_sum_0_15;
+        slice0winner1_best_below_0(7) <= 0;
+        slice0winner1_best_above_0(7) <= slice0window_sum_0(15);
       else
         slice0winner1_best_index_0_7 <= 15;
-        slice0winner1_best_below_0_7 <= slice0window_sum_0_14;
-        slice0winner1_best_above_0_7 <= 0;
+        slice0winner1_best_below_0(7) <= slice0window_sum_0(14);
+        slice0winner1_best_above_0(7) <= 0;
       end if;
       if slice0winner1_best_index_0_0_is_not_less then
-        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
-        slice0winner1_best_above_0_0 <= 0;
+        slice0winner1_best_below_0(0) <= slice0window_sum_0(0);
+        slice0winner1_best_above_0(0) <= 0;
       else
-        slice0winner1_best_below_0_0 <= 0;
-        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_below_0(0) <= 0;
+        slice0winner1_best_above_0(0) <= slice0window_sum_0(1);
       end if;
       -- slice0winner2
-      slice0winner2_best_index_0_0_is_not_less := (slice0winner1_best_cost_0_0 - slice0winner1_best_cost_0_1) >= 0;
-      slice0winner2_best_index_0_1_is_not_less := (slice0winner1_best_cost_0_2 - slice0winner1_best_cost_0_3) >= 0;
-      slice0winner2_best_index_0_2_is_not_less := (slice0winner1_best_cost_0_4 - slice0winner1_best_cost_0_5) >= 0;
-      slice0winner2_best_index_0_3_is_not_less := (slice0winner1_best_cost_0_6 - slice0winner1_best_cost_0_7) >= 0;
-      if other_19 then
-        slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1;
-      else
-        slice0winner2_best_below_0_0_choice := slice0winner1_best_below_0_1;
-      end if;
-      if other_20 then
-        slice0winner2_best_below_0_1_choice := slice0winner1_held_0_5;
-      else
-        slice0winner2_best_below_0_1_choice := slice0winner1_best_below_0_3;
-      end if;
-      if other_21 then
-        slice0winner2_best_below_0_2_choice := slice0winner1_held_0_9;
-      else
-        slice0winner2_best_below_0_2_choice := slice0winner1_best_below_0_5;
-      end if;
-      if other_22 then
-        slice0winner2_best_below_0_3_choice := slice0winner1_held_0_13;
-      else
-        slice0winner2_best_below_0_3_choice := slice0winner1_best_below_0_7;
-      end if;
+      for i in 0 to 3 loop
+        slice0winner2_best_index_0_is_not_less(i) := (slice0winner1_best_cost_0(2 * i) - slice0winner1_best_cost_0(2 *
+          i + 1)) >= 0;
+      end loop;
+      for i in 19 to 22 loop
+        if others_from_13(i) then
+          slice0winner2_best_below_0_choice(i - 19) := slice0winner1_held_0(4 * i - 75);
+        else
+          slice0winner2_best_below_0_choice(i - 19) := slice0winner1_best_below_0(2 * i - 37);
+        end if;
+      end loop;
       if slice0winner1_best_index_0_0 then
-        slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2;
+        slice0winner2_best_above_0_choice(0) := slice0winner1_held_0(2);
       else
-        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+        slice0winner2_best_above_0_choice(0) := slice0winner1_best_above_0(0);
       end if;
-      if ((slice0winner1_best_index_0_2 / 4) = 1) and ((slice0winner1_best_index_0_2 mod 2) = 1) then
-        slice0winner2_best_above_0_1_choice := slice0winner1_held_0_6;
+      if is_set(slice0winner1_best_index_0_2, 2) and is_set(slice0winner1_best_index_0_2, 0) then
+        slice0winner2_best_above_0_choice(1) := slice0winner1_held_0(6);
       else
-        slice0winner2_best_above_0_1_choice := slice0winner1_best_above_0_2;
+        slice0winner2_best_above_0_choice(1) := slice0winner1_best_above_0(2);
       end if;
-      if ((slice0winner1_best_index_0_4 / 8) = 1) and ((slice0winner1_best_index_0_4 mod 2) = 1) then
-        slice0winner2_best_above_0_2_choice := slice0winner1_held_0_10;
+      if is_set(slice0winner1_best_index_0_4, 3) and is_set(slice0winner1_best_index_0_4, 0) then
+        slice0winner2_best_above_0_choice(2) := slice0winner1_held_0(10);
       else
-        slice0winner2_best_above_0_2_choice := slice0winner1_best_above_0_4;
+        slice0winner2_best_above_0_choice(2) := slice0winner1_best_above_0(4);
       end if;
-      slice0winner2_best_above_0_3_value := ((slice0winner1_best_index_0_6 / 4) mod 2) = 1;
-      if ((slice0winner1_best_index_0_6 / 8) = 1) and slice0winner2_best_above_0_3_value and
-        ((slice0winner1_best_index_0_6 mod 2) = 1) then
-        slice0winner2_best_above_0_3_choice := slice0winner1_held_0_14;
+      slice0winner2_best_above_0_3_value := is_set(slice0winner1_best_index_0_6, 2);
+      if is_set(slice0winner1_best_index_0_6, 3) and slice0winner2_best_above_0_3_value and
+        is_set(slice0winner1_best_index_0_6, 0) then
+        slice0winner2_best_above_0_choice(3) := slice0winner1_held_0(14);
       else
-        slice0winner2_best_above_0_3_choice := slice0winner1_best_above_0_6;
+        slice0winner2_best_above_0_choice(3) := slice0winner1_best_above_0(6);
       end if;
-      if slice0winner2_best_place_0_0 then
-        slice0winner2_best_second_0_0_choice := 16383;
-      else
-        slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1;
-      end if;
-      if slice0winner2_best_at_end_0_0 then
-        slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_but_first_0_1;
-      else
-        slice0winner2_best_second_0_0_choice_2 := slice0winner2_best_second_0_0_choice;
-      end if;
-      if slice0winner2_best_place_0_0 then
-        slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_late_cost_0_0;
-      else
-        slice0winner2_best_second_0_0_choice_3 := 16383;
-      end if;
-      if slice0winner2_best_at_start_0_0 then
-        slice0winner2_best_second_0_0_choice_4 := slice0winner1_best_but_last_0_0;
-      else
-        slice0winner2_best_second_0_0_choice_4 := slice0winner2_best_second_0_0_choice_3;
-      end if;
-      if slice0winner2_best_place_0_1 then
-        slice0winner2_best_second_0_1_choice := 16383;
-      else
-        slice0winner2_best_second_0_1_choice := slice0winner1_best_late_cost_0_3;
-      end if;
-      if slice0winner2_best_at_end_0_1 then
-        slice0winner2_best_second_0_1_choice_2 := slice0winner1_best_but_first_0_3;
-      else
-        slice0winner2_best_second_0_1_choice_2 := slice0winner2_best_second_0_1_choice;
-      end if;
-      if slice0winner2_best_place_0_1 then
-        slice0winner2_best_second_0_1_choice_3 := slice0winner1_best_late_cost_0_2;
-      else
-        slice0winner2_best_second_0_1_choice_3 := 16383;
-      end if;
-      if slice0winner2_best_at_start_0_1 then
-        slice0winner2_best_second_0_1_choice_4 := slice0winner1_best_but_last_0_2;
-      else
-        slice0winner2_best_second_0_1_choice_4 := slice0winner2_best_second_0_1_choice_3;
-      end if;
-      if slice0winner2_best_place_0_2 then
-        slice0winner2_best_second_0_2_choice := 16383;
-      else
-        slice0winner2_best_second_0_2_choice := slice0winner1_best_late_cost_0_5;
-      end if;
-      if slice0winner2_best_at_end_0_2 then
-        slice0winner2_best_second_0_2_choice_2 := slice0winner1_best_but_first_0_5;
-      else
-        slice0winner2_best_second_0_2_choice_2 := slice0winner2_best_second_0_2_choice;
-      end if;
-      if slice0winner2_best_place_0_2 then
-        slice0winner2_best_second_0_2_choice_3 := slice0winner1_best_late_cost_0_4;
-      else
-        slice0winner2_best_second_0_2_choice_3 := 16383;
-      end if;
-      if slice0winner2_best_at_start_0_2 then
-        slice0winner2_best_second_0_2_choice_4 := slice0winner1_best_but_last_0_4;
-      else
-        slice0winner2_best_second_0_2_choice_4 := slice0winner2_best_second_0_2_choice_3;
-      end if;
-      if slice0winner2_best_place_0_3 then
-        slice0winner2_best_second_0_3_choice := 16383;
-      else
-        slice0winner2_best_second_0_3_choice := slice0winner1_best_late_cost_0_7;
-      end if;
-      if slice0winner2_best_at_end_0_3 then
-        slice0winner2_best_second_0_3_choice_2 := slice0winner1_best_but_first_0_7;
-      else
-        slice0winner2_best_second_0_3_choice_2 := slice0winner2_best_second_0_3_choice;
-      end if;
-      if slice0winner2_best_place_0_3 then
-        slice0winner2_best_second_0_3_choice_3 := slice0winner1_best_late_cost_0_6;
-      else
-        slice0winner2_best_second_0_3_choice_3 := 16383;
-      end if;
-      if slice0winner2_best_at_start_0_3 then
-        slice0winner2_best_second_0_3_choice_4 := slice0winner1_best_but_last_0_6;
-      else
-        slice0winner2_best_second_0_3_choice_4 := slice0winner2_best_second_0_3_choice_3;
-      end if;
-      slice0winner2_best_first_0_1 <= slice0winner1_held_0_4;
-      slice0winner2_best_first_0_2 <= slice0winner1_held_0_8;
-      slice0winner2_best_first_0_3 <= slice0winner1_held_0_12;
-      slice0winner2_best_last_0_0 <= slice0winner1_held_0_3;
-      slice0winner2_best_last_0_1 <= slice0winner1_held_0_7;
-      slice0winner2_best_last_0_2 <= slice0winner1_held_0_11;
-      slice0winner2_best_last_0_3 <= slice0winner1_held_0_15;
-      slice0winner2_best_place_0_0 <= slice0winner2_best_index_0_0_is_not_less;
-      slice0winner2_best_place_0_1 <= slice0winner2_best_index_0_1_is_not_less;
-      slice0winner2_best_place_0_2 <= slice0winner2_best_index_0_2_is_not_less;
-      slice0winner2_best_place_0_3 <= slice0winner2_best_index_0_3_is_not_less;
-      slice0winner2_best_at_start_0_0 <= other_19 and slice0winner2_best_index_0_0_is_not_less;
-      slice0winner2_best_at_start_0_1 <= other_20 and slice0winner2_best_index_0_1_is_not_less;
-      slice0winner2_best_at_start_0_2 <= other_21 and slice0winner2_best_index_0_2_is_not_less;
-      slice0winner2_best_at_start_0_3 <= other_22 and slice0winner2_best_index_0_3_is_not_less;
-      slice0winner2_best_at_end_0_0 <= slice0winner1_best_index_0_0 and ((slice0winner1_best_cost_0_0 -
-        slice0winner1_best_cost_0_1) < 0);
-      slice0winner2_best_at_end_0_1 <= ((slice0winner1_best_cost_0_2 - slice0winner1_best_cost_0_3) < 0) and
-        ((slice0winner1_best_index_0_2 / 4) = 1) and ((slice0winner1_best_index_0_2 mod 2) = 1);
-      slice0winner2_best_at_end_0_2 <= ((slice0winner1_best_cost_0_4 - slice0winner1_best_cost_0_5) < 0) and
-        ((slice0winner1_best_index_0_4 / 8) = 1) and ((slice0winner1_best_index_0_4 mod 2) = 1);
-      slice0winner2_best_at_end_0_3 <= ((slice0winner1_best_cost_0_6 - slice0winner1_best_cost_0_7) < 0) and
-        ((slice0winner1_best_index_0_6 / 8) = 1) and slice0winner2_best_above_0_3_value and
-        ((slice0winner1_best_index_0_6 mod 2) = 1);
-      slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0winner2_best_late_cost_0_1 <= slice0winner2_best_cost_0_1;
-      slice0winner2_best_late_cost_0_2 <= slice0winner2_best_cost_0_2;
-      slice0winner2_best_late_cost_0_3 <= slice0winner2_best_cost_0_3;
+      for i in 0 to 3 loop
+        if slice0winner2_best_place_0(i) then
+          slice0winner2_best_second_0_choice(i) := 16383;
+        else
+          slice0winner2_best_second_0_choice(i) := slice0winner1_best_late_cost_0(2 * i + 1);
+        end if;
+        if slice0winner2_best_at_end_0(i) then
+          slice0winner2_best_second_0_choices(i, 2) := slice0winner1_best_but_first_0(2 * i + 1);
+        else
+          slice0winner2_best_second_0_choices(i, 2) := slice0winner2_best_second_0_choice(i);
+        end if;
+        if slice0winner2_best_place_0(i) then
+          slice0winner2_best_second_0_choices(i, 3) := slice0winner1_best_late_cost_0(2 * i);
+        else
+          slice0winner2_best_second_0_choices(i, 3) := 16383;
+        end if;
+        if slice0winner2_best_at_start_0(i) then
+          slice0winner2_best_second_0_choices(i, 4) := slice0winner1_best_but_last_0(2 * i);
+        else
+          slice0winner2_best_second_0_choices(i, 4) := slice0winner2_best_second_0_choices(i, 3);
+        end if;
+      end loop;
+      slice0winner2_best_first_0(1) <= slice0winner1_held_0(4);
+      slice0winner2_best_first_0(2) <= slice0winner1_held_0(8);
+      slice0winner2_best_first_0(3) <= slice0winner1_held_0(12);
+      slice0winner2_best_last_0(0) <= slice0winner1_held_0(3);
+      slice0winner2_best_last_0(1) <= slice0winner1_held_0(7);
+      slice0winner2_best_last_0(2) <= slice0winner1_held_0(11);
+      slice0winner2_best_last_0(3) <= slice0winner1_held_0(15);
+      slice0winner2_best_place_0(0) <= slice0winner2_best_index_0_is_not_less(0);
+      slice0winner2_best_place_0(1) <= slice0winner2_best_index_0_is_not_less(1);
+      slice0winner2_best_place_0(2) <= slice0winner2_best_index_0_is_not_less(2);
+      slice0winner2_best_place_0(3) <= slice0winner2_best_index_0_is_not_less(3);
+      for i in 0 to 3 loop
+        slice0winner2_best_at_start_0(i) <= others_from_13(i + 19) and slice0winner2_best_index_0_is_not_less(i);
+      end loop;
+      slice0winner2_best_at_end_0(0) <= slice0winner1_best_index_0_0 and ((slice0winner1_best_cost_0(0) -
+        slice0winner1_best_cost_0(1)) < 0);
+      slice0winner2_best_at_end_0(1) <= ((slice0winner1_best_cost_0(2) - slice0winner1_best_cost_0(3)) < 0) and
+        is_set(slice0winner1_best_index_0_2, 2) and is_set(slice0winner1_best_index_0_2, 0);
+      slice0winner2_best_at_end_0(2) <= ((slice0winner1_best_cost_0(4) - slice0winner1_best_cost_0(5)) < 0) and
+        is_set(slice0winner1_best_index_0_4, 3) and is_set(slice0winner1_best_index_0_4, 0);
+      slice0winner2_best_at_end_0(3) <= ((slice0winner1_best_cost_0(6) - slice0winner1_best_cost_0(7)) < 0) and
+        is_set(slice0winner1_best_index_0_6, 3) and slice0winner2_best_above_0_3_value and
+        is_set(slice0winner1_best_index_0_6, 0);
+      slice0winner2_best_late_cost_0(0) <= slice0winner2_best_cost_0(0);
+      slice0winner2_best_late_cost_0(1) <= slice0winner2_best_cost_0(1);
+      slice0winner2_best_late_cost_0(2) <= slice0winner2_best_cost_0(2);
+      slice0winner2_best_late_cost_0(3) <= slice0winner2_best_cost_0(3);
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      if (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0 then
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
-      else
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
-      end if;
-      if (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0 then
-        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
-      else
-        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
-      end if;
-      if (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0 then
-        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
-      else
-        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
-      end if;
-      if (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0 then
-        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7;
-      else
-        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
-      end if;
-      if slice0winner2_best_index_0_0_is_not_less then
+      for i in 0 to 3 loop
+        if (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 * i)) < 0 then
+          slice0winner2_best_cost_0(i) <= slice0winner1_best_cost_0(2 * i + 1);
+        else
+          slice0winner2_best_cost_0(i) <= slice0winner1_best_cost_0(2 * i);
+        end if;
+      end loop;
+      if slice0winner2_best_index_0_is_not_less(0) then
         slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-        slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice;
-        slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1;
+        slice0winner2_best_below_0(0) <= slice0winner2_best_below_0_choice(0);
+        slice0winner2_best_above_0(0) <= slice0winner1_best_above_0(1);
       else
         slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
-        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+        slice0winner2_best_below_0(0) <= slice0winner1_best_below_0(0);
+        slice0winner2_best_above_0(0) <= slice0winner2_best_above_0_choice(0);
       end if;
-      if slice0winner2_best_index_0_1_is_not_less then
+      if slice0winner2_best_index_0_is_not_less(1) then
         slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
-        slice0winner2_best_below_0_1 <= slice0winner2_best_below_0_1_choice;
-        slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_3;
+        slice0winner2_best_below_0(1) <= slice0winner2_best_below_0_choice(1);
+        slice0winner2_best_above_0(1) <= slice0winner1_best_above_0(3);
       else
         slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-        slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
-        slice0winner2_best_above_0_1 <= slice0winner2_best_above_0_1_choice;
+        slice0winner2_best_below_0(1) <= slice0winner1_best_below_0(2);
+        slice0winner2_best_above_0(1) <= slice0winner2_best_above_0_choice(1);
       end if;
-      if slice0winner2_best_index_0_2_is_not_less then
+      if slice0winner2_best_index_0_is_not_less(2) then
         slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
-        slice0winner2_best_below_0_2 <= slice0winner2_best_below_0_2_choice;
-        slice0winner2_best_above_0_2 <= slice0winner1_best_above_0_5;
+        slice0winner2_best_below_0(2) <= slice0winner2_best_below_0_choice(2);
+        slice0winner2_best_above_0(2) <= slice0winner1_best_above_0(5);
       else
         slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
-        slice0winner2_best_below_0_2 <= slice0winner1_best_below_0_4;
-        slice0winner2_best_above_0_2 <= slice0winner2_best_above_0_2_choice;
+        slice0winner2_best_below_0(2) <= slice0winner1_best_below_0(4);
+        slice0winner2_best_above_0(2) <= slice0winner2_best_above_0_choice(2);
       end if;
-      if slice0winner2_best_index_0_3_is_not_less then
+      if slice0winner2_best_index_0_is_not_less(3) then
         slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
-        slice0winner2_best_below_0_3 <= slice0winner2_best_below_0_3_choice;
-        slice0winner2_best_above_0_3 <= slice0winner1_best_above_0_7;
+        slice0winner2_best_below_0(3) <= slice0winner2_best_below_0_choice(3);
+        slice0winner2_best_above_0(3) <= slice0winner1_best_above_0(7);
       else
         slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
-        slice0winner2_best_below_0_3 <= slice0winner1_best_below_0_6;
-        slice0winner2_best_above_0_3 <= slice0winner2_best_above_0_3_choice;
+        slice0winner2_best_below_0(3) <= slice0winner1_best_below_0(6);
+        slice0winner2_best_above_0(3) <= slice0winner2_best_above_0_choice(3);
       end if;
-      if (slice0winner2_best_second_0_0_choice_2 - slice0winner2_best_second_0_0_choice_4) < 0 then
-        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_2;
-      else
-        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_4;
-      end if;
-      if (slice0winner2_best_second_0_1_choice_2 - slice0winner2_best_second_0_1_choice_4) < 0 then
-        slice0winner2_best_second_0_1 <= slice0winner2_best_second_0_1_choice_2;
-      else
-        slice0winner2_best_second_0_1 <= slice0winner2_best_second_0_1_choice_4;
-      end if;
-      if (slice0winner2_best_second_0_2_choice_2 - slice0winner2_best_second_0_2_choice_4) < 0 then
-        slice0winner2_best_second_0_2 <= slice0winner2_best_second_0_2_choice_2;
-      else
-        slice0winner2_best_second_0_2 <= slice0winner2_best_second_0_2_choice_4;
-      end if;
-      if (slice0winner2_best_second_0_3_choice_2 - slice0winner2_best_second_0_3_choice_4) < 0 then
-        slice0winner2_best_second_0_3 <= slice0winner2_best_second_0_3_choice_2;
-      else
-        slice0winner2_best_second_0_3 <= slice0winner2_best_second_0_3_choice_4;
-      end if;
-      if (slice0winner1_best_late_cost_0_3 - slice0winner1_best_but_first_0_2) < 0 then
-        slice0winner2_best_but_first_0_1 <= slice0winner1_best_late_cost_0_3;
-      else
-        slice0winner2_best_but_first_0_1 <= slice0winner1_best_but_first_0_2;
-      end if;
-      if (slice0winner1_best_late_cost_0_5 - slice0winner1_best_but_first_0_4) < 0 then
-        slice0winner2_best_but_first_0_2 <= slice0winner1_best_late_cost_0_5;
-      else
-        slice0winner2_best_but_first_0_2 <= slice0winner1_best_but_first_0_4;
-      end if;
-      if (slice0winner1_best_late_cost_0_7 - slice0winner1_best_but_first_0_6) < 0 then
-        slice0winner2_best_but_first_0_3 <= slice0winner1_best_late_cost_0_7;
-      else
-        slice0winner2_best_but_first_0_3 <= slice0winner1_best_but_first_0_6;
-      end if;
-      if (slice0winner1_best_but_last_0_1 - slice0winner1_best_late_cost_0_0) < 0 then
-        slice0winner2_best_but_last_0_0 <= slice0winner1_best_but_last_0_1;
-      else
-        slice0winner2_best_but_last_0_0 <= slice0winner1_best_late_cost_0_0;
-      end if;
-      if (slice0winner1_best_but_last_0_3 - slice0winner1_best_late_cost_0_2) < 0 then
-        slice0winner2_best_but_last_0_1 <= slice0winner1_best_but_last_0_3;
-      else
-        slice0winner2_best_but_last_0_1 <= slice0winner1_best_late_cost_0_2;
-      end if;
-      if (slice0winner1_best_but_last_0_5 - slice0winner1_best_late_cost_0_4) < 0 then
-        slice0winner2_best_but_last_0_2 <= slice0winner1_best_but_last_0_5;
-      else
-        slice0winner2_best_but_last_0_2 <= slice0winner1_best_late_cost_0_4;
-      end if;
-      if (slice0winner1_best_but_last_0_7 - slice0winner1_best_late_cost_0_6) < 0 then
-        slice0winner2_best_but_last_0_3 <= slice0winner1_best_but_last_0_7;
-      else
-        slice0winner2_best_but_last_0_3 <= slice0winner1_best_late_cost_0_6;
-      end if;
+      for i in 0 to 3 loop
+        if (slice0winner2_best_second_0_choices(i, 2) - slice0winner2_best_second_0_choices(i, 4)) < 0 then
+          slice0winner2_best_second_0(i) <= slice0winner2_best_second_0_choices(i, 2);
+        else
+          slice0winner2_best_second_0(i) <= slice0winner2_best_second_0_choices(i, 4);
+        end if;
+      end loop;
+      for i in 1 to 3 loop
+        if (slice0winner1_best_late_cost_0(2 * i + 1) - slice0winner1_best_but_first_0(2 * i)) < 0 then
+          slice0winner2_best_but_first_0(i) <= slice0winner1_best_late_cost_0(2 * i + 1);
+        else
+          slice0winner2_best_but_first_0(i) <= slice0winner1_best_but_first_0(2 * i);
+        end if;
+      end loop;
+      for i in 0 to 3 loop
+        if (slice0winner1_best_but_last_0(2 * i + 1) - slice0winner1_best_late_cost_0(2 * i)) < 0 then
+          slice0winner2_best_but_last_0(i) <= slice0winner1_best_but_last_0(2 * i + 1);
+        else
+          slice0winner2_best_but_last_0(i) <= slice0winner1_best_late_cost_0(2 * i);
+        end if;
+      end loop;
       if slice0winner2_tag_valid then
-        slice0winner2_tag_output_column <= slice3window_centre_output_column_5;
+        slice0winner2_tag_output_column <= slice3window_centre_output_column(5);
         slice0winner2_tag_start_of_frame <= slice3window_centre_start_of_frame_5;
-        slice0winner2_tag_end_of_line <= slice3window_centre_end_of_line_5;
+        slice0winner2_tag_end_of_line <= slice3window_centre_end_of_line(5);
       end if;
       -- slice0winner3
-      slice0winner3_best_index_0_0_is_not_less := (slice0winner2_best_cost_0_0 - slice0winner2_best_cost_0_1) >= 0;
-      slice0winner3_best_index_0_1_is_not_less := (slice0winner2_best_cost_0_2 - slice0winner2_best_cost_0_3) >= 0;
-      slice0winner3_best_below_0_0_is_equal := slice0winner2_best_index_0_1 = 4;
-      if slice0winner3_best_below_0_0_is_equal then
-        slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0;
+      slice0winner3_best_index_0_is_not_less(0) := (slice0winner2_best_cost_0(0) - slice0winner2_best_cost_0(1)) >= 0;
+      slice0winner3_best_index_0_is_not_less(1) := (slice0winner2_best_cost_0(2) - slice0winner2_best_cost_0(3)) >= 0;
+      slice0winner3_best_below_0_is_equal(0) := slice0winner2_best_index_0_1 = 4;
+      if slice0winner3_best_below_0_is_equal(0) then
+        slice0winner3_best_below_0_choice(0) := slice0winner2_best_last_0(0);
       else
-        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0_1;
+        slice0winner3_best_below_0_choice(0) := slice0winner2_best_below_0(1);
       end if;
-      slice0winner3_best_below_0_1_is_equal := slice0winner2_best_index_0_3 = 12;
-      if slice0winner3_best_below_0_1_is_equal then
-        slice0winner3_best_below_0_1_choice := slice0winner2_best_last_0_2;
+      slice0winner3_best_below_0_is_equal(1) := slice0winner2_best_index_0_3 = 12;
+      if slice0winner3_best_below_0_is_equal(1) then
+        slice0winner3_best_below_0_choice(1) := slice0winner2_best_last_0(2);
       else
-        slice0winner3_best_below_0_1_choice := slice0winner2_best_below_0_3;
+        slice0winner3_best_below_0_choice(1) := slice0winner2_best_below_0(3);
       end if;
-      slice0winner3_best_above_0_0_is_equal := slice0winner2_best_index_0_0 = 3;
-      if slice0winner3_best_above_0_0_is_equal then
-        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1;
+      slice0winner3_best_above_0_is_equal(0) := slice0winner2_best_index_0_0 = 3;
+      if slice0winner3_best_above_0_is_equal(0) then
+        slice0winner3_best_above_0_choice(0) := slice0winner2_best_first_0(1);
       else
-        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0_0;
+        slice0winner3_best_above_0_choice(0) := slice0winner2_best_above_0(0);
       end if;
-      slice0winner3_best_above_0_1_is_equal := (slice0winner2_best_index_0_2 mod 4) = 3;
-      if ((slice0winner2_best_index_0_2 / 8) = 1) and slice0winner3_best_above_0_1_is_equal then
-        slice0winner3_best_above_0_1_choice := slice0winner2_best_first_0_3;
+      slice0winner3_best_above_0_is_equal(1) := (slice0winner2_best_index_0_2 mod 4) = 3;
+      if is_set(slice0winner2_best_index_0_2, 3) and slice0winner3_best_above_0_is_equal(1) then
+        slice0winner3_best_above_0_choice(1) := slice0winner2_best_first_0(3);
       else
-        slice0winner3_best_above_0_1_choice := slice0winner2_best_above_0_2;
+        slice0winner3_best_above_0_choice(1) := slice0winner2_best_above_0(2);
       end if;
-      if slice0winner3_best_place_0_0 then
-        slice0winner3_best_second_0_0_choice := slice0winner2_best_second_0_1;
-      else
-        slice0winner3_best_second_0_0_choice := slice0winner2_best_late_cost_0_1;
-      end if;
-      if slice0winner3_best_at_end_0_0 then
-        slice0winner3_best_second_0_0_choice_2 := slice0winner2_best_but_first_0_1;
-      else
-        slice0winner3_best_second_0_0_choice_2 := slice0winner3_best_second_0_0_choice;
-      end if;
-      if slice0winner3_best_place_0_0 then
-        slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_late_cost_0_0;
-      else
-        slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_second_0_0;
-      end if;
-      if slice0winner3_best_at_start_0_0 then
-        slice0winner3_best_second_0_0_choice_4 := slice0winner2_best_but_last_0_0;
-      else
-        slice0winner3_best_second_0_0_choice_4 := slice0winner3_best_second_0_0_choice_3;
-      end if;
-      if slice0winner3_best_place_0_1 then
-        slice0winner3_best_second_0_1_choice := slice0winner2_best_second_0_3;
-      else
-        slice0winner3_best_second_0_1_choice := slice0winner2_best_late_cost_0_3;
-      end if;
-      if slice0winner3_best_at_end_0_1 then
-        slice0winner3_best_second_0_1_choice_2 := slice0winner2_best_but_first_0_3;
-      else
-        slice0winner3_best_second_0_1_choice_2 := slice0winner3_best_second_0_1_choice;
-      end if;
-      if slice0winner3_best_place_0_1 then
-        slice0winner3_best_second_0_1_choice_3 := slice0winner2_best_late_cost_0_2;
-      else
-        slice0winner3_best_second_0_1_choice_3 := slice0winner2_best_second_0_2;
-      end if;
-      if slice0winner3_best_at_start_0_1 then
-        slice0winner3_best_second_0_1_choice_4 := slice0winner2_best_but_last_0_2;
-      else
-        slice0winner3_best_second_0_1_choice_4 := slice0winner3_best_second_0_1_choice_3;
-      end if;
-      slice0winner3_best_first_0_1 <= slice0winner2_best_first_0_2;
-      slice0winner3_best_last_0_0 <= slice0winner2_best_last_0_1;
-      slice0winner3_best_last_0_1 <= slice0winner2_best_last_0_3;
-      slice0winner3_best_place_0_0 <= slice0winner3_best_index_0_0_is_not_less;
-      slice0winner3_best_place_0_1 <= slice0winner3_best_index_0_1_is_not_less;
-      slice0winner3_best_at_start_0_0 <= slice0winner3_best_index_0_0_is_not_less and
-        slice0winner3_best_below_0_0_is_equal;
-      slice0winner3_best_at_start_0_1 <= slice0winner3_best_below_0_1_is_equal and
-        slice0winner3_best_index_0_1_is_not_less;
-      slice0winner3_best_at_end_0_0 <= ((slice0winner2_best_cost_0_0 - slice0winner2_best_cost_0_1) < 0) and
-        slice0winner3_best_above_0_0_is_equal;
-      slice0winner3_best_at_end_0_1 <= ((slice0winner2_best_cost_0_2 - slice0winner2_best_cost_0_3) < 0) and
-        ((slice0winner2_best_index_0_2 / 8) = 1) and slice0winner3_best_above_0_1_is_equal;
-      slice0winner3_best_late_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0winner3_best_late_cost_0_1 <= slice0winner3_best_cost_0_1;
+      for i in 0 to 1 loop
+        if slice0winner3_best_place_0(i) then
+          slice0winner3_best_second_0_choice(i) := slice0winner2_best_second_0(2 * i + 1);
+        else
+          slice0winner3_best_second_0_choice(i) := slice0winner2_best_late_cost_0(2 * i + 1);
+        end if;
+        if slice0winner3_best_at_end_0(i) then
+          slice0winner3_best_second_0_choices(i, 2) := slice0winner2_best_but_first_0(2 * i + 1);
+        else
+          slice0winner3_best_second_0_choices(i, 2) := slice0winner3_best_second_0_choice(i);
+        end if;
+        if slice0winner3_best_place_0(i) then
+          slice0winner3_best_second_0_choices(i, 3) := slice0winner2_best_late_cost_0(2 * i);
+        else
+          slice0winner3_best_second_0_choices(i, 3) := slice0winner2_best_second_0(2 * i);
+        end if;
+        if slice0winner3_best_at_start_0(i) then
+          slice0winner3_best_second_0_choices(i, 4) := slice0winner2_best_but_last_0(2 * i);
+        else
+          slice0winner3_best_second_0_choices(i, 4) := slice0winner3_best_second_0_choices(i, 3);
+        end if;
+      end loop;
+      slice0winner3_best_first_0_1 <= slice0winner2_best_first_0(2);
+      slice0winner3_best_last_0(0) <= slice0winner2_best_last_0(1);
+      slice0winner3_best_last_0(1) <= slice0winner2_best_last_0(3);
+      slice0winner3_best_place_0(0) <= slice0winner3_best_index_0_is_not_less(0);
+      slice0winner3_best_place_0(1) <= slice0winner3_best_index_0_is_not_less(1);
+      slice0winner3_best_at_start_0(0) <= slice0winner3_best_index_0_is_not_less(0) and
+        slice0winner3_best_below_0_is_equal(0);
+      slice0winner3_best_at_start_0(1) <= slice0winner3_best_below_0_is_equal(1) and
+        slice0winner3_best_index_0_is_not_less(1);
+      slice0winner3_best_at_end_0(0) <= ((slice0winner2_best_cost_0(0) - slice0winner2_best_cost_0(1)) < 0) and
+        slice0winner3_best_above_0_is_equal(0);
+      slice0winner3_best_at_end_0(1) <= ((slice0winner2_best_cost_0(2) - slice0winner2_best_cost_0(3)) < 0) and
+        is_set(slice0winner2_best_index_0_2, 3) and slice0winner3_best_above_0_is_equal(1);
+      slice0winner3_best_late_cost_0(0) <= slice0winner3_best_cost_0(0);
+      slice0winner3_best_late_cost_0(1) <= slice0winner3_best_cost_0(1);
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      if (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0 then
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
-      else
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      end if;
-      if (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0 then
-        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3;
-      else
-        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
-      end if;
-      if slice0winner3_best_index_0_0_is_not_less then
+      for i in 0 to 1 loop
+        if (slice0winner2_best_cost_0(2 * i + 1) - slice0winner2_best_cost_0(2 * i)) < 0 then
+          slice0winner3_best_cost_0(i) <= slice0winner2_best_cost_0(2 * i + 1);
+        else
+          slice0winner3_best_cost_0(i) <= slice0winner2_best_cost_0(2 * i);
+        end if;
+      end loop;
+      if slice0winner3_best_index_0_is_not_less(0) then
         slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
-        slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice;
-        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1;
+        slice0winner3_best_below_0(0) <= slice0winner3_best_below_0_choice(0);
+        slice0winner3_best_above_0(0) <= slice0winner2_best_above_0(1);
       else
         slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
-        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0_0;
-        slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice;
+        slice0winner3_best_below_0(0) <= slice0winner2_best_below_0(0);
+        slice0winner3_best_above_0(0) <= slice0winner3_best_above_0_choice(0);
       end if;
-      if slice0winner3_best_index_0_1_is_not_less then
+      if slice0winner3_best_index_0_is_not_less(1) then
         slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
-        slice0winner3_best_below_0_1 <= slice0winner3_best_below_0_1_choice;
-        slice0winner3_best_above_0_1 <= slice0winner2_best_above_0_3;
+        slice0winner3_best_below_0(1) <= slice0winner3_best_below_0_choice(1);
+        slice0winner3_best_above_0(1) <= slice0winner2_best_above_0(3);
       else
         slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
-        slice0winner3_best_below_0_1 <= slice0winner2_best_below_0_2;
-        slice0winner3_best_above_0_1 <= slice0winner3_best_above_0_1_choice;
+        slice0winner3_best_below_0(1) <= slice0winner2_best_below_0(2);
+        slice0winner3_best_above_0(1) <= slice0winner3_best_above_0_choice(1);
       end if;
-      if (slice0winner3_best_second_0_0_choice_2 - slice0winner3_best_second_0_0_choice_4) < 0 then
-        slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_2;
+      for i in 0 to 1 loop
+        if (slice0winner3_best_second_0_choices(i, 2) - slice0winner3_best_second_0_choices(i, 4)) < 0 then
+          slice0winner3_best_second_0(i) <= slice0winner3_best_second_0_choices(i, 2);
+        else
+          slice0winner3_best_second_0(i) <= slice0winner3_best_second_0_choices(i, 4);
+        end if;
+      end loop;
+      if (slice0winner2_best_late_cost_0(3) - slice0winner2_best_but_first_0(2)) < 0 then
+        slice0winner3_best_but_first_0_1 <= slice0winner2_best_late_cost_0(3);
       else
-        slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_4;
+        slice0winner3_best_but_first_0_1 <= slice0winner2_best_but_first_0(2);
       end if;
-      if (slice0winner3_best_second_0_1_choice_2 - slice0winner3_best_second_0_1_choice_4) < 0 then
-        slice0winner3_best_second_0_1 <= slice0winner3_best_second_0_1_choice_2;
-      else
-        slice0winner3_best_second_0_1 <= slice0winner3_best_second_0_1_choice_4;
-      end if;
-      if (slice0winner2_best_late_cost_0_3 - slice0winner2_best_but_first_0_2) < 0 then
-        slice0winner3_best_but_first_0_1 <= slice0winner2_best_late_cost_0_3;
-      else
-        slice0winner3_best_but_first_0_1 <= slice0winner2_best_but_first_0_2;
-      end if;
-      if (slice0winner2_best_but_last_0_1 - slice0winner2_best_late_cost_0_0) < 0 then
-        slice0winner3_best_but_last_0_0 <= slice0winner2_best_but_last_0_1;
-      else
-        slice0winner3_best_but_last_0_0 <= slice0winner2_best_late_cost_0_0;
-      end if;
-      if (slice0winner2_best_but_last_0_3 - slice0winner2_best_late_cost_0_2) < 0 then
-        slice0winner3_best_but_last_0_1 <= slice0winner2_best_but_last_0_3;
-      else
-        slice0winner3_best_but_last_0_1 <= slice0winner2_best_late_cost_0_2;
-      end if;
+      for i in 0 to 1 loop
+        if (slice0winner2_best_but_last_0(2 * i + 1) - slice0winner2_best_late_cost_0(2 * i)) < 0 then
+          slice0winner3_best_but_last_0(i) <= slice0winner2_best_but_last_0(2 * i + 1);
+        else
+          slice0winner3_best_but_last_0(i) <= slice0winner2_best_late_cost_0(2 * i);
+        end if;
+      end loop;
       -- slice0winner4
-      slice0winner4_best_index_0_0_is_less := (slice0winner3_best_cost_0_0 - slice0winner3_best_cost_0_1) < 0;
+      slice0winner4_best_index_0_0_is_less := (slice0winner3_best_cost_0(0) - slice0winner3_best_cost_0(1)) < 0;
       slice0winner4_best_below_0_0_is_equal := slice0winner3_best_index_0_1 = 8;
       if slice0winner4_best_below_0_0_is_equal then
-        slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0_0;
+        slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0(0);
       else
-        slice0winner4_best_below_0_0_choice := slice0winner3_best_below_0_1;
+        slice0winner4_best_below_0_0_choice := slice0winner3_best_below_0(1);
       end if;
       slice0winner4_best_above_0_0_is_equal := slice0winner3_best_index_0_0 = 7;
       if slice0winner4_best_above_0_0_is_equal then
         slice0winner4_best_above_0_0_choice := slice0winner3_best_first_0_1;
       else
-        slice0winner4_best_above_0_0_choice := slice0winner3_best_above_0_0;
+        slice0winner4_best_above_0_0_choice := slice0winner3_best_above_0(0);
       end if;
-      slice0winner4_best_place_0_0_is_not_less := (slice0winner3_best_cost_0_0 - slice0winner3_best_cost_0_1) >= 0;
+      slice0winner4_best_place_0_0_is_not_less := (slice0winner3_best_cost_0(0) - slice0winner3_best_cost_0(1)) >= 0;
       if slice0winner4_best_place_0_0 then
-        slice0winner4_best_second_0_0_choice := slice0winner3_best_second_0_1;
+        slice0winner4_best_second_0_0_choice := slice0winner3_best_second_0(1);
       else
-        slice0winner4_best_second_0_0_choice := slice0winner3_best_late_cost_0_1;
+        slice0winner4_best_second_0_0_choice := slice0winner3_best_late_cost_0(1);
       end if;
       if slice0winner4_best_at_end_0_0 then
-        slice0winner4_best_second_0_0_choice_2 := slice0winner3_best_but_first_0_1;
+        slice0winner4_best_second_0_0_choices(2) := slice0winner3_best_but_first_0_1;
       else
-        slice0winner4_best_second_0_0_choice_2 := slice0winner4_best_second_0_0_choice;
+        slice0winner4_best_second_0_0_choices(2) := slice0winner4_best_second_0_0_choice;
       end if;
       if slice0winner4_best_place_0_0 then
-        slice0winner4_best_second_0_0_choice_3 := slice0winner3_best_late_cost_0_0;
+        slice0winner4_best_second_0_0_choices(3) := slice0winner3_best_late_cost_0(0);
       else
-        slice0winner4_best_second_0_0_choice_3 := slice0winner3_best_second_0_0;
+        slice0winner4_best_second_0_0_choices(3) := slice0winner3_best_second_0(0);
       end if;
       if slice0winner4_best_at_start_0_0 then
-        slice0winner4_best_second_0_0_choice_4 := slice0winner3_best_but_last_0_0;
+        slice0winner4_best_second_0_0_choices(4) := slice0winner3_best_but_last_0(0);
       else
-        slice0winner4_best_second_0_0_choice_4 := slice0winner4_best_second_0_0_choice_3;
+        slice0winner4_best_second_0_0_choices(4) := slice0winner4_best_second_0_0_choices(3);
       end if;
-      slice0winner4_best_last_0_0 <= slice0winner3_best_last_0_1;
+      slice0winner4_best_last_0_0 <= slice0winner3_best_last_0(1);
       slice0winner4_best_place_0_0 <= slice0winner4_best_place_0_0_is_not_less;
       slice0winner4_best_at_start_0_0 <= slice0winner4_best_below_0_0_is_equal and
         slice0winner4_best_place_0_0_is_not_less;
@@ -3724,29 +2559,29 @@ begin
       slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
       slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
       slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
-      if (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0 then
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+      if (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0 then
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0(1);
       else
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0(0);
       end if;
       if slice0winner4_best_index_0_0_is_less then
         slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
-        slice0winner4_best_below_0_0 <= slice0winner3_best_below_0_0;
+        slice0winner4_best_below_0_0 <= slice0winner3_best_below_0(0);
         slice0winner4_best_above_0_0 <= slice0winner4_best_above_0_0_choice;
       else
         slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
         slice0winner4_best_below_0_0 <= slice0winner4_best_below_0_0_choice;
-        slice0winner4_best_above_0_0 <= slice0winner3_best_above_0_1;
+        slice0winner4_best_above_0_0 <= slice0winner3_best_above_0(1);
       end if;
-      if (slice0winner4_best_second_0_0_choice_2 - slice0winner4_best_second_0_0_choice_4) < 0 then
-        slice0winner4_best_second_0_0 <= slice0winner4_best_second_0_0_choice_2;
+      if (slice0winner4_best_second_0_0_choices(2) - slice0winner4_best_second_0_0_choices(4)) < 0 then
+        slice0winner4_best_second_0_0 <= slice0winner4_best_second_0_0_choices(2);
       else
-        slice0winner4_best_second_0_0 <= slice0winner4_best_second_0_0_choice_4;
+        slice0winner4_best_second_0_0 <= slice0winner4_best_second_0_0_choices(4);
       end if;
-      if (slice0winner3_best_but_last_0_1 - slice0winner3_best_late_cost_0_0) < 0 then
-        slice0winner4_best_but_last_0_0 <= slice0winner3_best_but_last_0_1;
+      if (slice0winner3_best_but_last_0(1) - slice0winner3_best_late_cost_0(0)) < 0 then
+        slice0winner4_best_but_last_0_0 <= slice0winner3_best_but_last_0(1);
       else
-        slice0winner4_best_but_last_0_0 <= slice0winner3_best_late_cost_0_0;
+        slice0winner4_best_but_last_0_0 <= slice0winner3_best_late_cost_0(0);
       end if;
       -- slice0
       slice0_best_index_0_0 <= slice0winner4_best_index_0_0;
@@ -3762,336 +2597,97 @@ begin
       slice0_best_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
-        slice1shift_search_0_0 <= slice0shift_search_out_0;
-        slice1shift_search_0_1 <= slice1shift_search_0_0;
-        slice1shift_search_0_2 <= slice1shift_search_0_1;
-        slice1shift_search_0_3 <= slice1shift_search_0_2;
-        slice1shift_search_0_4 <= slice1shift_search_0_3;
-        slice1shift_search_0_5 <= slice1shift_search_0_4;
-        slice1shift_search_0_6 <= slice1shift_search_0_5;
-        slice1shift_search_0_7 <= slice1shift_search_0_6;
-        slice1shift_search_0_8 <= slice1shift_search_0_7;
-        slice1shift_search_0_9 <= slice1shift_search_0_8;
-        slice1shift_search_0_10 <= slice1shift_search_0_9;
-        slice1shift_search_0_11 <= slice1shift_search_0_10;
-        slice1shift_search_0_12 <= slice1shift_search_0_11;
-        slice1shift_search_0_13 <= slice1shift_search_0_12;
-        slice1shift_search_0_14 <= slice1shift_search_0_13;
-        slice1shift_search_0_15 <= slice1shift_search_0_14;
-        slice1shift_search_1_0 <= slice0shift_search_out_1;
-        slice1shift_search_1_1 <= slice1shift_search_1_0;
-        slice1shift_search_1_2 <= slice1shift_search_1_1;
-        slice1shift_search_1_3 <= slice1shift_search_1_2;
-        slice1shift_search_1_4 <= slice1shift_search_1_3;
-        slice1shift_search_1_5 <= slice1shift_search_1_4;
-        slice1shift_search_1_6 <= slice1shift_search_1_5;
-        slice1shift_search_1_7 <= slice1shift_search_1_6;
-        slice1shift_search_1_8 <= slice1shift_search_1_7;
-        slice1shift_search_1_9 <= slice1shift_search_1_8;
-        slice1shift_search_1_10 <= slice1shift_search_1_9;
-        slice1shift_search_1_11 <= slice1shift_search_1_10;
-        slice1shift_search_1_12 <= slice1shift_search_1_11;
-        slice1shift_search_1_13 <= slice1shift_search_1_12;
-        slice1shift_search_1_14 <= slice1shift_search_1_13;
-        slice1shift_search_1_15 <= slice1shift_search_1_14;
+        for i in 0 to 1 loop
+          slice1shift_search(i, 0) <= slice0shift_search_out(i);
+          for j in 1 to 15 loop
+            slice1shift_search(i, j) <= slice1shift_search(i, j - 1);
+          end loop;
+        end loop;
       end if;
-      slice1shift_reference_0 <= slice0shift_reference_0;
-      slice1shift_reference_1 <= slice0shift_reference_1;
-      slice1shift_search_out_0 <= slice1shift_search_0_15;
-      slice1shift_search_out_1 <= slice1shift_search_1_15;
+      slice1shift_reference(0) <= slice0shift_reference(0);
+      slice1shift_reference(1) <= slice0shift_reference(1);
+      slice1shift_search_out(0) <= slice1shift_search(0, 15);
+      slice1shift_search_out(1) <= slice1shift_search(1, 15);
       -- slice1cost
+      for i in 0 to 4 loop
+        if slice0cost_tag_first_group then
+          slice1cost_column_0_choice(3 * i) := 0;
+        else
+          slice1cost_column_0_choice(3 * i) := slice1cost_ready_words(i) mod 1024;
+        end if;
+        if slice0cost_tag_border_column then
+          slice1cost_column_0_choice_2(3 * i) := 0;
+        else
+          slice1cost_column_0_choice_2(3 * i) := (slice1cost_change_0(3 * i) + slice1cost_column_0_choice(3 * i)) mod
+            1024;
+        end if;
+        if slice0cost_tag_first_group then
+          slice1cost_column_0_choice(3 * i + 1) := 0;
+        else
+          slice1cost_column_0_choice(3 * i + 1) := (slice1cost_ready_words(i) / 1024) mod 1024;
+        end if;
+        if slice0cost_tag_border_column then
+          slice1cost_column_0_choice_2(3 * i + 1) := 0;
+        else
+          slice1cost_column_0_choice_2(3 * i + 1) := (slice1cost_change_0(3 * i + 1) + slice1cost_column_0_choice(3 * i
+            + 1)) mod 1024;
+        end if;
+        if slice0cost_tag_first_group then
+          slice1cost_column_0_choice(3 * i + 2) := 0;
+        else
+          slice1cost_column_0_choice(3 * i + 2) := slice1cost_ready_words(i) / 1048576;
+        end if;
+        if slice0cost_tag_border_column then
+          slice1cost_column_0_choice_2(3 * i + 2) := 0;
+        else
+          slice1cost_column_0_choice_2(3 * i + 2) := (slice1cost_change_0(3 * i + 2) + slice1cost_column_0_choice(3 * i
+            + 2)) mod 1024;
+        end if;
+      end loop;
       if slice0cost_tag_first_group then
-        slice1cost_column_0_0_choice := 0;
+        slice1cost_column_0_choice(15) := 0;
       else
-        slice1cost_column_0_0_choice := slice1cost_ready_words_0 mod 1024;
+        slice1cost_column_0_choice(15) := slice1cost_ready_words_5;
       end if;
       if slice0cost_tag_border_column then
-        slice1cost_column_0_0_choice_2 := 0;
+        slice1cost_column_0_choice_2(15) := 0;
       else
-        slice1cost_column_0_0_choice_2 := (slice1cost_change_0_0 + slice1cost_column_0_0_choice) mod 1024;
+        slice1cost_column_0_choice_2(15) := (slice1cost_change_0(15) + slice1cost_column_0_choice(15)) mod 1024;
       end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_1_choice := 0;
-      else
-        slice1cost_column_0_1_choice := (slice1cost_ready_words_0 / 1024) mod 1024;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_1_choice_2 := 0;
-      else
-        slice1cost_column_0_1_choice_2 := (slice1cost_change_0_1 + slice1cost_column_0_1_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_2_choice := 0;
-      else
-        slice1cost_column_0_2_choice := slice1cost_ready_words_0 / 1048576;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_2_choice_2 := 0;
-      else
-        slice1cost_column_0_2_choice_2 := (slice1cost_change_0_2 + slice1cost_column_0_2_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_3_choice := 0;
-      else
-        slice1cost_column_0_3_choice := slice1cost_ready_words_1 mod 1024;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_3_choice_2 := 0;
-      else
-        slice1cost_column_0_3_choice_2 := (slice1cost_change_0_3 + slice1cost_column_0_3_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_4_choice := 0;
-      else
-        slice1cost_column_0_4_choice := (slice1cost_ready_words_1 / 1024) mod 1024;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_4_choice_2 := 0;
-      else
-        slice1cost_column_0_4_choice_2 := (slice1cost_change_0_4 + slice1cost_column_0_4_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_5_choice := 0;
-      else
-        slice1cost_column_0_5_choice := slice1cost_ready_words_1 / 1048576;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_5_choice_2 := 0;
-      else
-        slice1cost_column_0_5_choice_2 := (slice1cost_change_0_5 + slice1cost_column_0_5_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_6_choice := 0;
-      else
-        slice1cost_column_0_6_choice := slice1cost_ready_words_2 mod 1024;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_6_choice_2 := 0;
-      else
-        slice1cost_column_0_6_choice_2 := (slice1cost_change_0_6 + slice1cost_column_0_6_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_7_choice := 0;
-      else
-        slice1cost_column_0_7_choice := (slice1cost_ready_words_2 / 1024) mod 1024;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_7_choice_2 := 0;
-      else
-        slice1cost_column_0_7_choice_2 := (slice1cost_change_0_7 + slice1cost_column_0_7_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_8_choice := 0;
-      else
-        slice1cost_column_0_8_choice := slice1cost_ready_words_2 / 1048576;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_8_choice_2 := 0;
-      else
-        slice1cost_column_0_8_choice_2 := (slice1cost_change_0_8 + slice1cost_column_0_8_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_9_choice := 0;
-      else
-        slice1cost_column_0_9_choice := slice1cost_ready_words_3 mod 1024;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_9_choice_2 := 0;
-      else
-        slice1cost_column_0_9_choice_2 := (slice1cost_change_0_9 + slice1cost_column_0_9_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_10_choice := 0;
-      else
-        slice1cost_column_0_10_choice := (slice1cost_ready_words_3 / 1024) mod 1024;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_10_choice_2 := 0;
-      else
-        slice1cost_column_0_10_choice_2 := (slice1cost_change_0_10 + slice1cost_column_0_10_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_11_choice := 0;
-      else
-        slice1cost_column_0_11_choice := slice1cost_ready_words_3 / 1048576;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_11_choice_2 := 0;
-      else
-        slice1cost_column_0_11_choice_2 := (slice1cost_change_0_11 + slice1cost_column_0_11_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_12_choice := 0;
-      else
-        slice1cost_column_0_12_choice := slice1cost_ready_words_4 mod 1024;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_12_choice_2 := 0;
-      else
-        slice1cost_column_0_12_choice_2 := (slice1cost_change_0_12 + slice1cost_column_0_12_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_13_choice := 0;
-      else
-        slice1cost_column_0_13_choice := (slice1cost_ready_words_4 / 1024) mod 1024;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_13_choice_2 := 0;
-      else
-        slice1cost_column_0_13_choice_2 := (slice1cost_change_0_13 + slice1cost_column_0_13_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_14_choice := 0;
-      else
-        slice1cost_column_0_14_choice := slice1cost_ready_words_4 / 1048576;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_14_choice_2 := 0;
-      else
-        slice1cost_column_0_14_choice_2 := (slice1cost_change_0_14 + slice1cost_column_0_14_choice) mod 1024;
-      end if;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_15_choice := 0;
-      else
-        slice1cost_column_0_15_choice := slice1cost_ready_words_5;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_15_choice_2 := 0;
-      else
-        slice1cost_column_0_15_choice_2 := (slice1cost_change_0_15 + slice1cost_column_0_15_choice) mod 1024;
-      end if;
-      slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_3 <= slice1shift_search_0_3 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_4 <= slice1shift_search_0_4 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_5 <= slice1shift_search_0_5 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_6 <= slice1shift_search_0_6 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_7 <= slice1shift_search_0_7 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_8 <= slice1shift_search_0_8 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_9 <= slice1shift_search_0_9 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_10 <= slice1shift_search_0_10 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_11 <= slice1shift_search_0_11 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_12 <= slice1shift_search_0_12 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_13 <= slice1shift_search_0_13 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_14 <= slice1shift_search_0_14 - slice1shift_reference_0;
-      slice1cost_pixels_first_0_15 <= slice1shift_search_0_15 - slice1shift_reference_0;
-      slice1cost_pixels_first_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_3 <= slice1shift_search_1_3 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_4 <= slice1shift_search_1_4 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_5 <= slice1shift_search_1_5 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_6 <= slice1shift_search_1_6 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_7 <= slice1shift_search_1_7 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_8 <= slice1shift_search_1_8 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_9 <= slice1shift_search_1_9 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_10 <= slice1shift_search_1_10 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_11 <= slice1shift_search_1_11 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_12 <= slice1shift_search_1_12 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_13 <= slice1shift_search_1_13 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_14 <= slice1shift_search_1_14 - slice1shift_reference_1;
-      slice1cost_pixels_first_1_15 <= slice1shift_search_1_15 - slice1shift_reference_1;
-      slice1cost_pixels_cost_0_0 <= folded(slice1cost_pixels_first_0_0) + as_number((slice1cost_pixels_first_0_0 < 0));
-      slice1cost_pixels_cost_0_1 <= folded(slice1cost_pixels_first_0_1) + as_number((slice1cost_pixels_first_0_1 < 0));
-      slice1cost_pixels_cost_0_2 <= folded(slice1cost_pixels_first_0_2) + as_number((slice1cost_pixels_first_0_2 < 0));
-      slice1cost_pixels_cost_0_3 <= folded(slice1cost_pixels_first_0_3) + as_number((slice1cost_pixels_first_0_3 < 0));
-      slice1cost_pixels_cost_0_4 <= folded(slice1cost_pixels_first_0_4) + as_number((slice1cost_pixels_first_0_4 < 0));
-      slice1cost_pixels_cost_0_5 <= folded(slice1cost_pixels_first_0_5) + as_number((slice1cost_pixels_first_0_5 < 0));
-      slice1cost_pixels_cost_0_6 <= folded(slice1cost_pixels_first_0_6) + as_number((slice1cost_pixels_first_0_6 < 0));
-      slice1cost_pixels_cost_0_7 <= folded(slice1cost_pixels_first_0_7) + as_number((slice1cost_pixels_first_0_7 < 0));
-      slice1cost_pixels_cost_0_8 <= folded(slice1cost_pixels_first_0_8) + as_number((slice1cost_pixels_first_0_8 < 0));
-      slice1cost_pixels_cost_0_9 <= folded(slice1cost_pixels_first_0_9) + as_number((slice1cost_pixels_first_0_9 < 0));
-      slice1cost_pixels_cost_0_10 <= folded(slice1cost_pixels_first_0_10) + as_number((slice1cost_pixels_first_0_10 <
-        0));
-      slice1cost_pixels_cost_0_11 <= folded(slice1cost_pixels_first_0_11) + as_number((slice1cost_pixels_first_0_11 <
-        0));
-      slice1cost_pixels_cost_0_12 <= folded(slice1cost_pixels_first_0_12) + as_number((slice1cost_pixels_first_0_12 <
-        0));
-      slice1cost_pixels_cost_0_13 <= folded(slice1cost_pixels_first_0_13) + as_number((slice1cost_pixels_first_0_13 <
-        0));
-      slice1cost_pixels_cost_0_14 <= folded(slice1cost_pixels_first_0_14) + as_number((slice1cost_pixels_first_0_14 <
-        0));
-      slice1cost_pixels_cost_0_15 <= folded(slice1cost_pixels_first_0_15) + as_number((slice1cost_pixels_first_0_15 <
-        0));
-      slice1cost_pixels_cost_1_0 <= folded(slice1cost_pixels_first_1_0) + as_number((slice1cost_pixels_first_1_0 < 0));
-      slice1cost_pixels_cost_1_1 <= folded(slice1cost_pixels_first_1_1) + as_number((slice1cost_pixels_first_1_1 < 0));
-      slice1cost_pixels_cost_1_2 <= folded(slice1cost_pixels_first_1_2) + as_number((slice1cost_pixels_first_1_2 < 0));
-      slice1cost_pixels_cost_1_3 <= folded(slice1cost_pixels_first_1_3) + as_number((slice1cost_pixels_first_1_3 < 0));
-      slice1cost_pixels_cost_1_4 <= folded(slice1cost_pixels_first_1_4) + as_number((slice1cost_pixels_first_1_4 < 0));
-      slice1cost_pixels_cost_1_5 <= folded(slice1cost_pixels_first_1_5) + as_number((slice1cost_pixels_first_1_5 < 0));
-      slice1cost_pixels_cost_1_6 <= folded(slice1cost_pixels_first_1_6) + as_number((slice1cost_pixels_first_1_6 < 0));
-      slice1cost_pixels_cost_1_7 <= folded(slice1cost_pixels_first_1_7) + as_number((slice1cost_pixels_first_1_7 < 0));
-      slice1cost_pixels_cost_1_8 <= folded(slice1cost_pixels_first_1_8) + as_number((slice1cost_pixels_first_1_8 < 0));
-      slice1cost_pixels_cost_1_9 <= folded(slice1cost_pixels_first_1_9) + as_number((slice1cost_pixels_first_1_9 < 0));
-      slice1cost_pixels_cost_1_10 <= folded(slice1cost_pixels_first_1_10) + as_number((slice1cost_pixels_first_1_10 <
-        0));
-      slice1cost_pixels_cost_1_11 <= folded(slice1cost_pixels_first_1_11) + as_number((slice1cost_pixels_first_1_11 <
-        0));
-      slice1cost_pixels_cost_1_12 <= folded(slice1cost_pixels_first_1_12) + as_number((slice1cost_pixels_first_1_12 <
-        0));
-      slice1cost_pixels_cost_1_13 <= folded(slice1cost_pixels_first_1_13) + as_number((slice1cost_pixels_first_1_13 <
-        0));
-      slice1cost_pixels_cost_1_14 <= folded(slice1cost_pixels_first_1_14) + as_number((slice1cost_pixels_first_1_14 <
-        0));
-      slice1cost_pixels_cost_1_15 <= folded(slice1cost_pixels_first_1_15) + as_number((slice1cost_pixels_first_1_15 <
-        0));
+      for i in 0 to 15 loop
+        slice1cost_pixels_first(0, i) <= slice1shift_search(0, i) - slice1shift_reference(0);
+      end loop;
+      for i in 0 to 15 loop
+        slice1cost_pixels_first(1, i) <= slice1shift_search(1, i) - slice1shift_reference(1);
+      end loop;
+      for i in 0 to 1 loop
+        for j in 0 to 15 loop
+          slice1cost_pixels_cost(i, j) <= folded(slice1cost_pixels_first(i, j)) + as_number((slice1cost_pixels_first(i,
+            j) < 0));
+        end loop;
+      end loop;
       slice1cost_read_column <= slice0cost_read_column;
       slice1cost_change_column <= slice1cost_read_column;
-      slice1cost_change_0_0 <= slice1cost_pixels_cost_1_0 - slice1cost_pixels_cost_0_0;
-      slice1cost_change_0_1 <= slice1cost_pixels_cost_1_1 - slice1cost_pixels_cost_0_1;
-      slice1cost_change_0_2 <= slice1cost_pixels_cost_1_2 - slice1cost_pixels_cost_0_2;
-      slice1cost_change_0_3 <= slice1cost_pixels_cost_1_3 - slice1cost_pixels_cost_0_3;
-      slice1cost_change_0_4 <= slice1cost_pixels_cost_1_4 - slice1cost_pixels_cost_0_4;
-      slice1cost_change_0_5 <= slice1cost_pixels_cost_1_5 - slice1cost_pixels_cost_0_5;
-      slice1cost_change_0_6 <= slice1cost_pixels_cost_1_6 - slice1cost_pixels_cost_0_6;
-      slice1cost_change_0_7 <= slice1cost_pixels_cost_1_7 - slice1cost_pixels_cost_0_7;
-      slice1cost_change_0_8 <= slice1cost_pixels_cost_1_8 - slice1cost_pixels_cost_0_8;
-      slice1cost_change_0_9 <= slice1cost_pixels_cost_1_9 - slice1cost_pixels_cost_0_9;
-      slice1cost_change_0_10 <= slice1cost_pixels_cost_1_10 - slice1cost_pixels_cost_0_10;
-      slice1cost_change_0_11 <= slice1cost_pixels_cost_1_11 - slice1cost_pixels_cost_0_11;
-      slice1cost_change_0_12 <= slice1cost_pixels_cost_1_12 - slice1cost_pixels_cost_0_12;
-      slice1cost_change_0_13 <= slice1cost_pixels_cost_1_13 - slice1cost_pixels_cost_0_13;
-      slice1cost_change_0_14 <= slice1cost_pixels_cost_1_14 - slice1cost_pixels_cost_0_14;
-      slice1cost_change_0_15 <= slice1cost_pixels_cost_1_15 - slice1cost_pixels_cost_0_15;
-      slice1cost_ready_words_0 <= to_integer(slice1cost_read_words_0);
-      slice1cost_ready_words_1 <= to_integer(slice1cost_read_words_1);
-      slice1cost_ready_words_2 <= to_integer(slice1cost_read_words_2);
-      slice1cost_ready_words_3 <= to_integer(slice1cost_read_words_3);
-      slice1cost_ready_words_4 <= to_integer(slice1cost_read_words_4);
+      for i in 0 to 15 loop
+        slice1cost_change_0(i) <= slice1cost_pixels_cost(1, i) - slice1cost_pixels_cost(0, i);
+      end loop;
+      for i in 0 to 4 loop
+        slice1cost_ready_words(i) <= to_integer(slice1cost_read_words(i));
+      end loop;
       slice1cost_ready_words_5 <= to_integer(slice1cost_read_words_5);
-      slice1cost_column_0_0 <= slice1cost_column_0_0_choice_2;
-      slice1cost_column_0_1 <= slice1cost_column_0_1_choice_2;
-      slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
-      slice1cost_column_0_3 <= slice1cost_column_0_3_choice_2;
-      slice1cost_column_0_4 <= slice1cost_column_0_4_choice_2;
-      slice1cost_column_0_5 <= slice1cost_column_0_5_choice_2;
-      slice1cost_column_0_6 <= slice1cost_column_0_6_choice_2;
-      slice1cost_column_0_7 <= slice1cost_column_0_7_choice_2;
-      slice1cost_column_0_8 <= slice1cost_column_0_8_choice_2;
-      slice1cost_column_0_9 <= slice1cost_column_0_9_choice_2;
-      slice1cost_column_0_10 <= slice1cost_column_0_10_choice_2;
-      slice1cost_column_0_11 <= slice1cost_column_0_11_choice_2;
-      slice1cost_column_0_12 <= slice1cost_column_0_12_choice_2;
-      slice1cost_column_0_13 <= slice1cost_column_0_13_choice_2;
-      slice1cost_column_0_14 <= slice1cost_column_0_14_choice_2;
-      slice1cost_column_0_15 <= slice1cost_column_0_15_choice_2;
+      for i in 0 to 15 loop
+        slice1cost_column_0(i) <= slice1cost_column_0_choice_2(i);
+      end loop;
       if slice0cost_ready_tag_valid then
         slice1cost_ready_column <= slice1cost_change_column;
       end if;
       if slice0cost_tag_valid then
         slice1cost_write_column <= slice0cost_write_column;
-        slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 1024) + slice1cost_column_0_0_choice_2 +
-          (slice1cost_column_0_2_choice_2 * 1048576);
-        slice1cost_write_words_1 <= (slice1cost_column_0_4_choice_2 * 1024) + slice1cost_column_0_3_choice_2 +
-          (slice1cost_column_0_5_choice_2 * 1048576);
-        slice1cost_write_words_2 <= (slice1cost_column_0_7_choice_2 * 1024) + slice1cost_column_0_6_choice_2 +
-          (slice1cost_column_0_8_choice_2 * 1048576);
-        slice1cost_write_words_3 <= (slice1cost_column_0_10_choice_2 * 1024) + slice1cost_column_0_9_choice_2 +
-          (slice1cost_column_0_11_choice_2 * 1048576);
-        slice1cost_write_words_4 <= (slice1cost_column_0_13_choice_2 * 1024) + slice1cost_column_0_12_choice_2 +
-          (slice1cost_column_0_14_choice_2 * 1048576);
-        slice1cost_write_words_5 <= slice1cost_column_0_15_choice_2;
+        for i in 0 to 4 loop
+          slice1cost_write_words(i) <= (slice1cost_column_0_choice_2(3 * i + 1) * 1024) +
+            slice1cost_column_0_choice_2(3 * i) + (slice1cost_column_0_choice_2(3 * i + 2) * 1048576);
+        end loop;
+        slice1cost_write_words_5 <= slice1cost_column_0_choice_2(15);
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
@@ -4102,869 +2698,488 @@ begin
           slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 16;
         end if;
       end if;
+      for i in 0 to 1 loop
+        for j in 0 to 2 loop
+          if slice0window_change_tag_leaves_window then
+            slice1window_change_0_choice(6 * i + j) := to_integer(slice1window_leaving(2 * i)(10 * j + 9 downto 10 *
+              j));
+          else
+            slice1window_change_0_choice(6 * i + j) := 0;
+          end if;
+        end loop;
+        for j in 3 to 5 loop
+          if slice0window_change_tag_leaves_window then
+            slice1window_change_0_choice(6 * i + j) := to_integer(slice1window_leaving(2 * i + 1)(10 * j - 21 downto 10
+              * j - 30));
+          else
+            slice1window_change_0_choice(6 * i + j) := 0;
+          end if;
+        end loop;
+      end loop;
+      for i in 12 to 14 loop
+        if slice0window_change_tag_leaves_window then
+          slice1window_change_0_choice(i) := to_integer(slice1window_leaving(4)(10 * i - 111 downto 10 * i - 120));
+        else
+          slice1window_change_0_choice(i) := 0;
+        end if;
+      end loop;
       if slice0window_change_tag_leaves_window then
-        slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(9 downto 0));
+        slice1window_change_0_choice(15) := to_integer(slice1window_leaving_5);
       else
-        slice1window_change_0_0_choice := 0;
+        slice1window_change_0_choice(15) := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(19 downto 10));
-      else
-        slice1window_change_0_1_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_2_choice := to_integer(slice1window_leaving_0(29 downto 20));
-      else
-        slice1window_change_0_2_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_3_choice := to_integer(slice1window_leaving_1(9 downto 0));
-      else
-        slice1window_change_0_3_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_4_choice := to_integer(slice1window_leaving_1(19 downto 10));
-      else
-        slice1window_change_0_4_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_5_choice := to_integer(slice1window_leaving_1(29 downto 20));
-      else
-        slice1window_change_0_5_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_6_choice := to_integer(slice1window_leaving_2(9 downto 0));
-      else
-        slice1window_change_0_6_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_7_choice := to_integer(slice1window_leaving_2(19 downto 10));
-      else
-        slice1window_change_0_7_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_8_choice := to_integer(slice1window_leaving_2(29 downto 20));
-      else
-        slice1window_change_0_8_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_9_choice := to_integer(slice1window_leaving_3(9 downto 0));
-      else
-        slice1window_change_0_9_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_10_choice := to_integer(slice1window_leaving_3(19 downto 10));
-      else
-        slice1window_change_0_10_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_11_choice := to_integer(slice1window_leaving_3(29 downto 20));
-      else
-        slice1window_change_0_11_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_12_choice := to_integer(slice1window_leaving_4(9 downto 0));
-      else
-        slice1window_change_0_12_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_13_choice := to_integer(slice1window_leaving_4(19 downto 10));
-      else
-        slice1window_change_0_13_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_14_choice := to_integer(slice1window_leaving_4(29 downto 20));
-      else
-        slice1window_change_0_14_choice := 0;
-      end if;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_15_choice := to_integer(slice1window_leaving_5);
-      else
-        slice1window_change_0_15_choice := 0;
-      end if;
-      slice1window_entering_0_0 <= slice1cost_column_0_0;
-      slice1window_entering_0_1 <= slice1cost_column_0_1;
-      slice1window_entering_0_2 <= slice1cost_column_0_2;
-      slice1window_entering_0_3 <= slice1cost_column_0_3;
-      slice1window_entering_0_4 <= slice1cost_column_0_4;
-      slice1window_entering_0_5 <= slice1cost_column_0_5;
-      slice1window_entering_0_6 <= slice1cost_column_0_6;
-      slice1window_entering_0_7 <= slice1cost_column_0_7;
-      slice1window_entering_0_8 <= slice1cost_column_0_8;
-      slice1window_entering_0_9 <= slice1cost_column_0_9;
-      slice1window_entering_0_10 <= slice1cost_column_0_10;
-      slice1window_entering_0_11 <= slice1cost_column_0_11;
-      slice1window_entering_0_12 <= slice1cost_column_0_12;
-      slice1window_entering_0_13 <= slice1cost_column_0_13;
-      slice1window_entering_0_14 <= slice1cost_column_0_14;
-      slice1window_entering_0_15 <= slice1cost_column_0_15;
-      slice1window_change_0_0 <= slice1window_entering_0_0 - slice1window_change_0_0_choice;
-      slice1window_change_0_1 <= slice1window_entering_0_1 - slice1window_change_0_1_choice;
-      slice1window_change_0_2 <= slice1window_entering_0_2 - slice1window_change_0_2_choice;
-      slice1window_change_0_3 <= slice1window_entering_0_3 - slice1window_change_0_3_choice;
-      slice1window_change_0_4 <= slice1window_entering_0_4 - slice1window_change_0_4_choice;
-      slice1window_change_0_5 <= slice1window_entering_0_5 - slice1window_change_0_5_choice;
-      slice1window_change_0_6 <= slice1window_entering_0_6 - slice1window_change_0_6_choice;
-      slice1window_change_0_7 <= slice1window_entering_0_7 - slice1window_change_0_7_choice;
-      slice1window_change_0_8 <= slice1window_entering_0_8 - slice1window_change_0_8_choice;
-      slice1window_change_0_9 <= slice1window_entering_0_9 - slice1window_change_0_9_choice;
-      slice1window_change_0_10 <= slice1window_entering_0_10 - slice1window_change_0_10_choice;
-      slice1window_change_0_11 <= slice1window_entering_0_11 - slice1window_change_0_11_choice;
-      slice1window_change_0_12 <= slice1window_entering_0_12 - slice1window_change_0_12_choice;
-      slice1window_change_0_13 <= slice1window_entering_0_13 - slice1window_change_0_13_choice;
-      slice1window_change_0_14 <= slice1window_entering_0_14 - slice1window_change_0_14_choice;
-      slice1window_change_0_15 <= slice1window_entering_0_15 - slice1window_change_0_15_choice;
+      for i in 0 to 15 loop
+        slice1window_entering_0(i) <= slice1cost_column_0(i);
+      end loop;
+      for i in 0 to 15 loop
+        slice1window_change_0(i) <= slice1window_entering_0(i) - slice1window_change_0_choice(i);
+      end loop;
       slice1window_change_tag_first_cost <= slice0window_change_tag_first_cost;
       slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
       slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
-      slice1window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_1;
+      slice1window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame(1);
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_0_choice := 0;
-      else
-        slice1window_sum_0_0_choice := slice1window_sum_0_0;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_1_choice := 0;
-      else
-        slice1window_sum_0_1_choice := slice1window_sum_0_1;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_2_choice := 0;
-      else
-        slice1window_sum_0_2_choice := slice1window_sum_0_2;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_3_choice := 0;
-      else
-        slice1window_sum_0_3_choice := slice1window_sum_0_3;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_4_choice := 0;
-      else
-        slice1window_sum_0_4_choice := slice1window_sum_0_4;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_5_choice := 0;
-      else
-        slice1window_sum_0_5_choice := slice1window_sum_0_5;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_6_choice := 0;
-      else
-        slice1window_sum_0_6_choice := slice1window_sum_0_6;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_7_choice := 0;
-      else
-        slice1window_sum_0_7_choice := slice1window_sum_0_7;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_8_choice := 0;
-      else
-        slice1window_sum_0_8_choice := slice1window_sum_0_8;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_9_choice := 0;
-      else
-        slice1window_sum_0_9_choice := slice1window_sum_0_9;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_10_choice := 0;
-      else
-        slice1window_sum_0_10_choice := slice1window_sum_0_10;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_11_choice := 0;
-      else
-        slice1window_sum_0_11_choice := slice1window_sum_0_11;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_12_choice := 0;
-      else
-        slice1window_sum_0_12_choice := slice1window_sum_0_12;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_13_choice := 0;
-      else
-        slice1window_sum_0_13_choice := slice1window_sum_0_13;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_14_choice := 0;
-      else
-        slice1window_sum_0_14_choice := slice1window_sum_0_14;
-      end if;
-      if slice1window_change_tag_first_cost then
-        slice1window_sum_0_15_choice := 0;
-      else
-        slice1window_sum_0_15_choice := slice1window_sum_0_15;
-      end if;
+      for i in 0 to 15 loop
+        if slice1window_change_tag_first_cost then
+          slice1window_sum_0_choice(i) := 0;
+        else
+          slice1window_sum_0_choice(i) := slice1window_sum_0(i);
+        end if;
+      end loop;
       if slice0window_tag_valid then
-        slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 16384;
-        slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 16384;
-        slice1window_sum_0_2 <= (slice1window_sum_0_2_choice + slice1window_change_0_2) mod 16384;
-        slice1window_sum_0_3 <= (slice1window_sum_0_3_choice + slice1window_change_0_3) mod 16384;
-        slice1window_sum_0_4 <= (slice1window_sum_0_4_choice + slice1window_change_0_4) mod 16384;
-        slice1window_sum_0_5 <= (slice1window_sum_0_5_choice + slice1window_change_0_5) mod 16384;
-        slice1window_sum_0_6 <= (slice1window_sum_0_6_choice + slice1window_change_0_6) mod 16384;
-        slice1window_sum_0_7 <= (slice1window_sum_0_7_choice + slice1window_change_0_7) mod 16384;
-        slice1window_sum_0_8 <= (slice1window_sum_0_8_choice + slice1window_change_0_8) mod 16384;
-        slice1window_sum_0_9 <= (slice1window_sum_0_9_choice + slice1window_change_0_9) mod 16384;
-        slice1window_sum_0_10 <= (slice1window_sum_0_10_choice + slice1window_change_0_10) mod 16384;
-        slice1window_sum_0_11 <= (slice1window_sum_0_11_choice + slice1window_change_0_11) mod 16384;
-        slice1window_sum_0_12 <= (slice1window_sum_0_12_choice + slice1window_change_0_12) mod 16384;
-        slice1window_sum_0_13 <= (slice1window_sum_0_13_choice + slice1window_change_0_13) mod 16384;
-        slice1window_sum_0_14 <= (slice1window_sum_0_14_choice + slice1window_change_0_14) mod 16384;
-        slice1window_sum_0_15 <= (slice1window_sum_0_15_choice + slice1window_change_0_15) mod 16384;
+        for i in 0 to 15 loop
+          slice1window_sum_0(i) <= (slice1window_sum_0_choice(i) + slice1window_change_0(i)) mod 16384;
+        end loop;
       end if;
       if slice0winner2_tag_valid then
-        slice1window_centre_start_of_frame_3 <= slice3window_centre_start_of_frame_1;
-        slice1window_centre_start_of_frame_4 <= slice1window_centre_start_of_frame_3;
-        slice1window_centre_start_of_frame_5 <= slice1window_centre_start_of_frame_4;
+        slice1window_centre_start_of_frame(3) <= slice3window_centre_start_of_frame_1;
+        slice1window_centre_start_of_frame(4) <= slice1window_centre_start_of_frame(3);
+        slice1window_centre_start_of_frame(5) <= slice1window_centre_start_of_frame(4);
       end if;
       -- slice1winner1
-      slice1winner1_best_index_0_0_is_not_less := (slice1window_sum_0_0 - slice1window_sum_0_1) >= 0;
-      slice1winner1_best_index_0_1_is_less := (slice1window_sum_0_2 - slice1window_sum_0_3) < 0;
-      slice1winner1_best_index_0_2_is_less := (slice1window_sum_0_4 - slice1window_sum_0_5) < 0;
-      slice1winner1_best_index_0_3_is_less := (slice1window_sum_0_6 - slice1window_sum_0_7) < 0;
-      slice1winner1_best_index_0_4_is_less := (slice1window_sum_0_8 - slice1window_sum_0_9) < 0;
-      slice1winner1_best_index_0_5_is_less := (slice1window_sum_0_10 - slice1window_sum_0_11) < 0;
-      slice1winner1_best_index_0_6_is_less := (slice1window_sum_0_12 - slice1window_sum_0_13) < 0;
-      slice1winner1_best_index_0_7_is_less := (slice1window_sum_0_14 - slice1window_sum_0_15) < 0;
-      slice1winner1_held_0_0 <= slice1window_sum_0_0;
-      slice1winner1_held_0_1 <= slice1window_sum_0_1;
-      slice1winner1_held_0_2 <= slice1window_sum_0_2;
-      slice1winner1_held_0_3 <= slice1window_sum_0_3;
-      slice1winner1_held_0_4 <= slice1window_sum_0_4;
-      slice1winner1_held_0_5 <= slice1window_sum_0_5;
-      slice1winner1_held_0_6 <= slice1window_sum_0_6;
-      slice1winner1_held_0_7 <= slice1window_sum_0_7;
-      slice1winner1_held_0_8 <= slice1window_sum_0_8;
-      slice1winner1_held_0_9 <= slice1window_sum_0_9;
-      slice1winner1_held_0_10 <= slice1window_sum_0_10;
-      slice1winner1_held_0_11 <= slice1window_sum_0_11;
-      slice1winner1_held_0_12 <= slice1window_sum_0_12;
-      slice1winner1_held_0_13 <= slice1window_sum_0_13;
-      slice1winner1_held_0_14 <= slice1window_sum_0_14;
-      slice1winner1_held_0_15 <= slice1window_sum_0_15;
+      slice1winner1_best_index_0_0_is_not_less := (slice1window_sum_0(0) - slice1window_sum_0(1)) >= 0;
+      for i in 1 to 7 loop
+        slice1winner1_best_index_0_is_less(i) := (slice1window_sum_0(2 * i) - slice1window_sum_0(2 * i + 1)) < 0;
+      end loop;
+      for i in 0 to 15 loop
+        slice1winner1_held_0(i) <= slice1window_sum_0(i);
+      end loop;
       slice1winner1_best_index_0_0 <= slice1winner1_best_index_0_0_is_not_less;
-      slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
-      slice1winner1_best_late_cost_0_1 <= slice1winner1_best_cost_0_1;
-      slice1winner1_best_late_cost_0_2 <= slice1winner1_best_cost_0_2;
-      slice1winner1_best_late_cost_0_3 <= slice1winner1_best_cost_0_3;
-      slice1winner1_best_late_cost_0_4 <= slice1winner1_best_cost_0_4;
-      slice1winner1_best_late_cost_0_5 <= slice1winner1_best_cost_0_5;
-      slice1winner1_best_late_cost_0_6 <= slice1winner1_best_cost_0_6;
-      slice1winner1_best_late_cost_0_7 <= slice1winner1_best_cost_0_7;
-      slice1winner1_best_but_first_0_0 <= slice1winner1_held_0_1;
-      slice1winner1_best_but_first_0_1 <= slice1winner1_held_0_3;
-      slice1winner1_best_but_first_0_2 <= slice1winner1_held_0_5;
-      slice1winner1_best_but_first_0_3 <= slice1winner1_held_0_7;
-      slice1winner1_best_but_first_0_4 <= slice1winner1_held_0_9;
-      slice1winner1_best_but_first_0_5 <= slice1winner1_held_0_11;
-      slice1winner1_best_but_first_0_6 <= slice1winner1_held_0_13;
-      slice1winner1_best_but_first_0_7 <= slice1winner1_held_0_15;
-      slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_0;
-      slice1winner1_best_but_last_0_1 <= slice1winner1_held_0_2;
-      slice1winner1_best_but_last_0_2 <= slice1winner1_held_0_4;
-      slice1winner1_best_but_last_0_3 <= slice1winner1_held_0_6;
-      slice1winner1_best_but_last_0_4 <= slice1winner1_held_0_8;
-      slice1winner1_best_but_last_0_5 <= slice1winner1_held_0_10;
-      slice1winner1_best_but_last_0_6 <= slice1winner1_held_0_12;
-      slice1winner1_best_but_last_0_7 <= slice1winner1_held_0_14;
-      if (slice1window_sum_0_1 - slice1window_sum_0_0) < 0 then
-        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
-      else
-        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
-      end if;
-      if (slice1window_sum_0_3 - slice1window_sum_0_2) < 0 then
-        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
-      else
-        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      end if;
-      if (slice1window_sum_0_5 - slice1window_sum_0_4) < 0 then
-        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
-      else
-        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
-      end if;
-      if (slice1window_sum_0_7 - slice1window_sum_0_6) < 0 then
-        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
-      else
-        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
-      end if;
-      if (slice1window_sum_0_9 - slice1window_sum_0_8) < 0 then
-        slice1winner1_best_cost_0_4 <= slice1window_sum_0_9;
-      else
-        slice1winner1_best_cost_0_4 <= slice1window_sum_0_8;
-      end if;
-      if (slice1window_sum_0_11 - slice1window_sum_0_10) < 0 then
-        slice1winner1_best_cost_0_5 <= slice1window_sum_0_11;
-      else
-        slice1winner1_best_cost_0_5 <= slice1window_sum_0_10;
-      end if;
-      if (slice1window_sum_0_13 - slice1window_sum_0_12) < 0 then
-        slice1winner1_best_cost_0_6 <= slice1window_sum_0_13;
-      else
-        slice1winner1_best_cost_0_6 <= slice1window_sum_0_12;
-      end if;
-      if (slice1window_sum_0_15 - slice1window_sum_0_14) < 0 then
-        slice1winner1_best_cost_0_7 <= slice1window_sum_0_15;
-      else
-        slice1winner1_best_cost_0_7 <= slice1window_sum_0_14;
-      end if;
-      if slice1winner1_best_index_0_1_is_less then
+      for i in 0 to 7 loop
+        slice1winner1_best_late_cost_0(i) <= slice1winner1_best_cost_0(i);
+      end loop;
+      for i in 0 to 7 loop
+        slice1winner1_best_but_first_0(i) <= slice1winner1_held_0(2 * i + 1);
+      end loop;
+      for i in 0 to 7 loop
+        slice1winner1_best_but_last_0(i) <= slice1winner1_held_0(2 * i);
+      end loop;
+      for i in 0 to 7 loop
+        if (slice1window_sum_0(2 * i + 1) - slice1window_sum_0(2 * i)) < 0 then
+          slice1winner1_best_cost_0(i) <= slice1window_sum_0(2 * i + 1);
+        else
+          slice1winner1_best_cost_0(i) <= slice1window_sum_0(2 * i);
+        end if;
+      end loop;
+      if slice1winner1_best_index_0_is_less(1) then
         slice1winner1_best_index_0_1 <= 2;
-        slice1winner1_best_below_0_1 <= 0;
-        slice1winner1_best_above_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_below_0(1) <= 0;
+        slice1winner1_best_above_0(1) <= slice1window_sum_0(3);
       else
         slice1winner1_best_index_0_1 <= 3;
-        slice1winner1_best_below_0_1 <= slice1window_sum_0_2;
-        slice1winner1_best_above_0_1 <= 0;
+        slice1winner1_best_below_0(1) <= slice1window_sum_0(2);
+        slice1winner1_best_above_0(1) <= 0;
       end if;
-      if slice1winner1_best_index_0_2_is_less then
+      if slice1winner1_best_index_0_is_less(2) then
         slice1winner1_best_index_0_2 <= 4;
-        slice1winner1_best_below_0_2 <= 0;
-        slice1winner1_best_above_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_below_0(2) <= 0;
+        slice1winner1_best_above_0(2) <= slice1window_sum_0(5);
       else
         slice1winner1_best_index_0_2 <= 5;
-        slice1winner1_best_below_0_2 <= slice1window_sum_0_4;
-        slice1winner1_best_above_0_2 <= 0;
+        slice1winner1_best_below_0(2) <= slice1window_sum_0(4);
+        slice1winner1_best_above_0(2) <= 0;
       end if;
-      if slice1winner1_best_index_0_3_is_less then
+      if slice1winner1_best_index_0_is_less(3) then
         slice1winner1_best_index_0_3 <= 6;
-        slice1winner1_best_below_0_3 <= 0;
-        slice1winner1_best_above_0_3 <= slice1window_sum_0_7;
+        slice1winner1_best_below_0(3) <= 0;
+        slice1winner1_best_above_0(3) <= slice1window_sum_0(7);
       else
         slice1winner1_best_index_0_3 <= 7;
-        slice1winner1_best_below_0_3 <= slice1window_sum_0_6;
-        slice1winner1_best_above_0_3 <= 0;
+        slice1winner1_best_below_0(3) <= slice1window_sum_0(6);
+        slice1winner1_best_above_0(3) <= 0;
       end if;
-      if slice1winner1_best_index_0_4_is_less then
+      if slice1winner1_best_index_0_is_less(4) then
         slice1winner1_best_index_0_4 <= 8;
-        slice1winner1_best_below_0_4 <= 0;
-        slice1winner1_best_above_0_4 <= slice1window_sum_0_9;
+        slice1winner1_best_below_0(4) <= 0;
+        slice1winner1_best_above_0(4) <= slice1window_sum_0(9);
       else
         slice1winner1_best_index_0_4 <= 9;
-        slice1winner1_best_below_0_4 <= slice1window_sum_0_8;
-        slice1winner1_best_above_0_4 <= 0;
+        slice1winner1_best_below_0(4) <= slice1window_sum_0(8);
+        slice1winner1_best_above_0(4) <= 0;
       end if;
-      if slice1winner1_best_index_0_5_is_less then
+      if slice1winner1_best_index_0_is_less(5) then
         slice1winner1_best_index_0_5 <= 10;
-        slice1winner1_best_below_0_5 <= 0;
-        slice1winner1_best_above_0_5 <= slice1window_sum_0_11;
+        slice1winner1_best_below_0(5) <= 0;
+        slice1winner1_best_above_0(5) <= slice1window_sum_0(11);
       else
         slice1winner1_best_index_0_5 <= 11;
-        slice1winner1_best_below_0_5 <= slice1window_sum_0_10;
-        slice1winner1_best_above_0_5 <= 0;
+        slice1winner1_best_below_0(5) <= slice1window_sum_0(10);
+        slice1winner1_best_above_0(5) <= 0;
       end if;
-      if slice1winner1_best_index_0_6_is_less then
+      if slice1winner1_best_index_0_is_less(6) then
         slice1winner1_best_index_0_6 <= 12;
-        slice1winner1_best_below_0_6 <= 0;
-        slice1winner1_best_above_0_6 <= slice1window_sum_0_13;
+        slice1winner1_best_below_0(6) <= 0;
+        slice1winner1_best_above_0(6) <= slice1window_sum_0(13);
       else
         slice1winner1_best_index_0_6 <= 13;
-        slice1winner1_best_below_0_6 <= slice1window_sum_0_12;
-        slice1winner1_best_above_0_6 <= 0;
+        slice1winner1_best_below_0(6) <= slice1window_sum_0(12);
+        slice1winner1_best_above_0(6) <= 0;
       end if;
-      if slice1winner1_best_index_0_7_is_less then
+      if slice1winner1_best_index_0_is_less(7) then
         slice1winner1_best_index_0_7 <= 14;
-        slice1winner1_best_below_0_7 <= 0;
-        slice1winner1_best_above_0_7 <= slice1window_sum_0_15;
+        slice1winner1_best_below_0(7) <= 0;
+        slice1winner1_best_above_0(7) <= slice1window_sum_0(15);
       else
         slice1winner1_best_index_0_7 <= 15;
-        slice1winner1_best_below_0_7 <= slice1window_sum_0_14;
-        slice1winner1_best_above_0_7 <= 0;
+        slice1winner1_best_below_0(7) <= slice1window_sum_0(14);
+        slice1winner1_best_above_0(7) <= 0;
       end if;
       if slice1winner1_best_index_0_0_is_not_less then
-        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
-        slice1winner1_best_above_0_0 <= 0;
+        slice1winner1_best_below_0(0) <= slice1window_sum_0(0);
+        slice1winner1_best_above_0(0) <= 0;
       else
-        slice1winner1_best_below_0_0 <= 0;
-        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_below_0(0) <= 0;
+        slice1winner1_best_above_0(0) <= slice1window_sum_0(1);
       end if;
       -- slice1winner2
-      slice1winner2_best_index_0_0_is_not_less := (slice1winner1_best_cost_0_0 - slice1winner1_best_cost_0_1) >= 0;
-      slice1winner2_best_index_0_1_is_not_less := (slice1winner1_best_cost_0_2 - slice1winner1_best_cost_0_3) >= 0;
-      slice1winner2_best_index_0_2_is_not_less := (slice1winner1_best_cost_0_4 - slice1winner1_best_cost_0_5) >= 0;
-      slice1winner2_best_index_0_3_is_not_less := (slice1winner1_best_cost_0_6 - slice1winner1_best_cost_0_7) >= 0;
-      if other_15 then
-        slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1;
-      else
-        slice1winner2_best_below_0_0_choice := slice1winner1_best_below_0_1;
-      end if;
-      if other_16 then
-        slice1winner2_best_below_0_1_choice := slice1winner1_held_0_5;
-      else
-        slice1winner2_best_below_0_1_choice := slice1winner1_best_below_0_3;
-      end if;
-      if other_17 then
-        slice1winner2_best_below_0_2_choice := slice1winner1_held_0_9;
-      else
-        slice1winner2_best_below_0_2_choice := slice1winner1_best_below_0_5;
-      end if;
-      if other_18 then
-        slice1winner2_best_below_0_3_choice := slice1winner1_held_0_13;
-      else
-        slice1winner2_best_below_0_3_choice := slice1winner1_best_below_0_7;
-      end if;
+      for i in 0 to 3 loop
+        slice1winner2_best_index_0_is_not_less(i) := (slice1winner1_best_cost_0(2 * i) - slice1winner1_best_cost_0(2 *
+          i + 1)) >= 0;
+      end loop;
+      for i in 15 to 18 loop
+        if others_from_13(i) then
+          slice1winner2_best_below_0_choice(i - 15) := slice1winner1_held_0(4 * i - 59);
+        else
+          slice1winner2_best_below_0_choice(i - 15) := slice1winner1_best_below_0(2 * i - 29);
+        end if;
+      end loop;
       if slice1winner1_best_index_0_0 then
-        slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2;
+        slice1winner2_best_above_0_choice(0) := slice1winner1_held_0(2);
       else
-        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+        slice1winner2_best_above_0_choice(0) := slice1winner1_best_above_0(0);
       end if;
-      if ((slice1winner1_best_index_0_2 / 4) = 1) and ((slice1winner1_best_index_0_2 mod 2) = 1) then
-        slice1winner2_best_above_0_1_choice := slice1winner1_held_0_6;
+      if is_set(slice1winner1_best_index_0_2, 2) and is_set(slice1winner1_best_index_0_2, 0) then
+        slice1winner2_best_above_0_choice(1) := slice1winner1_held_0(6);
       else
-        slice1winner2_best_above_0_1_choice := slice1winner1_best_above_0_2;
+        slice1winner2_best_above_0_choice(1) := slice1winner1_best_above_0(2);
       end if;
-      if ((slice1winner1_best_index_0_4 / 8) = 1) and ((slice1winner1_best_index_0_4 mod 2) = 1) then
-        slice1winner2_best_above_0_2_choice := slice1winner1_held_0_10;
+      if is_set(slice1winner1_best_index_0_4, 3) and is_set(slice1winner1_best_index_0_4, 0) then
+        slice1winner2_best_above_0_choice(2) := slice1winner1_held_0(10);
       else
-        slice1winner2_best_above_0_2_choice := slice1winner1_best_above_0_4;
+        slice1winner2_best_above_0_choice(2) := slice1winner1_best_above_0(4);
       end if;
-      slice1winner2_best_above_0_3_value := ((slice1winner1_best_index_0_6 / 4) mod 2) = 1;
-      if ((slice1winner1_best_index_0_6 / 8) = 1) and slice1winner2_best_above_0_3_value and
-        ((slice1winner1_best_index_0_6 mod 2) = 1) then
-        slice1winner2_best_above_0_3_choice := slice1winner1_held_0_14;
+      slice1winner2_best_above_0_3_value := is_set(slice1winner1_best_index_0_6, 2);
+      if is_set(slice1winner1_best_index_0_6, 3) and slice1winner2_best_above_0_3_value and
+        is_set(slice1winner1_best_index_0_6, 0) then
+        slice1winner2_best_above_0_choice(3) := slice1winner1_held_0(14);
       else
-        slice1winner2_best_above_0_3_choice := slice1winner1_best_above_0_6;
+        slice1winner2_best_above_0_choice(3) := slice1winner1_best_above_0(6);
       end if;
-      if slice1winner2_best_place_0_0 then
-        slice1winner2_best_second_0_0_choice := 16383;
-      else
-        slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1;
-      end if;
-      if slice1winner2_best_at_end_0_0 then
-        slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_1;
-      else
-        slice1winner2_best_second_0_0_choice_2 := slice1winner2_best_second_0_0_choice;
-      end if;
-      if slice1winner2_best_place_0_0 then
-        slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_late_cost_0_0;
-      else
-        slice1winner2_best_second_0_0_choice_3 := 16383;
-      end if;
-      if slice1winner2_best_at_start_0_0 then
-        slice1winner2_best_second_0_0_choice_4 := slice1winner1_best_but_last_0_0;
-      else
-        slice1winner2_best_second_0_0_choice_4 := slice1winner2_best_second_0_0_choice_3;
-      end if;
-      if slice1winner2_best_place_0_1 then
-        slice1winner2_best_second_0_1_choice := 16383;
-      else
-        slice1winner2_best_second_0_1_choice := slice1winner1_best_late_cost_0_3;
-      end if;
-      if slice1winner2_best_at_end_0_1 then
-        slice1winner2_best_second_0_1_choice_2 := slice1winner1_best_but_first_0_3;
-      else
-        slice1winner2_best_second_0_1_choice_2 := slice1winner2_best_second_0_1_choice;
-      end if;
-      if slice1winner2_best_place_0_1 then
-        slice1winner2_best_second_0_1_choice_3 := slice1winner1_best_late_cost_0_2;
-      else
-        slice1winner2_best_second_0_1_choice_3 := 16383;
-      end if;
-      if slice1winner2_best_at_start_0_1 then
-        slice1winner2_best_second_0_1_choice_4 := slice1winner1_best_but_last_0_2;
-      else
-        slice1winner2_best_second_0_1_choice_4 := slice1winner2_best_second_0_1_choice_3;
-      end if;
-      if slice1winner2_best_place_0_2 then
-        slice1winner2_best_second_0_2_choice := 16383;
-      else
-        slice1winner2_best_second_0_2_choice := slice1winner1_best_late_cost_0_5;
-      end if;
-      if slice1winner2_best_at_end_0_2 then
-        slice1winner2_best_second_0_2_choice_2 := slice1winner1_best_but_first_0_5;
-      else
-        slice1winner2_best_second_0_2_choice_2 := slice1winner2_best_second_0_2_choice;
-      end if;
-      if slice1winner2_best_place_0_2 then
-        slice1winner2_best_second_0_2_choice_3 := slice1winner1_best_late_cost_0_4;
-      else
-        slice1winner2_best_second_0_2_choice_3 := 16383;
-      end if;
-      if slice1winner2_best_at_start_0_2 then
-        slice1winner2_best_second_0_2_choice_4 := slice1winner1_best_but_last_0_4;
-      else
-        slice1winner2_best_second_0_2_choice_4 := slice1winner2_best_second_0_2_choice_3;
-      end if;
-      if slice1winner2_best_place_0_3 then
-        slice1winner2_best_second_0_3_choice := 16383;
-      else
-        slice1winner2_best_second_0_3_choice := slice1winner1_best_late_cost_0_7;
-      end if;
-      if slice1winner2_best_at_end_0_3 then
-        slice1winner2_best_second_0_3_choice_2 := slice1winner1_best_but_first_0_7;
-      else
-        slice1winner2_best_second_0_3_choice_2 := slice1winner2_best_second_0_3_choice;
-      end if;
-      if slice1winner2_best_place_0_3 then
-        slice1winner2_best_second_0_3_choice_3 := slice1winner1_best_late_cost_0_6;
-      else
-        slice1winner2_best_second_0_3_choice_3 := 16383;
-      end if;
-      if slice1winner2_best_at_start_0_3 then
-        slice1winner2_best_second_0_3_choice_4 := slice1winner1_best_but_last_0_6;
-      else
-        slice1winner2_best_second_0_3_choice_4 := slice1winner2_best_second_0_3_choice_3;
-      end if;
-      slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
-      slice1winner2_best_first_0_1 <= slice1winner1_held_0_4;
-      slice1winner2_best_first_0_2 <= slice1winner1_held_0_8;
-      slice1winner2_best_first_0_3 <= slice1winner1_held_0_12;
-      slice1winner2_best_last_0_0 <= slice1winner1_held_0_3;
-      slice1winner2_best_last_0_1 <= slice1winner1_held_0_7;
-      slice1winner2_best_last_0_2 <= slice1winner1_held_0_11;
-      slice1winner2_best_last_0_3 <= slice1winner1_held_0_15;
-      slice1winner2_best_place_0_0 <= slice1winner2_best_index_0_0_is_not_less;
-      slice1winner2_best_place_0_1 <= slice1winner2_best_index_0_1_is_not_less;
-      slice1winner2_best_place_0_2 <= slice1winner2_best_index_0_2_is_not_less;
-      slice1winner2_best_place_0_3 <= slice1winner2_best_index_0_3_is_not_less;
-      slice1winner2_best_at_start_0_0 <= other_15 and slice1winner2_best_index_0_0_is_not_less;
-      slice1winner2_best_at_start_0_1 <= other_16 and slice1winner2_best_index_0_1_is_not_less;
-      slice1winner2_best_at_start_0_2 <= other_17 and slice1winner2_best_index_0_2_is_not_less;
-      slice1winner2_best_at_start_0_3 <= other_18 and slice1winner2_best_index_0_3_is_not_less;
-      slice1winner2_best_at_end_0_0 <= slice1winner1_best_index_0_0 and ((slice1winner1_best_cost_0_0 -
-        slice1winner1_best_cost_0_1) < 0);
-      slice1winner2_best_at_end_0_1 <= ((slice1winner1_best_cost_0_2 - slice1winner1_best_cost_0_3) < 0) and
-        ((slice1winner1_best_index_0_2 / 4) = 1) and ((slice1winner1_best_index_0_2 mod 2) = 1);
-      slice1winner2_best_at_end_0_2 <= ((slice1winner1_best_cost_0_4 - slice1winner1_best_cost_0_5) < 0) and
-        ((slice1winner1_best_index_0_4 / 8) = 1) and ((slice1winner1_best_index_0_4 mod 2) = 1);
-      slice1winner2_best_at_end_0_3 <= ((slice1winner1_best_cost_0_6 - slice1winner1_best_cost_0_7) < 0) and
-        ((slice1winner1_best_index_0_6 / 8) = 1) and slice1winner2_best_above_0_3_value and
-        ((slice1winner1_best_index_0_6 mod 2) = 1);
-      slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
-      slice1winner2_best_late_cost_0_1 <= slice1winner2_best_cost_0_1;
-      slice1winner2_best_late_cost_0_2 <= slice1winner2_best_cost_0_2;
-      slice1winner2_best_late_cost_0_3 <= slice1winner2_best_cost_0_3;
-      if (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0 then
-        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
-      else
-        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
-      end if;
-      if (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0 then
-        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
-      else
-        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
-      end if;
-      if (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0 then
-        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5;
-      else
-        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_4;
-      end if;
-      if (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0 then
-        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7;
-      else
-        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_6;
-      end if;
-      if slice1winner2_best_index_0_0_is_not_less then
+      for i in 0 to 3 loop
+        if slice1winner2_best_place_0(i) then
+          slice1winner2_best_second_0_choice(i) := 16383;
+        else
+          slice1winner2_best_second_0_choice(i) := slice1winner1_best_late_cost_0(2 * i + 1);
+        end if;
+        if slice1winner2_best_at_end_0(i) then
+          slice1winner2_best_second_0_choices(i, 2) := slice1winner1_best_but_first_0(2 * i + 1);
+        else
+          slice1winner2_best_second_0_choices(i, 2) := slice1winner2_best_second_0_choice(i);
+        end if;
+        if slice1winner2_best_place_0(i) then
+          slice1winner2_best_second_0_choices(i, 3) := slice1winner1_best_late_cost_0(2 * i);
+        else
+          slice1winner2_best_second_0_choices(i, 3) := 16383;
+        end if;
+        if slice1winner2_best_at_start_0(i) then
+          slice1winner2_best_second_0_choices(i, 4) := slice1winner1_best_but_last_0(2 * i);
+        else
+          slice1winner2_best_second_0_choices(i, 4) := slice1winner2_best_second_0_choices(i, 3);
+        end if;
+      end loop;
+      slice1winner2_best_first_0(0) <= slice1winner1_held_0(0);
+      slice1winner2_best_first_0(1) <= slice1winner1_held_0(4);
+      slice1winner2_best_first_0(2) <= slice1winner1_held_0(8);
+      slice1winner2_best_first_0(3) <= slice1winner1_held_0(12);
+      slice1winner2_best_last_0(0) <= slice1winner1_held_0(3);
+      slice1winner2_best_last_0(1) <= slice1winner1_held_0(7);
+      slice1winner2_best_last_0(2) <= slice1winner1_held_0(11);
+      slice1winner2_best_last_0(3) <= slice1winner1_held_0(15);
+      slice1winner2_best_place_0(0) <= slice1winner2_best_index_0_is_not_less(0);
+      slice1winner2_best_place_0(1) <= slice1winner2_best_index_0_is_not_less(1);
+      slice1winner2_best_place_0(2) <= slice1winner2_best_index_0_is_not_less(2);
+      slice1winner2_best_place_0(3) <= slice1winner2_best_index_0_is_not_less(3);
+      for i in 0 to 3 loop
+        slice1winner2_best_at_start_0(i) <= others_from_13(i + 15) and slice1winner2_best_index_0_is_not_less(i);
+      end loop;
+      slice1winner2_best_at_end_0(0) <= slice1winner1_best_index_0_0 and ((slice1winner1_best_cost_0(0) -
+        slice1winner1_best_cost_0(1)) < 0);
+      slice1winner2_best_at_end_0(1) <= ((slice1winner1_best_cost_0(2) - slice1winner1_best_cost_0(3)) < 0) and
+        is_set(slice1winner1_best_index_0_2, 2) and is_set(slice1winner1_best_index_0_2, 0);
+      slice1winner2_best_at_end_0(2) <= ((slice1winner1_best_cost_0(4) - slice1winner1_best_cost_0(5)) < 0) and
+        is_set(slice1winner1_best_index_0_4, 3) and is_set(slice1winner1_best_index_0_4, 0);
+      slice1winner2_best_at_end_0(3) <= ((slice1winner1_best_cost_0(6) - slice1winner1_best_cost_0(7)) < 0) and
+        is_set(slice1winner1_best_index_0_6, 3) and slice1winner2_best_above_0_3_value and
+        is_set(slice1winner1_best_index_0_6, 0);
+      slice1winner2_best_late_cost_0(0) <= slice1winner2_best_cost_0(0);
+      slice1winner2_best_late_cost_0(1) <= slice1winner2_best_cost_0(1);
+      slice1winner2_best_late_cost_0(2) <= slice1winner2_best_cost_0(2);
+      slice1winner2_best_late_cost_0(3) <= slice1winner2_best_cost_0(3);
+      for i in 0 to 3 loop
+        if (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 * i)) < 0 then
+          slice1winner2_best_cost_0(i) <= slice1winner1_best_cost_0(2 * i + 1);
+        else
+          slice1winner2_best_cost_0(i) <= slice1winner1_best_cost_0(2 * i);
+        end if;
+      end loop;
+      if slice1winner2_best_index_0_is_not_less(0) then
         slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
-        slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice;
-        slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1;
+        slice1winner2_best_below_0(0) <= slice1winner2_best_below_0_choice(0);
+        slice1winner2_best_above_0(0) <= slice1winner1_best_above_0(1);
       else
         slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
-        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
-        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+        slice1winner2_best_below_0(0) <= slice1winner1_best_below_0(0);
+        slice1winner2_best_above_0(0) <= slice1winner2_best_above_0_choice(0);
       end if;
-      if slice1winner2_best_index_0_1_is_not_less then
+      if slice1winner2_best_index_0_is_not_less(1) then
         slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
-        slice1winner2_best_below_0_1 <= slice1winner2_best_below_0_1_choice;
-        slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_3;
+        slice1winner2_best_below_0(1) <= slice1winner2_best_below_0_choice(1);
+        slice1winner2_best_above_0(1) <= slice1winner1_best_above_0(3);
       else
         slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-        slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2;
-        slice1winner2_best_above_0_1 <= slice1winner2_best_above_0_1_choice;
+        slice1winner2_best_below_0(1) <= slice1winner1_best_below_0(2);
+        slice1winner2_best_above_0(1) <= slice1winner2_best_above_0_choice(1);
       end if;
-      if slice1winner2_best_index_0_2_is_not_less then
+      if slice1winner2_best_index_0_is_not_less(2) then
         slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
-        slice1winner2_best_below_0_2 <= slice1winner2_best_below_0_2_choice;
-        slice1winner2_best_above_0_2 <= slice1winner1_best_above_0_5;
+        slice1winner2_best_below_0(2) <= slice1winner2_best_below_0_choice(2);
+        slice1winner2_best_above_0(2) <= slice1winner1_best_above_0(5);
       else
         slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
-        slice1winner2_best_below_0_2 <= slice1winner1_best_below_0_4;
-        slice1winner2_best_above_0_2 <= slice1winner2_best_above_0_2_choice;
+        slice1winner2_best_below_0(2) <= slice1winner1_best_below_0(4);
+        slice1winner2_best_above_0(2) <= slice1winner2_best_above_0_choice(2);
       end if;
-      if slice1winner2_best_index_0_3_is_not_less then
+      if slice1winner2_best_index_0_is_not_less(3) then
         slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
-        slice1winner2_best_below_0_3 <= slice1winner2_best_below_0_3_choice;
-        slice1winner2_best_above_0_3 <= slice1winner1_best_above_0_7;
+        slice1winner2_best_below_0(3) <= slice1winner2_best_below_0_choice(3);
+        slice1winner2_best_above_0(3) <= slice1winner1_best_above_0(7);
       else
         slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
-        slice1winner2_best_below_0_3 <= slice1winner1_best_below_0_6;
-        slice1winner2_best_above_0_3 <= slice1winner2_best_above_0_3_choice;
+        slice1winner2_best_below_0(3) <= slice1winner1_best_below_0(6);
+        slice1winner2_best_above_0(3) <= slice1winner2_best_above_0_choice(3);
       end if;
-      if (slice1winner2_best_second_0_0_choice_2 - slice1winner2_best_second_0_0_choice_4) < 0 then
-        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_2;
-      else
-        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_4;
-      end if;
-      if (slice1winner2_best_second_0_1_choice_2 - slice1winner2_best_second_0_1_choice_4) < 0 then
-        slice1winner2_best_second_0_1 <= slice1winner2_best_second_0_1_choice_2;
-      else
-        slice1winner2_best_second_0_1 <= slice1winner2_best_second_0_1_choice_4;
-      end if;
-      if (slice1winner2_best_second_0_2_choice_2 - slice1winner2_best_second_0_2_choice_4) < 0 then
-        slice1winner2_best_second_0_2 <= slice1winner2_best_second_0_2_choice_2;
-      else
-        slice1winner2_best_second_0_2 <= slice1winner2_best_second_0_2_choice_4;
-      end if;
-      if (slice1winner2_best_second_0_3_choice_2 - slice1winner2_best_second_0_3_choice_4) < 0 then
-        slice1winner2_best_second_0_3 <= slice1winner2_best_second_0_3_choice_2;
-      else
-        slice1winner2_best_second_0_3 <= slice1winner2_best_second_0_3_choice_4;
-      end if;
-      if (slice1winner1_best_late_cost_0_1 - slice1winner1_best_but_first_0_0) < 0 then
-        slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1;
-      else
-        slice1winner2_best_but_first_0_0 <= slice1winner1_best_but_first_0_0;
-      end if;
-      if (slice1winner1_best_late_cost_0_3 - slice1winner1_best_but_first_0_2) < 0 then
-        slice1winner2_best_but_first_0_1 <= slice1winner1_best_late_cost_0_3;
-      else
-        slice1winner2_best_but_first_0_1 <= slice1winner1_best_but_first_0_2;
-      end if;
-      if (slice1winner1_best_late_cost_0_5 - slice1winner1_best_but_first_0_4) < 0 then
-        slice1winner2_best_but_first_0_2 <= slice1winner1_best_late_cost_0_5;
-      else
-        slice1winner2_best_but_first_0_2 <= slice1winner1_best_but_first_0_4;
-      end if;
-      if (slice1winner1_best_late_cost_0_7 - slice1winner1_best_but_first_0_6) < 0 then
-        slice1winner2_best_but_first_0_3 <= slice1winner1_best_late_cost_0_7;
-      else
-        slice1winner2_best_but_first_0_3 <= slice1winner1_best_but_first_0_6;
-      end if;
-      if (slice1winner1_best_but_last_0_1 - slice1winner1_best_late_cost_0_0) < 0 then
-        slice1winner2_best_but_last_0_0 <= slice1winner1_best_but_last_0_1;
-      else
-        slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0;
-      end if;
-      if (slice1winner1_best_but_last_0_3 - slice1winner1_best_late_cost_0_2) < 0 then
-        slice1winner2_best_but_last_0_1 <= slice1winner1_best_but_last_0_3;
-      else
-        slice1winner2_best_but_last_0_1 <= slice1winner1_best_late_cost_0_2;
-      end if;
-      if (slice1winner1_best_but_last_0_5 - slice1winner1_best_late_cost_0_4) < 0 then
-        slice1winner2_best_but_last_0_2 <= slice1winner1_best_but_last_0_5;
-      else
-        slice1winner2_best_but_last_0_2 <= slice1winner1_best_late_cost_0_4;
-      end if;
-      if (slice1winner1_best_but_last_0_7 - slice1winner1_best_late_cost_0_6) < 0 then
-        slice1winner2_best_but_last_0_3 <= slice1winner1_best_but_last_0_7;
-      else
-        slice1winner2_best_but_last_0_3 <= slice1winner1_best_late_cost_0_6;
-      end if;
+      for i in 0 to 3 loop
+        if (slice1winner2_best_second_0_choices(i, 2) - slice1winner2_best_second_0_choices(i, 4)) < 0 then
+          slice1winner2_best_second_0(i) <= slice1winner2_best_second_0_choices(i, 2);
+        else
+          slice1winner2_best_second_0(i) <= slice1winner2_best_second_0_choices(i, 4);
+        end if;
+      end loop;
+      for i in 0 to 3 loop
+        if (slice1winner1_best_late_cost_0(2 * i + 1) - slice1winner1_best_but_first_0(2 * i)) < 0 then
+          slice1winner2_best_but_first_0(i) <= slice1winner1_best_late_cost_0(2 * i + 1);
+        else
+          slice1winner2_best_but_first_0(i) <= slice1winner1_best_but_first_0(2 * i);
+        end if;
+      end loop;
+      for i in 0 to 3 loop
+        if (slice1winner1_best_but_last_0(2 * i + 1) - slice1winner1_best_late_cost_0(2 * i)) < 0 then
+          slice1winner2_best_but_last_0(i) <= slice1winner1_best_but_last_0(2 * i + 1);
+        else
+          slice1winner2_best_but_last_0(i) <= slice1winner1_best_late_cost_0(2 * i);
+        end if;
+      end loop;
       -- slice1winner3
-      slice1winner3_best_index_0_0_is_not_less := (slice1winner2_best_cost_0_0 - slice1winner2_best_cost_0_1) >= 0;
-      slice1winner3_best_index_0_1_is_not_less := (slice1winner2_best_cost_0_2 - slice1winner2_best_cost_0_3) >= 0;
-      slice1winner3_best_below_0_0_is_equal := slice1winner2_best_index_0_1 = 4;
-      if slice1winner3_best_below_0_0_is_equal then
-        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0;
+      slice1winner3_best_index_0_is_not_less(0) := (slice1winner2_best_cost_0(0) - slice1winner2_best_cost_0(1)) >= 0;
+      slice1winner3_best_index_0_is_not_less(1) := (slice1winner2_best_cost_0(2) - slice1winner2_best_cost_0(3)) >= 0;
+      slice1winner3_best_below_0_is_equal(0) := slice1winner2_best_index_0_1 = 4;
+      if slice1winner3_best_below_0_is_equal(0) then
+        slice1winner3_best_below_0_choice(0) := slice1winner2_best_last_0(0);
       else
-        slice1winner3_best_below_0_0_choice := slice1winner2_best_below_0_1;
+        slice1winner3_best_below_0_choice(0) := slice1winner2_best_below_0(1);
       end if;
-      slice1winner3_best_below_0_1_is_equal := slice1winner2_best_index_0_3 = 12;
-      if slice1winner3_best_below_0_1_is_equal then
-        slice1winner3_best_below_0_1_choice := slice1winner2_best_last_0_2;
+      slice1winner3_best_below_0_is_equal(1) := slice1winner2_best_index_0_3 = 12;
+      if slice1winner3_best_below_0_is_equal(1) then
+        slice1winner3_best_below_0_choice(1) := slice1winner2_best_last_0(2);
       else
-        slice1winner3_best_below_0_1_choice := slice1winner2_best_below_0_3;
+        slice1winner3_best_below_0_choice(1) := slice1winner2_best_below_0(3);
       end if;
-      slice1winner3_best_above_0_0_is_equal := slice1winner2_best_index_0_0 = 3;
-      if slice1winner3_best_above_0_0_is_equal then
-        slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1;
+      slice1winner3_best_above_0_is_equal(0) := slice1winner2_best_index_0_0 = 3;
+      if slice1winner3_best_above_0_is_equal(0) then
+        slice1winner3_best_above_0_choice(0) := slice1winner2_best_first_0(1);
       else
-        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0_0;
+        slice1winner3_best_above_0_choice(0) := slice1winner2_best_above_0(0);
       end if;
-      slice1winner3_best_above_0_1_is_equal := (slice1winner2_best_index_0_2 mod 4) = 3;
-      if ((slice1winner2_best_index_0_2 / 8) = 1) and slice1winner3_best_above_0_1_is_equal then
-        slice1winner3_best_above_0_1_choice := slice1winner2_best_first_0_3;
+      slice1winner3_best_above_0_is_equal(1) := (slice1winner2_best_index_0_2 mod 4) = 3;
+      if is_set(slice1winner2_best_index_0_2, 3) and slice1winner3_best_above_0_is_equal(1) then
+        slice1winner3_best_above_0_choice(1) := slice1winner2_best_first_0(3);
       else
-        slice1winner3_best_above_0_1_choice := slice1winner2_best_above_0_2;
+        slice1winner3_best_above_0_choice(1) := slice1winner2_best_above_0(2);
       end if;
-      if slice1winner3_best_place_0_0 then
-        slice1winner3_best_second_0_0_choice := slice1winner2_best_second_0_1;
-      else
-        slice1winner3_best_second_0_0_choice := slice1winner2_best_late_cost_0_1;
-      end if;
-      if slice1winner3_best_at_end_0_0 then
-        slice1winner3_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_1;
-      else
-        slice1winner3_best_second_0_0_choice_2 := slice1winner3_best_second_0_0_choice;
-      end if;
-      if slice1winner3_best_place_0_0 then
-        slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0;
-      else
-        slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_second_0_0;
-      end if;
-      if slice1winner3_best_at_start_0_0 then
-        slice1winner3_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0;
-      else
-        slice1winner3_best_second_0_0_choice_4 := slice1winner3_best_second_0_0_choice_3;
-      end if;
-      if slice1winner3_best_place_0_1 then
-        slice1winner3_best_second_0_1_choice := slice1winner2_best_second_0_3;
-      else
-        slice1winner3_best_second_0_1_choice := slice1winner2_best_late_cost_0_3;
-      end if;
-      if slice1winner3_best_at_end_0_1 then
-        slice1winner3_best_second_0_1_choice_2 := slice1winner2_best_but_first_0_3;
-      else
-        slice1winner3_best_second_0_1_choice_2 := slice1winner3_best_second_0_1_choice;
-      end if;
-      if slice1winner3_best_place_0_1 then
-        slice1winner3_best_second_0_1_choice_3 := slice1winner2_best_late_cost_0_2;
-      else
-        slice1winner3_best_second_0_1_choice_3 := slice1winner2_best_second_0_2;
-      end if;
-      if slice1winner3_best_at_start_0_1 then
-        slice1winner3_best_second_0_1_choice_4 := slice1winner2_best_but_last_0_2;
-      else
-        slice1winner3_best_second_0_1_choice_4 := slice1winner3_best_second_0_1_choice_3;
-      end if;
-      slice1winner3_best_first_0_0 <= slice1winner2_best_first_0_0;
-      slice1winner3_best_first_0_1 <= slice1winner2_best_first_0_2;
-      slice1winner3_best_last_0_0 <= slice1winner2_best_last_0_1;
-      slice1winner3_best_last_0_1 <= slice1winner2_best_last_0_3;
-      slice1winner3_best_place_0_0 <= slice1winner3_best_index_0_0_is_not_less;
-      slice1winner3_best_place_0_1 <= slice1winner3_best_index_0_1_is_not_less;
-      slice1winner3_best_at_start_0_0 <= slice1winner3_best_index_0_0_is_not_less and
-        slice1winner3_best_below_0_0_is_equal;
-      slice1winner3_best_at_start_0_1 <= slice1winner3_best_below_0_1_is_equal and
-        slice1winner3_best_index_0_1_is_not_less;
-      slice1winner3_best_at_end_0_0 <= ((slice1winner2_best_cost_0_0 - slice1winner2_best_cost_0_1) < 0) and
-        slice1winner3_best_above_0_0_is_equal;
-      slice1winner3_best_at_end_0_1 <= ((slice1winner2_best_cost_0_2 - slice1winner2_best_cost_0_3) < 0) and
-        ((slice1winner2_best_index_0_2 / 8) = 1) and slice1winner3_best_above_0_1_is_equal;
-      slice1winner3_best_late_cost_0_0 <= slice1winner3_best_cost_0_0;
-      slice1winner3_best_late_cost_0_1 <= slice1winner3_best_cost_0_1;
-      if (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0 then
-        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
-      else
-        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
-      end if;
-      if (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0 then
-        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3;
-      else
-        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_2;
-      end if;
-      if slice1winner3_best_index_0_0_is_not_less then
+      for i in 0 to 1 loop
+        if slice1winner3_best_place_0(i) then
+          slice1winner3_best_second_0_choice(i) := slice1winner2_best_second_0(2 * i + 1);
+        else
+          slice1winner3_best_second_0_choice(i) := slice1winner2_best_late_cost_0(2 * i + 1);
+        end if;
+        if slice1winner3_best_at_end_0(i) then
+          slice1winner3_best_second_0_choices(i, 2) := slice1winner2_best_but_first_0(2 * i + 1);
+        else
+          slice1winner3_best_second_0_choices(i, 2) := slice1winner3_best_second_0_choice(i);
+        end if;
+        if slice1winner3_best_place_0(i) then
+          slice1winner3_best_second_0_choices(i, 3) := slice1winner2_best_late_cost_0(2 * i);
+        else
+          slice1winner3_best_second_0_choices(i, 3) := slice1winner2_best_second_0(2 * i);
+        end if;
+        if slice1winner3_best_at_start_0(i) then
+          slice1winner3_best_second_0_choices(i, 4) := slice1winner2_best_but_last_0(2 * i);
+        else
+          slice1winner3_best_second_0_choices(i, 4) := slice1winner3_best_second_0_choices(i, 3);
+        end if;
+      end loop;
+      slice1winner3_best_first_0(0) <= slice1winner2_best_first_0(0);
+      slice1winner3_best_first_0(1) <= slice1winner2_best_first_0(2);
+      slice1winner3_best_last_0(0) <= slice1winner2_best_last_0(1);
+      slice1winner3_best_last_0(1) <= slice1winner2_best_last_0(3);
+      slice1winner3_best_place_0(0) <= slice1winner3_best_index_0_is_not_less(0);
+      slice1winner3_best_place_0(1) <= slice1winner3_best_index_0_is_not_less(1);
+      slice1winner3_best_at_start_0(0) <= slice1winner3_best_index_0_is_not_less(0) and
+        slice1winner3_best_below_0_is_equal(0);
+      slice1winner3_best_at_start_0(1) <= slice1winner3_best_below_0_is_equal(1) and
+        slice1winner3_best_index_0_is_not_less(1);
+      slice1winner3_best_at_end_0(0) <= ((slice1winner2_best_cost_0(0) - slice1winner2_best_cost_0(1)) < 0) and
+        slice1winner3_best_above_0_is_equal(0);
+      slice1winner3_best_at_end_0(1) <= ((slice1winner2_best_cost_0(2) - slice1winner2_best_cost_0(3)) < 0) and
+        is_set(slice1winner2_best_index_0_2, 3) and slice1winner3_best_above_0_is_equal(1);
+      slice1winner3_best_late_cost_0(0) <= slice1winner3_best_cost_0(0);
+      slice1winner3_best_late_cost_0(1) <= slice1winner3_best_cost_0(1);
+      for i in 0 to 1 loop
+        if (slice1winner2_best_cost_0(2 * i + 1) - slice1winner2_best_cost_0(2 * i)) < 0 then
+          slice1winner3_best_cost_0(i) <= slice1winner2_best_cost_0(2 * i + 1);
+        else
+          slice1winner3_best_cost_0(i) <= slice1winner2_best_cost_0(2 * i);
+        end if;
+      end loop;
+      if slice1winner3_best_index_0_is_not_less(0) then
         slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
-        slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice;
-        slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1;
+        slice1winner3_best_below_0(0) <= slice1winner3_best_below_0_choice(0);
+        slice1winner3_best_above_0(0) <= slice1winner2_best_above_0(1);
       else
         slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
-        slice1winner3_best_below_0_0 <= slice1winner2_best_below_0_0;
-        slice1winner3_best_above_0_0 <= slice1winner3_best_above_0_0_choice;
+        slice1winner3_best_below_0(0) <= slice1winner2_best_below_0(0);
+        slice1winner3_best_above_0(0) <= slice1winner3_best_above_0_choice(0);
       end if;
-      if slice1winner3_best_index_0_1_is_not_less then
+      if slice1winner3_best_index_0_is_not_less(1) then
         slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
-        slice1winner3_best_below_0_1 <= slice1winner3_best_below_0_1_choice;
-        slice1winner3_best_above_0_1 <= slice1winner2_best_above_0_3;
+        slice1winner3_best_below_0(1) <= slice1winner3_best_below_0_choice(1);
+        slice1winner3_best_above_0(1) <= slice1winner2_best_above_0(3);
       else
         slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
-        slice1winner3_best_below_0_1 <= slice1winner2_best_below_0_2;
-        slice1winner3_best_above_0_1 <= slice1winner3_best_above_0_1_choice;
+        slice1winner3_best_below_0(1) <= slice1winner2_best_below_0(2);
+        slice1winner3_best_above_0(1) <= slice1winner3_best_above_0_choice(1);
       end if;
-      if (slice1winner3_best_second_0_0_choice_2 - slice1winner3_best_second_0_0_choice_4) < 0 then
-        slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_2;
-      else
-        slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_4;
-      end if;
-      if (slice1winner3_best_second_0_1_choice_2 - slice1winner3_best_second_0_1_choice_4) < 0 then
-        slice1winner3_best_second_0_1 <= slice1winner3_best_second_0_1_choice_2;
-      else
-        slice1winner3_best_second_0_1 <= slice1winner3_best_second_0_1_choice_4;
-      end if;
-      if (slice1winner2_best_late_cost_0_1 - slice1winner2_best_but_first_0_0) < 0 then
-        slice1winner3_best_but_first_0_0 <= slice1winner2_best_late_cost_0_1;
-      else
-        slice1winner3_best_but_first_0_0 <= slice1winner2_best_but_first_0_0;
-      end if;
-      if (slice1winner2_best_late_cost_0_3 - slice1winner2_best_but_first_0_2) < 0 then
-        slice1winner3_best_but_first_0_1 <= slice1winner2_best_late_cost_0_3;
-      else
-        slice1winner3_best_but_first_0_1 <= slice1winner2_best_but_first_0_2;
-      end if;
-      if (slice1winner2_best_but_last_0_1 - slice1winner2_best_late_cost_0_0) < 0 then
-        slice1winner3_best_but_last_0_0 <= slice1winner2_best_but_last_0_1;
-      else
-        slice1winner3_best_but_last_0_0 <= slice1winner2_best_late_cost_0_0;
-      end if;
-      if (slice1winner2_best_but_last_0_3 - slice1winner2_best_late_cost_0_2) < 0 then
-        slice1winner3_best_but_last_0_1 <= slice1winner2_best_but_last_0_3;
-      else
-        slice1winner3_best_but_last_0_1 <= slice1winner2_best_late_cost_0_2;
-      end if;
+      for i in 0 to 1 loop
+        if (slice1winner3_best_second_0_choices(i, 2) - slice1winner3_best_second_0_choices(i, 4)) < 0 then
+          slice1winner3_best_second_0(i) <= slice1winner3_best_second_0_choices(i, 2);
+        else
+          slice1winner3_best_second_0(i) <= slice1winner3_best_second_0_choices(i, 4);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if (slice1winner2_best_late_cost_0(2 * i + 1) - slice1winner2_best_but_first_0(2 * i)) < 0 then
+          slice1winner3_best_but_first_0(i) <= slice1winner2_best_late_cost_0(2 * i + 1);
+        else
+          slice1winner3_best_but_first_0(i) <= slice1winner2_best_but_first_0(2 * i);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if (slice1winner2_best_but_last_0(2 * i + 1) - slice1winner2_best_late_cost_0(2 * i)) < 0 then
+          slice1winner3_best_but_last_0(i) <= slice1winner2_best_but_last_0(2 * i + 1);
+        else
+          slice1winner3_best_but_last_0(i) <= slice1winner2_best_late_cost_0(2 * i);
+        end if;
+      end loop;
       -- slice1winner4
-      slice1winner4_best_index_0_0_is_less := (slice1winner3_best_cost_0_0 - slice1winner3_best_cost_0_1) < 0;
+      slice1winner4_best_index_0_0_is_less := (slice1winner3_best_cost_0(0) - slice1winner3_best_cost_0(1)) < 0;
       slice1winner4_best_below_0_0_is_equal := slice1winner3_best_index_0_1 = 8;
       if slice1winner4_best_below_0_0_is_equal then
-        slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0_0;
+        slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0(0);
       else
-        slice1winner4_best_below_0_0_choice := slice1winner3_best_below_0_1;
+        slice1winner4_best_below_0_0_choice := slice1winner3_best_below_0(1);
       end if;
       slice1winner4_best_above_0_0_is_equal := slice1winner3_best_index_0_0 = 7;
       if slice1winner4_best_above_0_0_is_equal then
-        slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0_1;
+        slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0(1);
       else
-        slice1winner4_best_above_0_0_choice := slice1winner3_best_above_0_0;
+        slice1winner4_best_above_0_0_choice := slice1winner3_best_above_0(0);
       end if;
-      slice1winner4_best_place_0_0_is_not_less := (slice1winner3_best_cost_0_0 - slice1winner3_best_cost_0_1) >= 0;
+      slice1winner4_best_place_0_0_is_not_less := (slice1winner3_best_cost_0(0) - slice1winner3_best_cost_0(1)) >= 0;
       if slice1winner4_best_place_0_0 then
-        slice1winner4_best_second_0_0_choice := slice1winner3_best_second_0_1;
+        slice1winner4_best_second_0_0_choice := slice1winner3_best_second_0(1);
       else
-        slice1winner4_best_second_0_0_choice := slice1winner3_best_late_cost_0_1;
+        slice1winner4_best_second_0_0_choice := slice1winner3_best_late_cost_0(1);
       end if;
       if slice1winner4_best_at_end_0_0 then
-        slice1winner4_best_second_0_0_choice_2 := slice1winner3_best_but_first_0_1;
+        slice1winner4_best_second_0_0_choices(2) := slice1winner3_best_but_first_0(1);
       else
-        slice1winner4_best_second_0_0_choice_2 := slice1winner4_best_second_0_0_choice;
+        slice1winner4_best_second_0_0_choices(2) := slice1winner4_best_second_0_0_choice;
       end if;
       if slice1winner4_best_place_0_0 then
-        slice1winner4_best_second_0_0_choice_3 := slice1winner3_best_late_cost_0_0;
+        slice1winner4_best_second_0_0_choices(3) := slice1winner3_best_late_cost_0(0);
       else
-        slice1winner4_best_second_0_0_choice_3 := slice1winner3_best_second_0_0;
+        slice1winner4_best_second_0_0_choices(3) := slice1winner3_best_second_0(0);
       end if;
       if slice1winner4_best_at_start_0_0 then
-        slice1winner4_best_second_0_0_choice_4 := slice1winner3_best_but_last_0_0;
+        slice1winner4_best_second_0_0_choices(4) := slice1winner3_best_but_last_0(0);
       else
-        slice1winner4_best_second_0_0_choice_4 := slice1winner4_best_second_0_0_choice_3;
+        slice1winner4_best_second_0_0_choices(4) := slice1winner4_best_second_0_0_choices(3);
       end if;
-      slice1winner4_best_first_0_0 <= slice1winner3_best_first_0_0;
-      slice1winner4_best_last_0_0 <= slice1winner3_best_last_0_1;
+      slice1winner4_best_first_0_0 <= slice1winner3_best_first_0(0);
+      slice1winner4_best_last_0_0 <= slice1winner3_best_last_0(1);
       slice1winner4_best_place_0_0 <= slice1winner4_best_place_0_0_is_not_less;
       slice1winner4_best_at_start_0_0 <= slice1winner4_best_below_0_0_is_equal and
         slice1winner4_best_place_0_0_is_not_less;
       slice1winner4_best_at_end_0_0 <= slice1winner4_best_index_0_0_is_less and slice1winner4_best_above_0_0_is_equal;
       slice1winner4_best_late_cost_0_0 <= slice1winner4_best_cost_0_0;
-      if (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0 then
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1;
+      if (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0 then
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(1);
       else
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(0);
       end if;
       if slice1winner4_best_index_0_0_is_less then
         slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
-        slice1winner4_best_below_0_0 <= slice1winner3_best_below_0_0;
+        slice1winner4_best_below_0_0 <= slice1winner3_best_below_0(0);
         slice1winner4_best_above_0_0 <= slice1winner4_best_above_0_0_choice;
       else
         slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
         slice1winner4_best_below_0_0 <= slice1winner4_best_below_0_0_choice;
-        slice1winner4_best_above_0_0 <= slice1winner3_best_above_0_1;
+        slice1winner4_best_above_0_0 <= slice1winner3_best_above_0(1);
       end if;
-      if (slice1winner4_best_second_0_0_choice_2 - slice1winner4_best_second_0_0_choice_4) < 0 then
-        slice1winner4_best_second_0_0 <= slice1winner4_best_second_0_0_choice_2;
+      if (slice1winner4_best_second_0_0_choices(2) - slice1winner4_best_second_0_0_choices(4)) < 0 then
+        slice1winner4_best_second_0_0 <= slice1winner4_best_second_0_0_choices(2);
       else
-        slice1winner4_best_second_0_0 <= slice1winner4_best_second_0_0_choice_4;
+        slice1winner4_best_second_0_0 <= slice1winner4_best_second_0_0_choices(4);
       end if;
-      if (slice1winner3_best_late_cost_0_1 - slice1winner3_best_but_first_0_0) < 0 then
-        slice1winner4_best_but_first_0_0 <= slice1winner3_best_late_cost_0_1;
+      if (slice1winner3_best_late_cost_0(1) - slice1winner3_best_but_first_0(0)) < 0 then
+        slice1winner4_best_but_first_0_0 <= slice1winner3_best_late_cost_0(1);
       else
-        slice1winner4_best_but_first_0_0 <= slice1winner3_best_but_first_0_0;
+        slice1winner4_best_but_first_0_0 <= slice1winner3_best_but_first_0(0);
       end if;
-      if (slice1winner3_best_but_last_0_1 - slice1winner3_best_late_cost_0_0) < 0 then
-        slice1winner4_best_but_last_0_0 <= slice1winner3_best_but_last_0_1;
+      if (slice1winner3_best_but_last_0(1) - slice1winner3_best_late_cost_0(0)) < 0 then
+        slice1winner4_best_but_last_0_0 <= slice1winner3_best_but_last_0(1);
       else
-        slice1winner4_best_but_last_0_0 <= slice1winner3_best_late_cost_0_0;
+        slice1winner4_best_but_last_0_0 <= slice1winner3_best_late_cost_0(0);
       end if;
       -- slice1
       slice1_best_index_0_0_is_less := (slice0winner4_best_late_cost_0_0 - slice1winner4_best_cost_0_0) < 0;
@@ -4987,19 +3202,19 @@ begin
         slice1_best_second_0_0_choice := slice1winner4_best_late_cost_0_0;
       end if;
       if slice1_best_at_end_0_0 then
-        slice1_best_second_0_0_choice_2 := slice1winner4_best_but_first_0_0;
+        slice1_best_second_0_0_choices(2) := slice1winner4_best_but_first_0_0;
       else
-        slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice;
+        slice1_best_second_0_0_choices(2) := slice1_best_second_0_0_choice;
       end if;
       if slice1_best_place_0_0 then
-        slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0;
+        slice1_best_second_0_0_choices(3) := slice0_best_late_cost_0_0;
       else
-        slice1_best_second_0_0_choice_3 := slice0_best_second_0_0;
+        slice1_best_second_0_0_choices(3) := slice0_best_second_0_0;
       end if;
       if slice1_best_at_start_0_0 then
-        slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0;
+        slice1_best_second_0_0_choices(4) := slice0_best_but_last_0_0;
       else
-        slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3;
+        slice1_best_second_0_0_choices(4) := slice1_best_second_0_0_choices(3);
       end if;
       slice1_best_last_0_0 <= slice1winner4_best_last_0_0;
       slice1_best_place_0_0 <= slice1_best_place_0_0_is_not_less;
@@ -5024,10 +3239,10 @@ begin
         slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
         slice1_best_above_0_0 <= slice1winner4_best_above_0_0;
       end if;
-      if (slice1_best_second_0_0_choice_2 - slice1_best_second_0_0_choice_4) < 0 then
-        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2;
+      if (slice1_best_second_0_0_choices(2) - slice1_best_second_0_0_choices(4)) < 0 then
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choices(2);
       else
-        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_4;
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choices(4);
       end if;
       if (slice1winner4_best_but_last_0_0 - slice0_best_late_cost_0_0) < 0 then
         slice1_best_but_last_0_0 <= slice1winner4_best_but_last_0_0;
@@ -5036,319 +3251,86 @@ begin
       end if;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
-        slice2shift_search_0_0 <= slice1shift_search_out_0;
-        slice2shift_search_0_1 <= slice2shift_search_0_0;
-        slice2shift_search_0_2 <= slice2shift_search_0_1;
-        slice2shift_search_0_3 <= slice2shift_search_0_2;
-        slice2shift_search_0_4 <= slice2shift_search_0_3;
-        slice2shift_search_0_5 <= slice2shift_search_0_4;
-        slice2shift_search_0_6 <= slice2shift_search_0_5;
-        slice2shift_search_0_7 <= slice2shift_search_0_6;
-        slice2shift_search_0_8 <= slice2shift_search_0_7;
-        slice2shift_search_0_9 <= slice2shift_search_0_8;
-        slice2shift_search_0_10 <= slice2shift_search_0_9;
-        slice2shift_search_0_11 <= slice2shift_search_0_10;
-        slice2shift_search_0_12 <= slice2shift_search_0_11;
-        slice2shift_search_0_13 <= slice2shift_search_0_12;
-        slice2shift_search_0_14 <= slice2shift_search_0_13;
-        slice2shift_search_0_15 <= slice2shift_search_0_14;
-        slice2shift_search_1_0 <= slice1shift_search_out_1;
-        slice2shift_search_1_1 <= slice2shift_search_1_0;
-        slice2shift_search_1_2 <= slice2shift_search_1_1;
-        slice2shift_search_1_3 <= slice2shift_search_1_2;
-        slice2shift_search_1_4 <= slice2shift_search_1_3;
-        slice2shift_search_1_5 <= slice2shift_search_1_4;
-        slice2shift_search_1_6 <= slice2shift_search_1_5;
-        slice2shift_search_1_7 <= slice2shift_search_1_6;
-        slice2shift_search_1_8 <= slice2shift_search_1_7;
-        slice2shift_search_1_9 <= slice2shift_search_1_8;
-        slice2shift_search_1_10 <= slice2shift_search_1_9;
-        slice2shift_search_1_11 <= slice2shift_search_1_10;
-        slice2shift_search_1_12 <= slice2shift_search_1_11;
-        slice2shift_search_1_13 <= slice2shift_search_1_12;
-        slice2shift_search_1_14 <= slice2shift_search_1_13;
-        slice2shift_search_1_15 <= slice2shift_search_1_14;
+        for i in 0 to 1 loop
+          slice2shift_search(i, 0) <= slice1shift_search_out(i);
+          for j in 1 to 15 loop
+            slice2shift_search(i, j) <= slice2shift_search(i, j - 1);
+          end loop;
+        end loop;
       end if;
-      slice2shift_reference_0 <= slice1shift_reference_0;
-      slice2shift_reference_1 <= slice1shift_reference_1;
-      slice2shift_search_out_0 <= slice2shift_search_0_15;
-      slice2shift_search_out_1 <= slice2shift_search_1_15;
+      slice2shift_reference(0) <= slice1shift_reference(0);
+      slice2shift_reference(1) <= slice1shift_reference(1);
+      slice2shift_search_out(0) <= slice2shift_search(0, 15);
+      slice2shift_search_out(1) <= slice2shift_search(1, 15);
       -- slice2cost
+      for i in 0 to 4 loop
+        if slice0window_entering_tag_first_group then
+          slice2cost_column_0_choice(3 * i) := 0;
+        else
+          slice2cost_column_0_choice(3 * i) := slice2cost_ready_words(i) mod 1024;
+        end if;
+        if slice0window_entering_tag_border_column then
+          slice2cost_column_0_choice_2(3 * i) := 0;
+        else
+          slice2cost_column_0_choice_2(3 * i) := (slice2cost_change_0(3 * i) + slice2cost_column_0_choice(3 * i)) mod
+            1024;
+        end if;
+        if slice0window_entering_tag_first_group then
+          slice2cost_column_0_choice(3 * i + 1) := 0;
+        else
+          slice2cost_column_0_choice(3 * i + 1) := (slice2cost_ready_words(i) / 1024) mod 1024;
+        end if;
+        if slice0window_entering_tag_border_column then
+          slice2cost_column_0_choice_2(3 * i + 1) := 0;
+        else
+          slice2cost_column_0_choice_2(3 * i + 1) := (slice2cost_change_0(3 * i + 1) + slice2cost_column_0_choice(3 * i
+            + 1)) mod 1024;
+        end if;
+        if slice0window_entering_tag_first_group then
+          slice2cost_column_0_choice(3 * i + 2) := 0;
+        else
+          slice2cost_column_0_choice(3 * i + 2) := slice2cost_ready_words(i) / 1048576;
+        end if;
+        if slice0window_entering_tag_border_column then
+          slice2cost_column_0_choice_2(3 * i + 2) := 0;
+        else
+          slice2cost_column_0_choice_2(3 * i + 2) := (slice2cost_change_0(3 * i + 2) + slice2cost_column_0_choice(3 * i
+            + 2)) mod 1024;
+        end if;
+      end loop;
       if slice0window_entering_tag_first_group then
-        slice2cost_column_0_0_choice := 0;
+        slice2cost_column_0_choice(15) := 0;
       else
-        slice2cost_column_0_0_choice := slice2cost_ready_words_0 mod 1024;
+        slice2cost_column_0_choice(15) := slice2cost_ready_words_5;
       end if;
       if slice0window_entering_tag_border_column then
-        slice2cost_column_0_0_choice_2 := 0;
+        slice2cost_column_0_choice_2(15) := 0;
       else
-        slice2cost_column_0_0_choice_2 := (slice2cost_change_0_0 + slice2cost_column_0_0_choice) mod 1024;
+        slice2cost_column_0_choice_2(15) := (slice2cost_change_0(15) + slice2cost_column_0_choice(15)) mod 1024;
       end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_1_choice := 0;
-      else
-        slice2cost_column_0_1_choice := (slice2cost_ready_words_0 / 1024) mod 1024;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_1_choice_2 := 0;
-      else
-        slice2cost_column_0_1_choice_2 := (slice2cost_change_0_1 + slice2cost_column_0_1_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_2_choice := 0;
-      else
-        slice2cost_column_0_2_choice := slice2cost_ready_words_0 / 1048576;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_2_choice_2 := 0;
-      else
-        slice2cost_column_0_2_choice_2 := (slice2cost_change_0_2 + slice2cost_column_0_2_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_3_choice := 0;
-      else
-        slice2cost_column_0_3_choice := slice2cost_ready_words_1 mod 1024;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_3_choice_2 := 0;
-      else
-        slice2cost_column_0_3_choice_2 := (slice2cost_change_0_3 + slice2cost_column_0_3_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_4_choice := 0;
-      else
-        slice2cost_column_0_4_choice := (slice2cost_ready_words_1 / 1024) mod 1024;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_4_choice_2 := 0;
-      else
-        slice2cost_column_0_4_choice_2 := (slice2cost_change_0_4 + slice2cost_column_0_4_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_5_choice := 0;
-      else
-        slice2cost_column_0_5_choice := slice2cost_ready_words_1 / 1048576;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_5_choice_2 := 0;
-      else
-        slice2cost_column_0_5_choice_2 := (slice2cost_change_0_5 + slice2cost_column_0_5_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_6_choice := 0;
-      else
-        slice2cost_column_0_6_choice := slice2cost_ready_words_2 mod 1024;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_6_choice_2 := 0;
-      else
-        slice2cost_column_0_6_choice_2 := (slice2cost_change_0_6 + slice2cost_column_0_6_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_7_choice := 0;
-      else
-        slice2cost_column_0_7_choice := (slice2cost_ready_words_2 / 1024) mod 1024;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_7_choice_2 := 0;
-      else
-        slice2cost_column_0_7_choice_2 := (slice2cost_change_0_7 + slice2cost_column_0_7_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_8_choice := 0;
-      else
-        slice2cost_column_0_8_choice := slice2cost_ready_words_2 / 1048576;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_8_choice_2 := 0;
-      else
-        slice2cost_column_0_8_choice_2 := (slice2cost_change_0_8 + slice2cost_column_0_8_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_9_choice := 0;
-      else
-        slice2cost_column_0_9_choice := slice2cost_ready_words_3 mod 1024;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_9_choice_2 := 0;
-      else
-        slice2cost_column_0_9_choice_2 := (slice2cost_change_0_9 + slice2cost_column_0_9_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_10_choice := 0;
-      else
-        slice2cost_column_0_10_choice := (slice2cost_ready_words_3 / 1024) mod 1024;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_10_choice_2 := 0;
-      else
-        slice2cost_column_0_10_choice_2 := (slice2cost_change_0_10 + slice2cost_column_0_10_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_11_choice := 0;
-      else
-        slice2cost_column_0_11_choice := slice2cost_ready_words_3 / 1048576;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_11_choice_2 := 0;
-      else
-        slice2cost_column_0_11_choice_2 := (slice2cost_change_0_11 + slice2cost_column_0_11_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_12_choice := 0;
-      else
-        slice2cost_column_0_12_choice := slice2cost_ready_words_4 mod 1024;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_12_choice_2 := 0;
-      else
-        slice2cost_column_0_12_choice_2 := (slice2cost_change_0_12 + slice2cost_column_0_12_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_13_choice := 0;
-      else
-        slice2cost_column_0_13_choice := (slice2cost_ready_words_4 / 1024) mod 1024;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_13_choice_2 := 0;
-      else
-        slice2cost_column_0_13_choice_2 := (slice2cost_change_0_13 + slice2cost_column_0_13_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_14_choice := 0;
-      else
-        slice2cost_column_0_14_choice := slice2cost_ready_words_4 / 1048576;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_14_choice_2 := 0;
-      else
-        slice2cost_column_0_14_choice_2 := (slice2cost_change_0_14 + slice2cost_column_0_14_choice) mod 1024;
-      end if;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_15_choice := 0;
-      else
-        slice2cost_column_0_15_choice := slice2cost_ready_words_5;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_15_choice_2 := 0;
-      else
-        slice2cost_column_0_15_choice_2 := (slice2cost_change_0_15 + slice2cost_column_0_15_choice) mod 1024;
-      end if;
-      slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_2 <= slice2shift_search_0_2 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_3 <= slice2shift_search_0_3 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_4 <= slice2shift_search_0_4 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_5 <= slice2shift_search_0_5 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_6 <= slice2shift_search_0_6 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_7 <= slice2shift_search_0_7 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_8 <= slice2shift_search_0_8 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_9 <= slice2shift_search_0_9 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_10 <= slice2shift_search_0_10 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_11 <= slice2shift_search_0_11 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_12 <= slice2shift_search_0_12 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_13 <= slice2shift_search_0_13 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_14 <= slice2shift_search_0_14 - slice2shift_reference_0;
-      slice2cost_pixels_first_0_15 <= slice2shift_search_0_15 - slice2shift_reference_0;
-      slice2cost_pixels_first_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_2 <= slice2shift_search_1_2 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_3 <= slice2shift_search_1_3 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_4 <= slice2shift_search_1_4 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_5 <= slice2shift_search_1_5 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_6 <= slice2shift_search_1_6 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_7 <= slice2shift_search_1_7 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_8 <= slice2shift_search_1_8 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_9 <= slice2shift_search_1_9 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_10 <= slice2shift_search_1_10 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_11 <= slice2shift_search_1_11 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_12 <= slice2shift_search_1_12 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_13 <= slice2shift_search_1_13 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_14 <= slice2shift_search_1_14 - slice2shift_reference_1;
-      slice2cost_pixels_first_1_15 <= slice2shift_search_1_15 - slice2shift_reference_1;
-      slice2cost_pixels_cost_0_0 <= folded(slice2cost_pixels_first_0_0) + as_number((slice2cost_pixels_first_0_0 < 0));
-      slice2cost_pixels_cost_0_1 <= folded(slice2cost_pixels_first_0_1) + as_number((slice2cost_pixels_first_0_1 < 0));
-      slice2cost_pixels_cost_0_2 <= folded(slice2cost_pixels_first_0_2) + as_number((slice2cost_pixels_first_0_2 < 0));
-      slice2cost_pixels_cost_0_3 <= folded(slice2cost_pixels_first_0_3) + as_number((slice2cost_pixels_first_0_3 < 0));
-      slice2cost_pixels_cost_0_4 <= folded(slice2cost_pixels_first_0_4) + as_number((slice2cost_pixels_first_0_4 < 0));
-      slice2cost_pixels_cost_0_5 <= folded(slice2cost_pixels_first_0_5) + as_number((slice2cost_pixels_first_0_5 < 0));
-      slice2cost_pixels_cost_0_6 <= folded(slice2cost_pixels_first_0_6) + as_number((slice2cost_pixels_first_0_6 < 0));
-      slice2cost_pixels_cost_0_7 <= folded(slice2cost_pixels_first_0_7) + as_number((slice2cost_pixels_first_0_7 < 0));
-      slice2cost_pixels_cost_0_8 <= folded(slice2cost_pixels_first_0_8) + as_number((slice2cost_pixels_first_0_8 < 0));
-      slice2cost_pixels_cost_0_9 <= folded(slice2cost_pixels_first_0_9) + as_number((slice2cost_pixels_first_0_9 < 0));
-      slice2cost_pixels_cost_0_10 <= folded(slice2cost_pixels_first_0_10) + as_number((slice2cost_pixels_first_0_10 <
-        0));
-      slice2cost_pixels_cost_0_11 <= folded(slice2cost_pixels_first_0_11) + as_number((slice2cost_pixels_first_0_11 <
-        0));
-      slice2cost_pixels_cost_0_12 <= folded(slice2cost_pixels_first_0_12) + as_number((slice2cost_pixels_first_0_12 <
-        0));
-      slice2cost_pixels_cost_0_13 <= folded(slice2cost_pixels_first_0_13) + as_number((slice2cost_pixels_first_0_13 <
-        0));
-      slice2cost_pixels_cost_0_14 <= folded(slice2cost_pixels_first_0_14) + as_number((slice2cost_pixels_first_0_14 <
-        0));
-      slice2cost_pixels_cost_0_15 <= folded(slice2cost_pixels_first_0_15) + as_number((slice2cost_pixels_first_0_15 <
-        0));
-      slice2cost_pixels_cost_1_0 <= folded(slice2cost_pixels_first_1_0) + as_number((slice2cost_pixels_first_1_0 < 0));
-      slice2cost_pixels_cost_1_1 <= folded(slice2cost_pixels_first_1_1) + as_number((slice2cost_pixels_first_1_1 < 0));
-      slice2cost_pixels_cost_1_2 <= folded(slice2cost_pixels_first_1_2) + as_number((slice2cost_pixels_first_1_2 < 0));
-      slice2cost_pixels_cost_1_3 <= folded(slice2cost_pixels_first_1_3) + as_number((slice2cost_pixels_first_1_3 < 0));
-      slice2cost_pixels_cost_1_4 <= folded(slice2cost_pixels_first_1_4) + as_number((slice2cost_pixels_first_1_4 < 0));
-      slice2cost_pixels_cost_1_5 <= folded(slice2cost_pixels_first_1_5) + as_number((slice2cost_pixels_first_1_5 < 0));
-      slice2cost_pixels_cost_1_6 <= folded(slice2cost_pixels_first_1_6) + as_number((slice2cost_pixels_first_1_6 < 0));
-      slice2cost_pixels_cost_1_7 <= folded(slice2cost_pixels_first_1_7) + as_number((slice2cost_pixels_first_1_7 < 0));
-      slice2cost_pixels_cost_1_8 <= folded(slice2cost_pixels_first_1_8) + as_number((slice2cost_pixels_first_1_8 < 0));
-      slice2cost_pixels_cost_1_9 <= folded(slice2cost_pixels_first_1_9) + as_number((slice2cost_pixels_first_1_9 < 0));
-      slice2cost_pixels_cost_1_10 <= folded(slice2cost_pixels_first_1_10) + as_number((slice2cost_pixels_first_1_10 <
-        0));
-      slice2cost_pixels_cost_1_11 <= folded(slice2cost_pixels_first_1_11) + as_number((slice2cost_pixels_first_1_11 <
-        0));
-      slice2cost_pixels_cost_1_12 <= folded(slice2cost_pixels_first_1_12) + as_number((slice2cost_pixels_first_1_12 <
-        0));
-      slice2cost_pixels_cost_1_13 <= folded(slice2cost_pixels_first_1_13) + as_number((slice2cost_pixels_first_1_13 <
-        0));
-      slice2cost_pixels_cost_1_14 <= folded(slice2cost_pixels_first_1_14) + as_number((slice2cost_pixels_first_1_14 <
-        0));
-      slice2cost_pixels_cost_1_15 <= folded(slice2cost_pixels_first_1_15) + as_number((slice2cost_pixels_first_1_15 <
-        0));
-      slice2cost_change_0_0 <= slice2cost_pixels_cost_1_0 - slice2cost_pixels_cost_0_0;
-      slice2cost_change_0_1 <= slice2cost_pixels_cost_1_1 - slice2cost_pixels_cost_0_1;
-      slice2cost_change_0_2 <= slice2cost_pixels_cost_1_2 - slice2cost_pixels_cost_0_2;
-      slice2cost_change_0_3 <= slice2cost_pixels_cost_1_3 - slice2cost_pixels_cost_0_3;
-      slice2cost_change_0_4 <= slice2cost_pixels_cost_1_4 - slice2cost_pixels_cost_0_4;
-      slice2cost_change_0_5 <= slice2cost_pixels_cost_1_5 - slice2cost_pixels_cost_0_5;
-      slice2cost_change_0_6 <= slice2cost_pixels_cost_1_6 - slice2cost_pixels_cost_0_6;
-      slice2cost_change_0_7 <= slice2cost_pixels_cost_1_7 - slice2cost_pixels_cost_0_7;
-      slice2cost_change_0_8 <= slice2cost_pixels_cost_1_8 - slice2cost_pixels_cost_0_8;
-      slice2cost_change_0_9 <= slice2cost_pixels_cost_1_9 - slice2cost_pixels_cost_0_9;
-      slice2cost_change_0_10 <= slice2cost_pixels_cost_1_10 - slice2cost_pixels_cost_0_10;
-      slice2cost_change_0_11 <= slice2cost_pixels_cost_1_11 - slice2cost_pixels_cost_0_11;
-      slice2cost_change_0_12 <= slice2cost_pixels_cost_1_12 - slice2cost_pixels_cost_0_12;
-      slice2cost_change_0_13 <= slice2cost_pixels_cost_1_13 - slice2cost_pixels_cost_0_13;
-      slice2cost_change_0_14 <= slice2cost_pixels_cost_1_14 - slice2cost_pixels_cost_0_14;
-      slice2cost_change_0_15 <= slice2cost_pixels_cost_1_15 - slice2cost_pixels_cost_0_15;
-      slice2cost_ready_words_0 <= to_integer(slice2cost_read_words_0);
-      slice2cost_ready_words_1 <= to_integer(slice2cost_read_words_1);
-      slice2cost_ready_words_2 <= to_integer(slice2cost_read_words_2);
-      slice2cost_ready_words_3 <= to_integer(slice2cost_read_words_3);
-      slice2cost_ready_words_4 <= to_integer(slice2cost_read_words_4);
+      for i in 0 to 15 loop
+        slice2cost_pixels_first(0, i) <= slice2shift_search(0, i) - slice2shift_reference(0);
+      end loop;
+      for i in 0 to 15 loop
+        slice2cost_pixels_first(1, i) <= slice2shift_search(1, i) - slice2shift_reference(1);
+      end loop;
+      for i in 0 to 1 loop
+        for j in 0 to 15 loop
+          slice2cost_pixels_cost(i, j) <= folded(slice2cost_pixels_first(i, j)) + as_number((slice2cost_pixels_first(i,
+            j) < 0));
+        end loop;
+      end loop;
+      for i in 0 to 15 loop
+        slice2cost_change_0(i) <= slice2cost_pixels_cost(1, i) - slice2cost_pixels_cost(0, i);
+      end loop;
+      for i in 0 to 4 loop
+        slice2cost_ready_words(i) <= to_integer(slice2cost_read_words(i));
+      end loop;
       slice2cost_ready_words_5 <= to_integer(slice2cost_read_words_5);
       slice2cost_ready_column <= slice2cost_change_column;
-      slice2cost_column_0_0 <= slice2cost_column_0_0_choice_2;
-      slice2cost_column_0_1 <= slice2cost_column_0_1_choice_2;
-      slice2cost_column_0_2 <= slice2cost_column_0_2_choice_2;
-      slice2cost_column_0_3 <= slice2cost_column_0_3_choice_2;
-      slice2cost_column_0_4 <= slice2cost_column_0_4_choice_2;
-      slice2cost_column_0_5 <= slice2cost_column_0_5_choice_2;
-      slice2cost_column_0_6 <= slice2cost_column_0_6_choice_2;
-      slice2cost_column_0_7 <= slice2cost_column_0_7_choice_2;
-      slice2cost_column_0_8 <= slice2cost_column_0_8_choice_2;
-      slice2cost_column_0_9 <= slice2cost_column_0_9_choice_2;
-      slice2cost_column_0_10 <= slice2cost_column_0_10_choice_2;
-      slice2cost_column_0_11 <= slice2cost_column_0_11_choice_2;
-      slice2cost_column_0_12 <= slice2cost_column_0_12_choice_2;
-      slice2cost_column_0_13 <= slice2cost_column_0_13_choice_2;
-      slice2cost_column_0_14 <= slice2cost_column_0_14_choice_2;
-      slice2cost_column_0_15 <= slice2cost_column_0_15_choice_2;
+      for i in 0 to 15 loop
+        slice2cost_column_0(i) <= slice2cost_column_0_choice_2(i);
+      end loop;
       slice2cost_write_column <= slice2cost_ready_column;
       if slice0cost_pixels_tag_valid then
         if slice0cost_pixels_tag_row_start then
@@ -5365,17 +3347,11 @@ begin
         end if;
       end if;
       if slice0window_entering_tag_valid then
-        slice2cost_write_words_0 <= (slice2cost_column_0_1_choice_2 * 1024) + slice2cost_column_0_0_choice_2 +
-          (slice2cost_column_0_2_choice_2 * 1048576);
-        slice2cost_write_words_1 <= (slice2cost_column_0_4_choice_2 * 1024) + slice2cost_column_0_3_choice_2 +
-          (slice2cost_column_0_5_choice_2 * 1048576);
-        slice2cost_write_words_2 <= (slice2cost_column_0_7_choice_2 * 1024) + slice2cost_column_0_6_choice_2 +
-          (slice2cost_column_0_8_choice_2 * 1048576);
-        slice2cost_write_words_3 <= (slice2cost_column_0_10_choice_2 * 1024) + slice2cost_column_0_9_choice_2 +
-          (slice2cost_column_0_11_choice_2 * 1048576);
-        slice2cost_write_words_4 <= (slice2cost_column_0_13_choice_2 * 1024) + slice2cost_column_0_12_choice_2 +
-          (slice2cost_column_0_14_choice_2 * 1048576);
-        slice2cost_write_words_5 <= slice2cost_column_0_15_choice_2;
+        for i in 0 to 4 loop
+          slice2cost_write_words(i) <= (slice2cost_column_0_choice_2(3 * i + 1) * 1024) +
+            slice2cost_column_0_choice_2(3 * i) + (slice2cost_column_0_choice_2(3 * i + 2) * 1048576);
+        end loop;
+        slice2cost_write_words_5 <= slice2cost_column_0_choice_2(15);
       end if;
       -- slice2window
       if slice0window_change_tag_valid then
@@ -5386,866 +3362,493 @@ begin
           slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 16;
         end if;
       end if;
+      for i in 0 to 1 loop
+        for j in 0 to 2 loop
+          if slice1window_change_tag_leaves_window then
+            slice2window_change_0_choice(6 * i + j) := to_integer(slice2window_leaving(2 * i)(10 * j + 9 downto 10 *
+              j));
+          else
+            slice2window_change_0_choice(6 * i + j) := 0;
+          end if;
+        end loop;
+        for j in 3 to 5 loop
+          if slice1window_change_tag_leaves_window then
+            slice2window_change_0_choice(6 * i + j) := to_integer(slice2window_leaving(2 * i + 1)(10 * j - 21 downto 10
+              * j - 30));
+          else
+            slice2window_change_0_choice(6 * i + j) := 0;
+          end if;
+        end loop;
+      end loop;
+      for i in 12 to 14 loop
+        if slice1window_change_tag_leaves_window then
+          slice2window_change_0_choice(i) := to_integer(slice2window_leaving(4)(10 * i - 111 downto 10 * i - 120));
+        else
+          slice2window_change_0_choice(i) := 0;
+        end if;
+      end loop;
       if slice1window_change_tag_leaves_window then
-        slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(9 downto 0));
+        slice2window_change_0_choice(15) := to_integer(slice2window_leaving_5);
       else
-        slice2window_change_0_0_choice := 0;
+        slice2window_change_0_choice(15) := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(19 downto 10));
-      else
-        slice2window_change_0_1_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_2_choice := to_integer(slice2window_leaving_0(29 downto 20));
-      else
-        slice2window_change_0_2_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_3_choice := to_integer(slice2window_leaving_1(9 downto 0));
-      else
-        slice2window_change_0_3_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_4_choice := to_integer(slice2window_leaving_1(19 downto 10));
-      else
-        slice2window_change_0_4_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_5_choice := to_integer(slice2window_leaving_1(29 downto 20));
-      else
-        slice2window_change_0_5_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_6_choice := to_integer(slice2window_leaving_2(9 downto 0));
-      else
-        slice2window_change_0_6_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_7_choice := to_integer(slice2window_leaving_2(19 downto 10));
-      else
-        slice2window_change_0_7_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_8_choice := to_integer(slice2window_leaving_2(29 downto 20));
-      else
-        slice2window_change_0_8_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_9_choice := to_integer(slice2window_leaving_3(9 downto 0));
-      else
-        slice2window_change_0_9_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_10_choice := to_integer(slice2window_leaving_3(19 downto 10));
-      else
-        slice2window_change_0_10_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_11_choice := to_integer(slice2window_leaving_3(29 downto 20));
-      else
-        slice2window_change_0_11_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_12_choice := to_integer(slice2window_leaving_4(9 downto 0));
-      else
-        slice2window_change_0_12_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_13_choice := to_integer(slice2window_leaving_4(19 downto 10));
-      else
-        slice2window_change_0_13_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_14_choice := to_integer(slice2window_leaving_4(29 downto 20));
-      else
-        slice2window_change_0_14_choice := 0;
-      end if;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_15_choice := to_integer(slice2window_leaving_5);
-      else
-        slice2window_change_0_15_choice := 0;
-      end if;
-      slice2window_entering_0_0 <= slice2cost_column_0_0;
-      slice2window_entering_0_1 <= slice2cost_column_0_1;
-      slice2window_entering_0_2 <= slice2cost_column_0_2;
-      slice2window_entering_0_3 <= slice2cost_column_0_3;
-      slice2window_entering_0_4 <= slice2cost_column_0_4;
-      slice2window_entering_0_5 <= slice2cost_column_0_5;
-      slice2window_entering_0_6 <= slice2cost_column_0_6;
-      slice2window_entering_0_7 <= slice2cost_column_0_7;
-      slice2window_entering_0_8 <= slice2cost_column_0_8;
-      slice2window_entering_0_9 <= slice2cost_column_0_9;
-      slice2window_entering_0_10 <= slice2cost_column_0_10;
-      slice2window_entering_0_11 <= slice2cost_column_0_11;
-      slice2window_entering_0_12 <= slice2cost_column_0_12;
-      slice2window_entering_0_13 <= slice2cost_column_0_13;
-      slice2window_entering_0_14 <= slice2cost_column_0_14;
-      slice2window_entering_0_15 <= slice2cost_column_0_15;
-      slice2window_change_0_0 <= slice2window_entering_0_0 - slice2window_change_0_0_choice;
-      slice2window_change_0_1 <= slice2window_entering_0_1 - slice2window_change_0_1_choice;
-      slice2window_change_0_2 <= slice2window_entering_0_2 - slice2window_change_0_2_choice;
-      slice2window_change_0_3 <= slice2window_entering_0_3 - slice2window_change_0_3_choice;
-      slice2window_change_0_4 <= slice2window_entering_0_4 - slice2window_change_0_4_choice;
-      slice2window_change_0_5 <= slice2window_entering_0_5 - slice2window_change_0_5_choice;
-      slice2window_change_0_6 <= slice2window_entering_0_6 - slice2window_change_0_6_choice;
-      slice2window_change_0_7 <= slice2window_entering_0_7 - slice2window_change_0_7_choice;
-      slice2window_change_0_8 <= slice2window_entering_0_8 - slice2window_change_0_8_choice;
-      slice2window_change_0_9 <= slice2window_entering_0_9 - slice2window_change_0_9_choice;
-      slice2window_change_0_10 <= slice2window_entering_0_10 - slice2window_change_0_10_choice;
-      slice2window_change_0_11 <= slice2window_entering_0_11 - slice2window_change_0_11_choice;
-      slice2window_change_0_12 <= slice2window_entering_0_12 - slice2window_change_0_12_choice;
-      slice2window_change_0_13 <= slice2window_entering_0_13 - slice2window_change_0_13_choice;
-      slice2window_change_0_14 <= slice2window_entering_0_14 - slice2window_change_0_14_choice;
-      slice2window_change_0_15 <= slice2window_entering_0_15 - slice2window_change_0_15_choice;
+      for i in 0 to 15 loop
+        slice2window_entering_0(i) <= slice2cost_column_0(i);
+      end loop;
+      for i in 0 to 15 loop
+        slice2window_change_0(i) <= slice2window_entering_0(i) - slice2window_change_0_choice(i);
+      end loop;
       slice2window_change_tag_first_cost <= slice1window_change_tag_first_cost;
       slice2window_change_tag_leaves_window <= slice1window_change_tag_leaves_window;
       slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
       slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_0_choice := 0;
-      else
-        slice2window_sum_0_0_choice := slice2window_sum_0_0;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_1_choice := 0;
-      else
-        slice2window_sum_0_1_choice := slice2window_sum_0_1;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_2_choice := 0;
-      else
-        slice2window_sum_0_2_choice := slice2window_sum_0_2;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_3_choice := 0;
-      else
-        slice2window_sum_0_3_choice := slice2window_sum_0_3;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_4_choice := 0;
-      else
-        slice2window_sum_0_4_choice := slice2window_sum_0_4;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_5_choice := 0;
-      else
-        slice2window_sum_0_5_choice := slice2window_sum_0_5;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_6_choice := 0;
-      else
-        slice2window_sum_0_6_choice := slice2window_sum_0_6;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_7_choice := 0;
-      else
-        slice2window_sum_0_7_choice := slice2window_sum_0_7;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_8_choice := 0;
-      else
-        slice2window_sum_0_8_choice := slice2window_sum_0_8;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_9_choice := 0;
-      else
-        slice2window_sum_0_9_choice := slice2window_sum_0_9;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_10_choice := 0;
-      else
-        slice2window_sum_0_10_choice := slice2window_sum_0_10;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_11_choice := 0;
-      else
-        slice2window_sum_0_11_choice := slice2window_sum_0_11;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_12_choice := 0;
-      else
-        slice2window_sum_0_12_choice := slice2window_sum_0_12;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_13_choice := 0;
-      else
-        slice2window_sum_0_13_choice := slice2window_sum_0_13;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_14_choice := 0;
-      else
-        slice2window_sum_0_14_choice := slice2window_sum_0_14;
-      end if;
-      if slice2window_change_tag_first_cost then
-        slice2window_sum_0_15_choice := 0;
-      else
-        slice2window_sum_0_15_choice := slice2window_sum_0_15;
-      end if;
+      for i in 0 to 15 loop
+        if slice2window_change_tag_first_cost then
+          slice2window_sum_0_choice(i) := 0;
+        else
+          slice2window_sum_0_choice(i) := slice2window_sum_0(i);
+        end if;
+      end loop;
       if slice0winner1_tag_valid then
-        slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 16384;
-        slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 16384;
-        slice2window_sum_0_2 <= (slice2window_sum_0_2_choice + slice2window_change_0_2) mod 16384;
-        slice2window_sum_0_3 <= (slice2window_sum_0_3_choice + slice2window_change_0_3) mod 16384;
-        slice2window_sum_0_4 <= (slice2window_sum_0_4_choice + slice2window_change_0_4) mod 16384;
-        slice2window_sum_0_5 <= (slice2window_sum_0_5_choice + slice2window_change_0_5) mod 16384;
-        slice2window_sum_0_6 <= (slice2window_sum_0_6_choice + slice2window_change_0_6) mod 16384;
-        slice2window_sum_0_7 <= (slice2window_sum_0_7_choice + slice2window_change_0_7) mod 16384;
-        slice2window_sum_0_8 <= (slice2window_sum_0_8_choice + slice2window_change_0_8) mod 16384;
-        slice2window_sum_0_9 <= (slice2window_sum_0_9_choice + slice2window_change_0_9) mod 16384;
-        slice2window_sum_0_10 <= (slice2window_sum_0_10_choice + slice2window_change_0_10) mod 16384;
-        slice2window_sum_0_11 <= (slice2window_sum_0_11_choice + slice2window_change_0_11) mod 16384;
-        slice2window_sum_0_12 <= (slice2window_sum_0_12_choice + slice2window_change_0_12) mod 16384;
-        slice2window_sum_0_13 <= (slice2window_sum_0_13_choice + slice2window_change_0_13) mod 16384;
-        slice2window_sum_0_14 <= (slice2window_sum_0_14_choice + slice2window_change_0_14) mod 16384;
-        slice2window_sum_0_15 <= (slice2window_sum_0_15_choice + slice2window_change_0_15) mod 16384;
+        for i in 0 to 15 loop
+          slice2window_sum_0(i) <= (slice2window_sum_0_choice(i) + slice2window_change_0(i)) mod 16384;
+        end loop;
       end if;
       if slice0winner2_tag_valid then
         slice2window_centre_start_of_frame_1 <= slice1window_centre_start_of_frame_1;
       end if;
       -- slice2winner1
-      slice2winner1_best_index_0_0_is_not_less := (slice2window_sum_0_0 - slice2window_sum_0_1) >= 0;
-      slice2winner1_best_index_0_1_is_less := (slice2window_sum_0_2 - slice2window_sum_0_3) < 0;
-      slice2winner1_best_index_0_2_is_less := (slice2window_sum_0_4 - slice2window_sum_0_5) < 0;
-      slice2winner1_best_index_0_3_is_less := (slice2window_sum_0_6 - slice2window_sum_0_7) < 0;
-      slice2winner1_best_index_0_4_is_less := (slice2window_sum_0_8 - slice2window_sum_0_9) < 0;
-      slice2winner1_best_index_0_5_is_less := (slice2window_sum_0_10 - slice2window_sum_0_11) < 0;
-      slice2winner1_best_index_0_6_is_less := (slice2window_sum_0_12 - slice2window_sum_0_13) < 0;
-      slice2winner1_best_index_0_7_is_less := (slice2window_sum_0_14 - slice2window_sum_0_15) < 0;
-      slice2winner1_held_0_0 <= slice2window_sum_0_0;
-      slice2winner1_held_0_1 <= slice2window_sum_0_1;
-      slice2winner1_held_0_2 <= slice2window_sum_0_2;
-      slice2winner1_held_0_3 <= slice2window_sum_0_3;
-      slice2winner1_held_0_4 <= slice2window_sum_0_4;
-      slice2winner1_held_0_5 <= slice2window_sum_0_5;
-      slice2winner1_held_0_6 <= slice2window_sum_0_6;
-      slice2winner1_held_0_7 <= slice2window_sum_0_7;
-      slice2winner1_held_0_8 <= slice2window_sum_0_8;
-      slice2winner1_held_0_9 <= slice2window_sum_0_9;
-      slice2winner1_held_0_10 <= slice2window_sum_0_10;
-      slice2winner1_held_0_11 <= slice2window_sum_0_11;
-      slice2winner1_held_0_12 <= slice2window_sum_0_12;
-      slice2winner1_held_0_13 <= slice2window_sum_0_13;
-      slice2winner1_held_0_14 <= slice2window_sum_0_14;
-      slice2winner1_held_0_15 <= slice2window_sum_0_15;
+      slice2winner1_best_index_0_0_is_not_less := (slice2window_sum_0(0) - slice2window_sum_0(1)) >= 0;
+      for i in 1 to 7 loop
+        slice2winner1_best_index_0_is_less(i) := (slice2window_sum_0(2 * i) - slice2window_sum_0(2 * i + 1)) < 0;
+      end loop;
+      for i in 0 to 15 loop
+        slice2winner1_held_0(i) <= slice2window_sum_0(i);
+      end loop;
       slice2winner1_best_index_0_0 <= slice2winner1_best_index_0_0_is_not_less;
-      slice2winner1_best_late_cost_0_0 <= slice2winner1_best_cost_0_0;
-      slice2winner1_best_late_cost_0_1 <= slice2winner1_best_cost_0_1;
-      slice2winner1_best_late_cost_0_2 <= slice2winner1_best_cost_0_2;
-      slice2winner1_best_late_cost_0_3 <= slice2winner1_best_cost_0_3;
-      slice2winner1_best_late_cost_0_4 <= slice2winner1_best_cost_0_4;
-      slice2winner1_best_late_cost_0_5 <= slice2winner1_best_cost_0_5;
-      slice2winner1_best_late_cost_0_6 <= slice2winner1_best_cost_0_6;
-      slice2winner1_best_late_cost_0_7 <= slice2winner1_best_cost_0_7;
-      slice2winner1_best_but_first_0_0 <= slice2winner1_held_0_1;
-      slice2winner1_best_but_first_0_1 <= slice2winner1_held_0_3;
-      slice2winner1_best_but_first_0_2 <= slice2winner1_held_0_5;
-      slice2winner1_best_but_first_0_3 <= slice2winner1_held_0_7;
-      slice2winner1_best_but_first_0_4 <= slice2winner1_held_0_9;
-      slice2winner1_best_but_first_0_5 <= slice2winner1_held_0_11;
-      slice2winner1_best_but_first_0_6 <= slice2winner1_held_0_13;
-      slice2winner1_best_but_first_0_7 <= slice2winner1_held_0_15;
-      slice2winner1_best_but_last_0_0 <= slice2winner1_held_0_0;
-      slice2winner1_best_but_last_0_1 <= slice2winner1_held_0_2;
-      slice2winner1_best_but_last_0_2 <= slice2winner1_held_0_4;
-      slice2winner1_best_but_last_0_3 <= slice2winner1_held_0_6;
-      slice2winner1_best_but_last_0_4 <= slice2winner1_held_0_8;
-      slice2winner1_best_but_last_0_5 <= slice2winner1_held_0_10;
-      slice2winner1_best_but_last_0_6 <= slice2winner1_held_0_12;
-      slice2winner1_best_but_last_0_7 <= slice2winner1_held_0_14;
-      if (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 then
-        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
-      else
-        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
-      end if;
-      if (slice2window_sum_0_3 - slice2window_sum_0_2) < 0 then
-        slice2winner1_best_cost_0_1 <= slice2window_sum_0_3;
-      else
-        slice2winner1_best_cost_0_1 <= slice2window_sum_0_2;
-      end if;
-      if (slice2window_sum_0_5 - slice2window_sum_0_4) < 0 then
-        slice2winner1_best_cost_0_2 <= slice2window_sum_0_5;
-      else
-        slice2winner1_best_cost_0_2 <= slice2window_sum_0_4;
-      end if;
-      if (slice2window_sum_0_7 - slice2window_sum_0_6) < 0 then
-        slice2winner1_best_cost_0_3 <= slice2window_sum_0_7;
-      else
-        slice2winner1_best_cost_0_3 <= slice2window_sum_0_6;
-      end if;
-      if (slice2window_sum_0_9 - slice2window_sum_0_8) < 0 then
-        slice2winner1_best_cost_0_4 <= slice2window_sum_0_9;
-      else
-        slice2winner1_best_cost_0_4 <= slice2window_sum_0_8;
-      end if;
-      if (slice2window_sum_0_11 - slice2window_sum_0_10) < 0 then
-        slice2winner1_best_cost_0_5 <= slice2window_sum_0_11;
-      else
-        slice2winner1_best_cost_0_5 <= slice2window_sum_0_10;
-      end if;
-      if (slice2window_sum_0_13 - slice2window_sum_0_12) < 0 then
-        slice2winner1_best_cost_0_6 <= slice2window_sum_0_13;
-      else
-        slice2winner1_best_cost_0_6 <= slice2window_sum_0_12;
-      end if;
-      if (slice2window_sum_0_15 - slice2window_sum_0_14) < 0 then
-        slice2winner1_best_cost_0_7 <= slice2window_sum_0_15;
-      else
-        slice2winner1_best_cost_0_7 <= slice2window_sum_0_14;
-      end if;
-      if slice2winner1_best_index_0_1_is_less then
+      for i in 0 to 7 loop
+        slice2winner1_best_late_cost_0(i) <= slice2winner1_best_cost_0(i);
+      end loop;
+      for i in 0 to 7 loop
+        slice2winner1_best_but_first_0(i) <= slice2winner1_held_0(2 * i + 1);
+      end loop;
+      for i in 0 to 7 loop
+        slice2winner1_best_but_last_0(i) <= slice2winner1_held_0(2 * i);
+      end loop;
+      for i in 0 to 7 loop
+        if (slice2window_sum_0(2 * i + 1) - slice2window_sum_0(2 * i)) < 0 then
+          slice2winner1_best_cost_0(i) <= slice2window_sum_0(2 * i + 1);
+        else
+          slice2winner1_best_cost_0(i) <= slice2window_sum_0(2 * i);
+        end if;
+      end loop;
+      if slice2winner1_best_index_0_is_less(1) then
         slice2winner1_best_index_0_1 <= 2;
-        slice2winner1_best_below_0_1 <= 0;
-        slice2winner1_best_above_0_1 <= slice2window_sum_0_3;
+        slice2winner1_best_below_0(1) <= 0;
+        slice2winner1_best_above_0(1) <= slice2window_sum_0(3);
       else
         slice2winner1_best_index_0_1 <= 3;
-        slice2winner1_best_below_0_1 <= slice2window_sum_0_2;
-        slice2winner1_best_above_0_1 <= 0;
+        slice2winner1_best_below_0(1) <= slice2window_sum_0(2);
+        slice2winner1_best_above_0(1) <= 0;
       end if;
-      if slice2winner1_best_index_0_2_is_less then
+      if slice2winner1_best_index_0_is_less(2) then
         slice2winner1_best_index_0_2 <= 4;
-        slice2winner1_best_below_0_2 <= 0;
-        slice2winner1_best_above_0_2 <= slice2window_sum_0_5;
+        slice2winner1_best_below_0(2) <= 0;
+        slice2winner1_best_above_0(2) <= slice2window_sum_0(5);
       else
         slice2winner1_best_index_0_2 <= 5;
-        slice2winner1_best_below_0_2 <= slice2window_sum_0_4;
-        slice2winner1_best_above_0_2 <= 0;
+        slice2winner1_best_below_0(2) <= slice2window_sum_0(4);
+        slice2winner1_best_above_0(2) <= 0;
       end if;
-      if slice2winner1_best_index_0_3_is_less then
+      if slice2winner1_best_index_0_is_less(3) then
         slice2winner1_best_index_0_3 <= 6;
-        slice2winner1_best_below_0_3 <= 0;
-        slice2winner1_best_above_0_3 <= slice2window_sum_0_7;
+        slice2winner1_best_below_0(3) <= 0;
+        slice2winner1_best_above_0(3) <= slice2window_sum_0(7);
       else
         slice2winner1_best_index_0_3 <= 7;
-        slice2winner1_best_below_0_3 <= slice2window_sum_0_6;
-        slice2winner1_best_above_0_3 <= 0;
+        slice2winner1_best_below_0(3) <= slice2window_sum_0(6);
+        slice2winner1_best_above_0(3) <= 0;
       end if;
-      if slice2winner1_best_index_0_4_is_less then
+      if slice2winner1_best_index_0_is_less(4) then
         slice2winner1_best_index_0_4 <= 8;
-        slice2winner1_best_below_0_4 <= 0;
-        slice2winner1_best_above_0_4 <= slice2window_sum_0_9;
+        slice2winner1_best_below_0(4) <= 0;
+        slice2winner1_best_above_0(4) <= slice2window_sum_0(9);
       else
         slice2winner1_best_index_0_4 <= 9;
-        slice2winner1_best_below_0_4 <= slice2window_sum_0_8;
-        slice2winner1_best_above_0_4 <= 0;
+        slice2winner1_best_below_0(4) <= slice2window_sum_0(8);
+        slice2winner1_best_above_0(4) <= 0;
       end if;
-      if slice2winner1_best_index_0_5_is_less then
+      if slice2winner1_best_index_0_is_less(5) then
         slice2winner1_best_index_0_5 <= 10;
-        slice2winner1_best_below_0_5 <= 0;
-        slice2winner1_best_above_0_5 <= slice2window_sum_0_11;
+        slice2winner1_best_below_0(5) <= 0;
+        slice2winner1_best_above_0(5) <= slice2window_sum_0(11);
       else
         slice2winner1_best_index_0_5 <= 11;
-        slice2winner1_best_below_0_5 <= slice2window_sum_0_10;
-        slice2winner1_best_above_0_5 <= 0;
+        slice2winner1_best_below_0(5) <= slice2window_sum_0(10);
+        slice2winner1_best_above_0(5) <= 0;
       end if;
-      if slice2winner1_best_index_0_6_is_less then
+      if slice2winner1_best_index_0_is_less(6) then
         slice2winner1_best_index_0_6 <= 12;
-        slice2winner1_best_below_0_6 <= 0;
-        slice2winner1_best_above_0_6 <= slice2window_sum_0_13;
+        slice2winner1_best_below_0(6) <= 0;
+        slice2winner1_best_above_0(6) <= slice2window_sum_0(13);
       else
         slice2winner1_best_index_0_6 <= 13;
-        slice2winner1_best_below_0_6 <= slice2window_sum_0_12;
-        slice2winner1_best_above_0_6 <= 0;
+        slice2winner1_best_below_0(6) <= slice2window_sum_0(12);
+        slice2winner1_best_above_0(6) <= 0;
       end if;
-      if slice2winner1_best_index_0_7_is_less then
+      if slice2winner1_best_index_0_is_less(7) then
         slice2winner1_best_index_0_7 <= 14;
-        slice2winner1_best_below_0_7 <= 0;
-        slice2winner1_best_above_0_7 <= slice2window_sum_0_15;
+        slice2winner1_best_below_0(7) <= 0;
+        slice2winner1_best_above_0(7) <= slice2window_sum_0(15);
       else
         slice2winner1_best_index_0_7 <= 15;
-        slice2winner1_best_below_0_7 <= slice2window_sum_0_14;
-        slice2winner1_best_above_0_7 <= 0;
+        slice2winner1_best_below_0(7) <= slice2window_sum_0(14);
+        slice2winner1_best_above_0(7) <= 0;
       end if;
       if slice2winner1_best_index_0_0_is_not_less then
-        slice2winner1_best_below_0_0 <= slice2window_sum_0_0;
-        slice2winner1_best_above_0_0 <= 0;
+        slice2winner1_best_below_0(0) <= slice2window_sum_0(0);
+        slice2winner1_best_above_0(0) <= 0;
       else
-        slice2winner1_best_below_0_0 <= 0;
-        slice2winner1_best_above_0_0 <= slice2window_sum_0_1;
+        slice2winner1_best_below_0(0) <= 0;
+        slice2winner1_best_above_0(0) <= slice2window_sum_0(1);
       end if;
       -- slice2winner2
-      slice2winner2_best_index_0_0_is_not_less := (slice2winner1_best_cost_0_0 - slice2winner1_best_cost_0_1) >= 0;
-      slice2winner2_best_index_0_1_is_not_less := (slice2winner1_best_cost_0_2 - slice2winner1_best_cost_0_3) >= 0;
-      slice2winner2_best_index_0_2_is_not_less := (slice2winner1_best_cost_0_4 - slice2winner1_best_cost_0_5) >= 0;
-      slice2winner2_best_index_0_3_is_not_less := (slice2winner1_best_cost_0_6 - slice2winner1_best_cost_0_7) >= 0;
-      if other_4 then
-        slice2winner2_best_below_0_0_choice := slice2winner1_held_0_1;
-      else
-        slice2winner2_best_below_0_0_choice := slice2winner1_best_below_0_1;
-      end if;
-      if other_5 then
-        slice2winner2_best_below_0_1_choice := slice2winner1_held_0_5;
-      else
-        slice2winner2_best_below_0_1_choice := slice2winner1_best_below_0_3;
-      end if;
-      if other_13 then
-        slice2winner2_best_below_0_2_choice := slice2winner1_held_0_9;
-      else
-        slice2winner2_best_below_0_2_choice := slice2winner1_best_below_0_5;
-      end if;
-      if other_14 then
-        slice2winner2_best_below_0_3_choice := slice2winner1_held_0_13;
-      else
-        slice2winner2_best_below_0_3_choice := slice2winner1_best_below_0_7;
-      end if;
+      for i in 0 to 3 loop
+        slice2winner2_best_index_0_is_not_less(i) := (slice2winner1_best_cost_0(2 * i) - slice2winner1_best_cost_0(2 *
+          i + 1)) >= 0;
+      end loop;
+      for i in 4 to 5 loop
+        if other(i) then
+          slice2winner2_best_below_0_choice(i - 4) := slice2winner1_held_0(4 * i - 15);
+        else
+          slice2winner2_best_below_0_choice(i - 4) := slice2winner1_best_below_0(2 * i - 7);
+        end if;
+      end loop;
+      for i in 13 to 14 loop
+        if others_from_13(i) then
+          slice2winner2_best_below_0_choice(i - 11) := slice2winner1_held_0(4 * i - 43);
+        else
+          slice2winner2_best_below_0_choice(i - 11) := slice2winner1_best_below_0(2 * i - 21);
+        end if;
+      end loop;
       if slice2winner1_best_index_0_0 then
-        slice2winner2_best_above_0_0_choice := slice2winner1_held_0_2;
+        slice2winner2_best_above_0_choice(0) := slice2winner1_held_0(2);
       else
-        slice2winner2_best_above_0_0_choice := slice2winner1_best_above_0_0;
+        slice2winner2_best_above_0_choice(0) := slice2winner1_best_above_0(0);
       end if;
-      if ((slice2winner1_best_index_0_2 / 4) = 1) and ((slice2winner1_best_index_0_2 mod 2) = 1) then
-        slice2winner2_best_above_0_1_choice := slice2winner1_held_0_6;
+      if is_set(slice2winner1_best_index_0_2, 2) and is_set(slice2winner1_best_index_0_2, 0) then
+        slice2winner2_best_above_0_choice(1) := slice2winner1_held_0(6);
       else
-        slice2winner2_best_above_0_1_choice := slice2winner1_best_above_0_2;
+        slice2winner2_best_above_0_choice(1) := slice2winner1_best_above_0(2);
       end if;
-      if ((slice2winner1_best_index_0_4 / 8) = 1) and ((slice2winner1_best_index_0_4 mod 2) = 1) then
-        slice2winner2_best_above_0_2_choice := slice2winner1_held_0_10;
+      if is_set(slice2winner1_best_index_0_4, 3) and is_set(slice2winner1_best_index_0_4, 0) then
+        slice2winner2_best_above_0_choice(2) := slice2winner1_held_0(10);
       else
-        slice2winner2_best_above_0_2_choice := slice2winner1_best_above_0_4;
+        slice2winner2_best_above_0_choice(2) := slice2winner1_best_above_0(4);
       end if;
-      slice2winner2_best_above_0_3_value := ((slice2winner1_best_index_0_6 / 4) mod 2) = 1;
-      if ((slice2winner1_best_index_0_6 / 8) = 1) and slice2winner2_best_above_0_3_value and
-        ((slice2winner1_best_index_0_6 mod 2) = 1) then
-        slice2winner2_best_above_0_3_choice := slice2winner1_held_0_14;
+      slice2winner2_best_above_0_3_value := is_set(slice2winner1_best_index_0_6, 2);
+      if is_set(slice2winner1_best_index_0_6, 3) and slice2winner2_best_above_0_3_value and
+        is_set(slice2winner1_best_index_0_6, 0) then
+        slice2winner2_best_above_0_choice(3) := slice2winner1_held_0(14);
       else
-        slice2winner2_best_above_0_3_choice := slice2winner1_best_above_0_6;
+        slice2winner2_best_above_0_choice(3) := slice2winner1_best_above_0(6);
       end if;
-      if slice2winner2_best_place_0_0 then
-        slice2winner2_best_second_0_0_choice := 16383;
-      else
-        slice2winner2_best_second_0_0_choice := slice2winner1_best_late_cost_0_1;
-      end if;
-      if slice2winner2_best_at_end_0_0 then
-        slice2winner2_best_second_0_0_choice_2 := slice2winner1_best_but_first_0_1;
-      else
-        slice2winner2_best_second_0_0_choice_2 := slice2winner2_best_second_0_0_choice;
-      end if;
-      if slice2winner2_best_place_0_0 then
-        slice2winner2_best_second_0_0_choice_3 := slice2winner1_best_late_cost_0_0;
-      else
-        slice2winner2_best_second_0_0_choice_3 := 16383;
-      end if;
-      if slice2winner2_best_at_start_0_0 then
-        slice2winner2_best_second_0_0_choice_4 := slice2winner1_best_but_last_0_0;
-      else
-        slice2winner2_best_second_0_0_choice_4 := slice2winner2_best_second_0_0_choice_3;
-      end if;
-      if slice2winner2_best_place_0_1 then
-        slice2winner2_best_second_0_1_choice := 16383;
-      else
-        slice2winner2_best_second_0_1_choice := slice2winner1_best_late_cost_0_3;
-      end if;
-      if slice2winner2_best_at_end_0_1 then
-        slice2winner2_best_second_0_1_choice_2 := slice2winner1_best_but_first_0_3;
-      else
-        slice2winner2_best_second_0_1_choice_2 := slice2winner2_best_second_0_1_choice;
-      end if;
-      if slice2winner2_best_place_0_1 then
-        slice2winner2_best_second_0_1_choice_3 := slice2winner1_best_late_cost_0_2;
-      else
-        slice2winner2_best_second_0_1_choice_3 := 16383;
-      end if;
-      if slice2winner2_best_at_start_0_1 then
-        slice2winner2_best_second_0_1_choice_4 := slice2winner1_best_but_last_0_2;
-      else
-        slice2winner2_best_second_0_1_choice_4 := slice2winner2_best_second_0_1_choice_3;
-      end if;
-      if slice2winner2_best_place_0_2 then
-        slice2winner2_best_second_0_2_choice := 16383;
-      else
-        slice2winner2_best_second_0_2_choice := slice2winner1_best_late_cost_0_5;
-      end if;
-      if slice2winner2_best_at_end_0_2 then
-        slice2winner2_best_second_0_2_choice_2 := slice2winner1_best_but_first_0_5;
-      else
-        slice2winner2_best_second_0_2_choice_2 := slice2winner2_best_second_0_2_choice;
-      end if;
-      if slice2winner2_best_place_0_2 then
-        slice2winner2_best_second_0_2_choice_3 := slice2winner1_best_late_cost_0_4;
-      else
-        slice2winner2_best_second_0_2_choice_3 := 16383;
-      end if;
-      if slice2winner2_best_at_start_0_2 then
-        slice2winner2_best_second_0_2_choice_4 := slice2winner1_best_but_last_0_4;
-      else
-        slice2winner2_best_second_0_2_choice_4 := slice2winner2_best_second_0_2_choice_3;
-      end if;
-      if slice2winner2_best_place_0_3 then
-        slice2winner2_best_second_0_3_choice := 16383;
-      else
-        slice2winner2_best_second_0_3_choice := slice2winner1_best_late_cost_0_7;
-      end if;
-      if slice2winner2_best_at_end_0_3 then
-        slice2winner2_best_second_0_3_choice_2 := slice2winner1_best_but_first_0_7;
-      else
-        slice2winner2_best_second_0_3_choice_2 := slice2winner2_best_second_0_3_choice;
-      end if;
-      if slice2winner2_best_place_0_3 then
-        slice2winner2_best_second_0_3_choice_3 := slice2winner1_best_late_cost_0_6;
-      else
-        slice2winner2_best_second_0_3_choice_3 := 16383;
-      end if;
-      if slice2winner2_best_at_start_0_3 then
-        slice2winner2_best_second_0_3_choice_4 := slice2winner1_best_but_last_0_6;
-      else
-        slice2winner2_best_second_0_3_choice_4 := slice2winner2_best_second_0_3_choice_3;
-      end if;
-      slice2winner2_best_first_0_0 <= slice2winner1_held_0_0;
-      slice2winner2_best_first_0_1 <= slice2winner1_held_0_4;
-      slice2winner2_best_first_0_2 <= slice2winner1_held_0_8;
-      slice2winner2_best_first_0_3 <= slice2winner1_held_0_12;
-      slice2winner2_best_last_0_0 <= slice2winner1_held_0_3;
-      slice2winner2_best_last_0_1 <= slice2winner1_held_0_7;
-      slice2winner2_best_last_0_2 <= slice2winner1_held_0_11;
-      slice2winner2_best_last_0_3 <= slice2winner1_held_0_15;
-      slice2winner2_best_place_0_0 <= slice2winner2_best_index_0_0_is_not_less;
-      slice2winner2_best_place_0_1 <= slice2winner2_best_index_0_1_is_not_less;
-      slice2winner2_best_place_0_2 <= slice2winner2_best_index_0_2_is_not_less;
-      slice2winner2_best_place_0_3 <= slice2winner2_best_index_0_3_is_not_less;
-      slice2winner2_best_at_start_0_0 <= other_4 and slice2winner2_best_index_0_0_is_not_less;
-      slice2winner2_best_at_start_0_1 <= other_5 and slice2winner2_best_index_0_1_is_not_less;
-      slice2winner2_best_at_start_0_2 <= other_13 and slice2winner2_best_index_0_2_is_not_less;
-      slice2winner2_best_at_start_0_3 <= other_14 and slice2winner2_best_index_0_3_is_not_less;
-      slice2winner2_best_at_end_0_0 <= slice2winner1_best_index_0_0 and ((slice2winner1_best_cost_0_0 -
-        slice2winner1_best_cost_0_1) < 0);
-      slice2winner2_best_at_end_0_1 <= ((slice2winner1_best_cost_0_2 - slice2winner1_best_cost_0_3) < 0) and
-        ((slice2winner1_best_index_0_2 / 4) = 1) and ((slice2winner1_best_index_0_2 mod 2) = 1);
-      slice2winner2_best_at_end_0_2 <= ((slice2winner1_best_cost_0_4 - slice2winner1_best_cost_0_5) < 0) and
-        ((slice2winner1_best_index_0_4 / 8) = 1) and ((slice2winner1_best_index_0_4 mod 2) = 1);
-      slice2winner2_best_at_end_0_3 <= ((slice2winner1_best_cost_0_6 - slice2winner1_best_cost_0_7) < 0) and
-        ((slice2winner1_best_index_0_6 / 8) = 1) and slice2winner2_best_above_0_3_value and
-        ((slice2winner1_best_index_0_6 mod 2) = 1);
-      slice2winner2_best_late_cost_0_0 <= slice2winner2_best_cost_0_0;
-      slice2winner2_best_late_cost_0_1 <= slice2winner2_best_cost_0_1;
-      slice2winner2_best_late_cost_0_2 <= slice2winner2_best_cost_0_2;
-      slice2winner2_best_late_cost_0_3 <= slice2winner2_best_cost_0_3;
-      if (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0 then
-        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1;
-      else
-        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
-      end if;
-      if (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0 then
-        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3;
-      else
-        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_2;
-      end if;
-      if (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0 then
-        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5;
-      else
-        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_4;
-      end if;
-      if (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0 then
-        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7;
-      else
-        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_6;
-      end if;
-      if slice2winner2_best_index_0_0_is_not_less then
+      for i in 0 to 3 loop
+        if slice2winner2_best_place_0(i) then
+          slice2winner2_best_second_0_choice(i) := 16383;
+        else
+          slice2winner2_best_second_0_choice(i) := slice2winner1_best_late_cost_0(2 * i + 1);
+        end if;
+        if slice2winner2_best_at_end_0(i) then
+          slice2winner2_best_second_0_choices(i, 2) := slice2winner1_best_but_first_0(2 * i + 1);
+        else
+          slice2winner2_best_second_0_choices(i, 2) := slice2winner2_best_second_0_choice(i);
+        end if;
+        if slice2winner2_best_place_0(i) then
+          slice2winner2_best_second_0_choices(i, 3) := slice2winner1_best_late_cost_0(2 * i);
+        else
+          slice2winner2_best_second_0_choices(i, 3) := 16383;
+        end if;
+        if slice2winner2_best_at_start_0(i) then
+          slice2winner2_best_second_0_choices(i, 4) := slice2winner1_best_but_last_0(2 * i);
+        else
+          slice2winner2_best_second_0_choices(i, 4) := slice2winner2_best_second_0_choices(i, 3);
+        end if;
+      end loop;
+      slice2winner2_best_first_0(0) <= slice2winner1_held_0(0);
+      slice2winner2_best_first_0(1) <= slice2winner1_held_0(4);
+      slice2winner2_best_first_0(2) <= slice2winner1_held_0(8);
+      slice2winner2_best_first_0(3) <= slice2winner1_held_0(12);
+      slice2winner2_best_last_0(0) <= slice2winner1_held_0(3);
+      slice2winner2_best_last_0(1) <= slice2winner1_held_0(7);
+      slice2winner2_best_last_0(2) <= slice2winner1_held_0(11);
+      slice2winner2_best_last_0(3) <= slice2winner1_held_0(15);
+      slice2winner2_best_place_0(0) <= slice2winner2_best_index_0_is_not_less(0);
+      slice2winner2_best_place_0(1) <= slice2winner2_best_index_0_is_not_less(1);
+      slice2winner2_best_place_0(2) <= slice2winner2_best_index_0_is_not_less(2);
+      slice2winner2_best_place_0(3) <= slice2winner2_best_index_0_is_not_less(3);
+      slice2winner2_best_at_start_0(0) <= other(4) and slice2winner2_best_index_0_is_not_less(0);
+      slice2winner2_best_at_start_0(1) <= other(5) and slice2winner2_best_index_0_is_not_less(1);
+      slice2winner2_best_at_start_0(2) <= others_from_13(13) and slice2winner2_best_index_0_is_not_less(2);
+      slice2winner2_best_at_start_0(3) <= others_from_13(14) and slice2winner2_best_index_0_is_not_less(3);
+      slice2winner2_best_at_end_0(0) <= slice2winner1_best_index_0_0 and ((slice2winner1_best_cost_0(0) -
+        slice2winner1_best_cost_0(1)) < 0);
+      slice2winner2_best_at_end_0(1) <= ((slice2winner1_best_cost_0(2) - slice2winner1_best_cost_0(3)) < 0) and
+        is_set(slice2winner1_best_index_0_2, 2) and is_set(slice2winner1_best_index_0_2, 0);
+      slice2winner2_best_at_end_0(2) <= ((slice2winner1_best_cost_0(4) - slice2winner1_best_cost_0(5)) < 0) and
+        is_set(slice2winner1_best_index_0_4, 3) and is_set(slice2winner1_best_index_0_4, 0);
+      slice2winner2_best_at_end_0(3) <= ((slice2winner1_best_cost_0(6) - slice2winner1_best_cost_0(7)) < 0) and
+        is_set(slice2winner1_best_index_0_6, 3) and slice2winner2_best_above_0_3_value and
+        is_set(slice2winner1_best_index_0_6, 0);
+      slice2winner2_best_late_cost_0(0) <= slice2winner2_best_cost_0(0);
+      slice2winner2_best_late_cost_0(1) <= slice2winner2_best_cost_0(1);
+      slice2winner2_best_late_cost_0(2) <= slice2winner2_best_cost_0(2);
+      slice2winner2_best_late_cost_0(3) <= slice2winner2_best_cost_0(3);
+      for i in 0 to 3 loop
+        if (slice2winner1_best_cost_0(2 * i + 1) - slice2winner1_best_cost_0(2 * i)) < 0 then
+          slice2winner2_best_cost_0(i) <= slice2winner1_best_cost_0(2 * i + 1);
+        else
+          slice2winner2_best_cost_0(i) <= slice2winner1_best_cost_0(2 * i);
+        end if;
+      end loop;
+      if slice2winner2_best_index_0_is_not_less(0) then
         slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
-        slice2winner2_best_below_0_0 <= slice2winner2_best_below_0_0_choice;
-        slice2winner2_best_above_0_0 <= slice2winner1_best_above_0_1;
+        slice2winner2_best_below_0(0) <= slice2winner2_best_below_0_choice(0);
+        slice2winner2_best_above_0(0) <= slice2winner1_best_above_0(1);
       else
         slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
-        slice2winner2_best_below_0_0 <= slice2winner1_best_below_0_0;
-        slice2winner2_best_above_0_0 <= slice2winner2_best_above_0_0_choice;
+        slice2winner2_best_below_0(0) <= slice2winner1_best_below_0(0);
+        slice2winner2_best_above_0(0) <= slice2winner2_best_above_0_choice(0);
       end if;
-      if slice2winner2_best_index_0_1_is_not_less then
+      if slice2winner2_best_index_0_is_not_less(1) then
         slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
-        slice2winner2_best_below_0_1 <= slice2winner2_best_below_0_1_choice;
-        slice2winner2_best_above_0_1 <= slice2winner1_best_above_0_3;
+        slice2winner2_best_below_0(1) <= slice2winner2_best_below_0_choice(1);
+        slice2winner2_best_above_0(1) <= slice2winner1_best_above_0(3);
       else
         slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
-        slice2winner2_best_below_0_1 <= slice2winner1_best_below_0_2;
-        slice2winner2_best_above_0_1 <= slice2winner2_best_above_0_1_choice;
+        slice2winner2_best_below_0(1) <= slice2winner1_best_below_0(2);
+        slice2winner2_best_above_0(1) <= slice2winner2_best_above_0_choice(1);
       end if;
-      if slice2winner2_best_index_0_2_is_not_less then
+      if slice2winner2_best_index_0_is_not_less(2) then
         slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
-        slice2winner2_best_below_0_2 <= slice2winner2_best_below_0_2_choice;
-        slice2winner2_best_above_0_2 <= slice2winner1_best_above_0_5;
+        slice2winner2_best_below_0(2) <= slice2winner2_best_below_0_choice(2);
+        slice2winner2_best_above_0(2) <= slice2winner1_best_above_0(5);
       else
         slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
-        slice2winner2_best_below_0_2 <= slice2winner1_best_below_0_4;
-        slice2winner2_best_above_0_2 <= slice2winner2_best_above_0_2_choice;
+        slice2winner2_best_below_0(2) <= slice2winner1_best_below_0(4);
+        slice2winner2_best_above_0(2) <= slice2winner2_best_above_0_choice(2);
       end if;
-      if slice2winner2_best_index_0_3_is_not_less then
+      if slice2winner2_best_index_0_is_not_less(3) then
         slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
-        slice2winner2_best_below_0_3 <= slice2winner2_best_below_0_3_choice;
-        slice2winner2_best_above_0_3 <= slice2winner1_best_above_0_7;
+        slice2winner2_best_below_0(3) <= slice2winner2_best_below_0_choice(3);
+        slice2winner2_best_above_0(3) <= slice2winner1_best_above_0(7);
       else
         slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
-        slice2winner2_best_below_0_3 <= slice2winner1_best_below_0_6;
-        slice2winner2_best_above_0_3 <= slice2winner2_best_above_0_3_choice;
+        slice2winner2_best_below_0(3) <= slice2winner1_best_below_0(6);
+        slice2winner2_best_above_0(3) <= slice2winner2_best_above_0_choice(3);
       end if;
-      if (slice2winner2_best_second_0_0_choice_2 - slice2winner2_best_second_0_0_choice_4) < 0 then
-        slice2winner2_best_second_0_0 <= slice2winner2_best_second_0_0_choice_2;
-      else
-        slice2winner2_best_second_0_0 <= slice2winner2_best_second_0_0_choice_4;
-      end if;
-      if (slice2winner2_best_second_0_1_choice_2 - slice2winner2_best_second_0_1_choice_4) < 0 then
-        slice2winner2_best_second_0_1 <= slice2winner2_best_second_0_1_choice_2;
-      else
-        slice2winner2_best_second_0_1 <= slice2winner2_best_second_0_1_choice_4;
-      end if;
-      if (slice2winner2_best_second_0_2_choice_2 - slice2winner2_best_second_0_2_choice_4) < 0 then
-        slice2winner2_best_second_0_2 <= slice2winner2_best_second_0_2_choice_2;
-      else
-        slice2winner2_best_second_0_2 <= slice2winner2_best_second_0_2_choice_4;
-      end if;
-      if (slice2winner2_best_second_0_3_choice_2 - slice2winner2_best_second_0_3_choice_4) < 0 then
-        slice2winner2_best_second_0_3 <= slice2winner2_best_second_0_3_choice_2;
-      else
-        slice2winner2_best_second_0_3 <= slice2winner2_best_second_0_3_choice_4;
-      end if;
-      if (slice2winner1_best_late_cost_0_1 - slice2winner1_best_but_first_0_0) < 0 then
-        slice2winner2_best_but_first_0_0 <= slice2winner1_best_late_cost_0_1;
-      else
-        slice2winner2_best_but_first_0_0 <= slice2winner1_best_but_first_0_0;
-      end if;
-      if (slice2winner1_best_late_cost_0_3 - slice2winner1_best_but_first_0_2) < 0 then
-        slice2winner2_best_but_first_0_1 <= slice2winner1_best_late_cost_0_3;
-      else
-        slice2winner2_best_but_first_0_1 <= slice2winner1_best_but_first_0_2;
-      end if;
-      if (slice2winner1_best_late_cost_0_5 - slice2winner1_best_but_first_0_4) < 0 then
-        slice2winner2_best_but_first_0_2 <= slice2winner1_best_late_cost_0_5;
-      else
-        slice2winner2_best_but_first_0_2 <= slice2winner1_best_but_first_0_4;
-      end if;
-      if (slice2winner1_best_late_cost_0_7 - slice2winner1_best_but_first_0_6) < 0 then
-        slice2winner2_best_but_first_0_3 <= slice2winner1_best_late_cost_0_7;
-      else
-        slice2winner2_best_but_first_0_3 <= slice2winner1_best_but_first_0_6;
-      end if;
-      if (slice2winner1_best_but_last_0_1 - slice2winner1_best_late_cost_0_0) < 0 then
-        slice2winner2_best_but_last_0_0 <= slice2winner1_best_but_last_0_1;
-      else
-        slice2winner2_best_but_last_0_0 <= slice2winner1_best_late_cost_0_0;
-      end if;
-      if (slice2winner1_best_but_last_0_3 - slice2winner1_best_late_cost_0_2) < 0 then
-        slice2winner2_best_but_last_0_1 <= slice2winner1_best_but_last_0_3;
-      else
-        slice2winner2_best_but_last_0_1 <= slice2winner1_best_late_cost_0_2;
-      end if;
-      if (slice2winner1_best_but_last_0_5 - slice2winner1_best_late_cost_0_4) < 0 then
-        slice2winner2_best_but_last_0_2 <= slice2winner1_best_but_last_0_5;
-      else
-        slice2winner2_best_but_last_0_2 <= slice2winner1_best_late_cost_0_4;
-      end if;
-      if (slice2winner1_best_but_last_0_7 - slice2winner1_best_late_cost_0_6) < 0 then
-        slice2winner2_best_but_last_0_3 <= slice2winner1_best_but_last_0_7;
-      else
-        slice2winner2_best_but_last_0_3 <= slice2winner1_best_late_cost_0_6;
-      end if;
+      for i in 0 to 3 loop
+        if (slice2winner2_best_second_0_choices(i, 2) - slice2winner2_best_second_0_choices(i, 4)) < 0 then
+          slice2winner2_best_second_0(i) <= slice2winner2_best_second_0_choices(i, 2);
+        else
+          slice2winner2_best_second_0(i) <= slice2winner2_best_second_0_choices(i, 4);
+        end if;
+      end loop;
+      for i in 0 to 3 loop
+        if (slice2winner1_best_late_cost_0(2 * i + 1) - slice2winner1_best_but_first_0(2 * i)) < 0 then
+          slice2winner2_best_but_first_0(i) <= slice2winner1_best_late_cost_0(2 * i + 1);
+        else
+          slice2winner2_best_but_first_0(i) <= slice2winner1_best_but_first_0(2 * i);
+        end if;
+      end loop;
+      for i in 0 to 3 loop
+        if (slice2winner1_best_but_last_0(2 * i + 1) - slice2winner1_best_late_cost_0(2 * i)) < 0 then
+          slice2winner2_best_but_last_0(i) <= slice2winner1_best_but_last_0(2 * i + 1);
+        else
+          slice2winner2_best_but_last_0(i) <= slice2winner1_best_late_cost_0(2 * i);
+        end if;
+      end loop;
       -- slice2winner3
-      slice2winner3_best_index_0_0_is_not_less := (slice2winner2_best_cost_0_0 - slice2winner2_best_cost_0_1) >= 0;
-      slice2winner3_best_index_0_1_is_not_less := (slice2winner2_best_cost_0_2 - slice2winner2_best_cost_0_3) >= 0;
-      slice2winner3_best_below_0_0_is_equal := slice2winner2_best_index_0_1 = 4;
-      if slice2winner3_best_below_0_0_is_equal then
-        slice2winner3_best_below_0_0_choice := slice2winner2_best_last_0_0;
+      slice2winner3_best_index_0_is_not_less(0) := (slice2winner2_best_cost_0(0) - slice2winner2_best_cost_0(1)) >= 0;
+      slice2winner3_best_index_0_is_not_less(1) := (slice2winner2_best_cost_0(2) - slice2winner2_best_cost_0(3)) >= 0;
+      slice2winner3_best_below_0_is_equal(0) := slice2winner2_best_index_0_1 = 4;
+      if slice2winner3_best_below_0_is_equal(0) then
+        slice2winner3_best_below_0_choice(0) := slice2winner2_best_last_0(0);
       else
-        slice2winner3_best_below_0_0_choice := slice2winner2_best_below_0_1;
+        slice2winner3_best_below_0_choice(0) := slice2winner2_best_below_0(1);
       end if;
-      slice2winner3_best_below_0_1_is_equal := slice2winner2_best_index_0_3 = 12;
-      if slice2winner3_best_below_0_1_is_equal then
-        slice2winner3_best_below_0_1_choice := slice2winner2_best_last_0_2;
+      slice2winner3_best_below_0_is_equal(1) := slice2winner2_best_index_0_3 = 12;
+      if slice2winner3_best_below_0_is_equal(1) then
+        slice2winner3_best_below_0_choice(1) := slice2winner2_best_last_0(2);
       else
-        slice2winner3_best_below_0_1_choice := slice2winner2_best_below_0_3;
+        slice2winner3_best_below_0_choice(1) := slice2winner2_best_below_0(3);
       end if;
-      slice2winner3_best_above_0_0_is_equal := slice2winner2_best_index_0_0 = 3;
-      if slice2winner3_best_above_0_0_is_equal then
-        slice2winner3_best_above_0_0_choice := slice2winner2_best_first_0_1;
+      slice2winner3_best_above_0_is_equal(0) := slice2winner2_best_index_0_0 = 3;
+      if slice2winner3_best_above_0_is_equal(0) then
+        slice2winner3_best_above_0_choice(0) := slice2winner2_best_first_0(1);
       else
-        slice2winner3_best_above_0_0_choice := slice2winner2_best_above_0_0;
+        slice2winner3_best_above_0_choice(0) := slice2winner2_best_above_0(0);
       end if;
-      slice2winner3_best_above_0_1_is_equal := (slice2winner2_best_index_0_2 mod 4) = 3;
-      if ((slice2winner2_best_index_0_2 / 8) = 1) and slice2winner3_best_above_0_1_is_equal then
-        slice2winner3_best_above_0_1_choice := slice2winner2_best_first_0_3;
+      slice2winner3_best_above_0_is_equal(1) := (slice2winner2_best_index_0_2 mod 4) = 3;
+      if is_set(slice2winner2_best_index_0_2, 3) and slice2winner3_best_above_0_is_equal(1) then
+        slice2winner3_best_above_0_choice(1) := slice2winner2_best_first_0(3);
       else
-        slice2winner3_best_above_0_1_choice := slice2winner2_best_above_0_2;
+        slice2winner3_best_above_0_choice(1) := slice2winner2_best_above_0(2);
       end if;
-      if slice2winner3_best_place_0_0 then
-        slice2winner3_best_second_0_0_choice := slice2winner2_best_second_0_1;
-      else
-        slice2winner3_best_second_0_0_choice := slice2winner2_best_late_cost_0_1;
-      end if;
-      if slice2winner3_best_at_end_0_0 then
-        slice2winner3_best_second_0_0_choice_2 := slice2winner2_best_but_first_0_1;
-      else
-        slice2winner3_best_second_0_0_choice_2 := slice2winner3_best_second_0_0_choice;
-      end if;
-      if slice2winner3_best_place_0_0 then
-        slice2winner3_best_second_0_0_choice_3 := slice2winner2_best_late_cost_0_0;
-      else
-        slice2winner3_best_second_0_0_choice_3 := slice2winner2_best_second_0_0;
-      end if;
-      if slice2winner3_best_at_start_0_0 then
-        slice2winner3_best_second_0_0_choice_4 := slice2winner2_best_but_last_0_0;
-      else
-        slice2winner3_best_second_0_0_choice_4 := slice2winner3_best_second_0_0_choice_3;
-      end if;
-      if slice2winner3_best_place_0_1 then
-        slice2winner3_best_second_0_1_choice := slice2winner2_best_second_0_3;
-      else
-        slice2winner3_best_second_0_1_choice := slice2winner2_best_late_cost_0_3;
-      end if;
-      if slice2winner3_best_at_end_0_1 then
-        slice2winner3_best_second_0_1_choice_2 := slice2winner2_best_but_first_0_3;
-      else
-        slice2winner3_best_second_0_1_choice_2 := slice2winner3_best_second_0_1_choice;
-      end if;
-      if slice2winner3_best_place_0_1 then
-        slice2winner3_best_second_0_1_choice_3 := slice2winner2_best_late_cost_0_2;
-      else
-        slice2winner3_best_second_0_1_choice_3 := slice2winner2_best_second_0_2;
-      end if;
-      if slice2winner3_best_at_start_0_1 then
-        slice2winner3_best_second_0_1_choice_4 := slice2winner2_best_but_last_0_2;
-      else
-        slice2winner3_best_second_0_1_choice_4 := slice2winner3_best_second_0_1_choice_3;
-      end if;
-      slice2winner3_best_first_0_0 <= slice2winner2_best_first_0_0;
-      slice2winner3_best_first_0_1 <= slice2winner2_best_first_0_2;
-      slice2winner3_best_last_0_0 <= slice2winner2_best_last_0_1;
-      slice2winner3_best_last_0_1 <= slice2winner2_best_last_0_3;
-      slice2winner3_best_place_0_0 <= slice2winner3_best_index_0_0_is_not_less;
-      slice2winner3_best_place_0_1 <= slice2winner3_best_index_0_1_is_not_less;
-      slice2winner3_best_at_start_0_0 <= slice2winner3_best_index_0_0_is_not_less and
-        slice2winner3_best_below_0_0_is_equal;
-      slice2winner3_best_at_start_0_1 <= slice2winner3_best_below_0_1_is_equal and
-        slice2winner3_best_index_0_1_is_not_less;
-      slice2winner3_best_at_end_0_0 <= ((slice2winner2_best_cost_0_0 - slice2winner2_best_cost_0_1) < 0) and
-        slice2winner3_best_above_0_0_is_equal;
-      slice2winner3_best_at_end_0_1 <= ((slice2winner2_best_cost_0_2 - slice2winner2_best_cost_0_3) < 0) and
-        ((slice2winner2_best_index_0_2 / 8) = 1) and slice2winner3_best_above_0_1_is_equal;
-      slice2winner3_best_late_cost_0_0 <= slice2winner3_best_cost_0_0;
-      slice2winner3_best_late_cost_0_1 <= slice2winner3_best_cost_0_1;
-      if (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0 then
-        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1;
-      else
-        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
-      end if;
-      if (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0 then
-        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3;
-      else
-        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_2;
-      end if;
-      if slice2winner3_best_index_0_0_is_not_less then
+      for i in 0 to 1 loop
+        if slice2winner3_best_place_0(i) then
+          slice2winner3_best_second_0_choice(i) := slice2winner2_best_second_0(2 * i + 1);
+        else
+          slice2winner3_best_second_0_choice(i) := slice2winner2_best_late_cost_0(2 * i + 1);
+        end if;
+        if slice2winner3_best_at_end_0(i) then
+          slice2winner3_best_second_0_choices(i, 2) := slice2winner2_best_but_first_0(2 * i + 1);
+        else
+          slice2winner3_best_second_0_choices(i, 2) := slice2winner3_best_second_0_choice(i);
+        end if;
+        if slice2winner3_best_place_0(i) then
+          slice2winner3_best_second_0_choices(i, 3) := slice2winner2_best_late_cost_0(2 * i);
+        else
+          slice2winner3_best_second_0_choices(i, 3) := slice2winner2_best_second_0(2 * i);
+        end if;
+        if slice2winner3_best_at_start_0(i) then
+          slice2winner3_best_second_0_choices(i, 4) := slice2winner2_best_but_last_0(2 * i);
+        else
+          slice2winner3_best_second_0_choices(i, 4) := slice2winner3_best_second_0_choices(i, 3);
+        end if;
+      end loop;
+      slice2winner3_best_first_0(0) <= slice2winner2_best_first_0(0);
+      slice2winner3_best_first_0(1) <= slice2winner2_best_first_0(2);
+      slice2winner3_best_last_0(0) <= slice2winner2_best_last_0(1);
+      slice2winner3_best_last_0(1) <= slice2winner2_best_last_0(3);
+      slice2winner3_best_place_0(0) <= slice2winner3_best_index_0_is_not_less(0);
+      slice2winner3_best_place_0(1) <= slice2winner3_best_index_0_is_not_less(1);
+      slice2winner3_best_at_start_0(0) <= slice2winner3_best_index_0_is_not_less(0) and
+        slice2winner3_best_below_0_is_equal(0);
+      slice2winner3_best_at_start_0(1) <= slice2winner3_best_below_0_is_equal(1) and
+        slice2winner3_best_index_0_is_not_less(1);
+      slice2winner3_best_at_end_0(0) <= ((slice2winner2_best_cost_0(0) - slice2winner2_best_cost_0(1)) < 0) and
+        slice2winner3_best_above_0_is_equal(0);
+      slice2winner3_best_at_end_0(1) <= ((slice2winner2_best_cost_0(2) - slice2winner2_best_cost_0(3)) < 0) and
+        is_set(slice2winner2_best_index_0_2, 3) and slice2winner3_best_above_0_is_equal(1);
+      slice2winner3_best_late_cost_0(0) <= slice2winner3_best_cost_0(0);
+      slice2winner3_best_late_cost_0(1) <= slice2winner3_best_cost_0(1);
+      for i in 0 to 1 loop
+        if (slice2winner2_best_cost_0(2 * i + 1) - slice2winner2_best_cost_0(2 * i)) < 0 then
+          slice2winner3_best_cost_0(i) <= slice2winner2_best_cost_0(2 * i + 1);
+        else
+          slice2winner3_best_cost_0(i) <= slice2winner2_best_cost_0(2 * i);
+        end if;
+      end loop;
+      if slice2winner3_best_index_0_is_not_less(0) then
         slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
-        slice2winner3_best_below_0_0 <= slice2winner3_best_below_0_0_choice;
-        slice2winner3_best_above_0_0 <= slice2winner2_best_above_0_1;
+        slice2winner3_best_below_0(0) <= slice2winner3_best_below_0_choice(0);
+        slice2winner3_best_above_0(0) <= slice2winner2_best_above_0(1);
       else
         slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
-        slice2winner3_best_below_0_0 <= slice2winner2_best_below_0_0;
-        slice2winner3_best_above_0_0 <= slice2winner3_best_above_0_0_choice;
+        slice2winner3_best_below_0(0) <= slice2winner2_best_below_0(0);
+        slice2winner3_best_above_0(0) <= slice2winner3_best_above_0_choice(0);
       end if;
-      if slice2winner3_best_index_0_1_is_not_less then
+      if slice2winner3_best_index_0_is_not_less(1) then
         slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
-        slice2winner3_best_below_0_1 <= slice2winner3_best_below_0_1_choice;
-        slice2winner3_best_above_0_1 <= slice2winner2_best_above_0_3;
+        slice2winner3_best_below_0(1) <= slice2winner3_best_below_0_choice(1);
+        slice2winner3_best_above_0(1) <= slice2winner2_best_above_0(3);
       else
         slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
-        slice2winner3_best_below_0_1 <= slice2winner2_best_below_0_2;
-        slice2winner3_best_above_0_1 <= slice2winner3_best_above_0_1_choice;
+        slice2winner3_best_below_0(1) <= slice2winner2_best_below_0(2);
+        slice2winner3_best_above_0(1) <= slice2winner3_best_above_0_choice(1);
       end if;
-      if (slice2winner3_best_second_0_0_choice_2 - slice2winner3_best_second_0_0_choice_4) < 0 then
-        slice2winner3_best_second_0_0 <= slice2winner3_best_second_0_0_choice_2;
-      else
-        slice2winner3_best_second_0_0 <= slice2winner3_best_second_0_0_choice_4;
-      end if;
-      if (slice2winner3_best_second_0_1_choice_2 - slice2winner3_best_second_0_1_choice_4) < 0 then
-        slice2winner3_best_second_0_1 <= slice2winner3_best_second_0_1_choice_2;
-      else
-        slice2winner3_best_second_0_1 <= slice2winner3_best_second_0_1_choice_4;
-      end if;
-      if (slice2winner2_best_late_cost_0_1 - slice2winner2_best_but_first_0_0) < 0 then
-        slice2winner3_best_but_first_0_0 <= slice2winner2_best_late_cost_0_1;
-      else
-        slice2winner3_best_but_first_0_0 <= slice2winner2_best_but_first_0_0;
-      end if;
-      if (slice2winner2_best_late_cost_0_3 - slice2winner2_best_but_first_0_2) < 0 then
-        slice2winner3_best_but_first_0_1 <= slice2winner2_best_late_cost_0_3;
-      else
-        slice2winner3_best_but_first_0_1 <= slice2winner2_best_but_first_0_2;
-      end if;
-      if (slice2winner2_best_but_last_0_1 - slice2winner2_best_late_cost_0_0) < 0 then
-        slice2winner3_best_but_last_0_0 <= slice2winner2_best_but_last_0_1;
-      else
-        slice2winner3_best_but_last_0_0 <= slice2winner2_best_late_cost_0_0;
-      end if;
-      if (slice2winner2_best_but_last_0_3 - slice2winner2_best_late_cost_0_2) < 0 then
-        slice2winner3_best_but_last_0_1 <= slice2winner2_best_but_last_0_3;
-      else
-        slice2winner3_best_but_last_0_1 <= slice2winner2_best_late_cost_0_2;
-      end if;
+      for i in 0 to 1 loop
+        if (slice2winner3_best_second_0_choices(i, 2) - slice2winner3_best_second_0_choices(i, 4)) < 0 then
+          slice2winner3_best_second_0(i) <= slice2winner3_best_second_0_choices(i, 2);
+        else
+          slice2winner3_best_second_0(i) <= slice2winner3_best_second_0_choices(i, 4);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if (slice2winner2_best_late_cost_0(2 * i + 1) - slice2winner2_best_but_first_0(2 * i)) < 0 then
+          slice2winner3_best_but_first_0(i) <= slice2winner2_best_late_cost_0(2 * i + 1);
+        else
+          slice2winner3_best_but_first_0(i) <= slice2winner2_best_but_first_0(2 * i);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if (slice2winner2_best_but_last_0(2 * i + 1) - slice2winner2_best_late_cost_0(2 * i)) < 0 then
+          slice2winner3_best_but_last_0(i) <= slice2winner2_best_but_last_0(2 * i + 1);
+        else
+          slice2winner3_best_but_last_0(i) <= slice2winner2_best_late_cost_0(2 * i);
+        end if;
+      end loop;
       -- slice2winner4
-      slice2winner4_best_index_0_0_is_less := (slice2winner3_best_cost_0_0 - slice2winner3_best_cost_0_1) < 0;
+      slice2winner4_best_index_0_0_is_less := (slice2winner3_best_cost_0(0) - slice2winner3_best_cost_0(1)) < 0;
       slice2winner4_best_below_0_0_is_equal := slice2winner3_best_index_0_1 = 8;
       if slice2winner4_best_below_0_0_is_equal then
-        slice2winner4_best_below_0_0_choice := slice2winner3_best_last_0_0;
+        slice2winner4_best_below_0_0_choice := slice2winner3_best_last_0(0);
       else
-        slice2winner4_best_below_0_0_choice := slice2winner3_best_below_0_1;
+        slice2winner4_best_below_0_0_choice := slice2winner3_best_below_0(1);
       end if;
       slice2winner4_best_above_0_0_is_equal := slice2winner3_best_index_0_0 = 7;
       if slice2winner4_best_above_0_0_is_equal then
-        slice2winner4_best_above_0_0_choice := slice2winner3_best_first_0_1;
+        slice2winner4_best_above_0_0_choice := slice2winner3_best_first_0(1);
       else
-        slice2winner4_best_above_0_0_choice := slice2winner3_best_above_0_0;
+        slice2winner4_best_above_0_0_choice := slice2winner3_best_above_0(0);
       end if;
-      slice2winner4_best_place_0_0_is_not_less := (slice2winner3_best_cost_0_0 - slice2winner3_best_cost_0_1) >= 0;
+      slice2winner4_best_place_0_0_is_not_less := (slice2winner3_best_cost_0(0) - slice2winner3_best_cost_0(1)) >= 0;
       if slice2winner4_best_place_0_0 then
-        slice2winner4_best_second_0_0_choice := slice2winner3_best_second_0_1;
+        slice2winner4_best_second_0_0_choice := slice2winner3_best_second_0(1);
       else
-        slice2winner4_best_second_0_0_choice := slice2winner3_best_late_cost_0_1;
+        slice2winner4_best_second_0_0_choice := slice2winner3_best_late_cost_0(1);
       end if;
       if slice2winner4_best_at_end_0_0 then
-        slice2winner4_best_second_0_0_choice_2 := slice2winner3_best_but_first_0_1;
+        slice2winner4_best_second_0_0_choices(2) := slice2winner3_best_but_first_0(1);
       else
-        slice2winner4_best_second_0_0_choice_2 := slice2winner4_best_second_0_0_choice;
+        slice2winner4_best_second_0_0_choices(2) := slice2winner4_best_second_0_0_choice;
       end if;
       if slice2winner4_best_place_0_0 then
-        slice2winner4_best_second_0_0_choice_3 := slice2winner3_best_late_cost_0_0;
+        slice2winner4_best_second_0_0_choices(3) := slice2winner3_best_late_cost_0(0);
       else
-        slice2winner4_best_second_0_0_choice_3 := slice2winner3_best_second_0_0;
+        slice2winner4_best_second_0_0_choices(3) := slice2winner3_best_second_0(0);
       end if;
       if slice2winner4_best_at_start_0_0 then
-        slice2winner4_best_second_0_0_choice_4 := slice2winner3_best_but_last_0_0;
+        slice2winner4_best_second_0_0_choices(4) := slice2winner3_best_but_last_0(0);
       else
-        slice2winner4_best_second_0_0_choice_4 := slice2winner4_best_second_0_0_choice_3;
+        slice2winner4_best_second_0_0_choices(4) := slice2winner4_best_second_0_0_choices(3);
       end if;
-      slice2winner4_best_first_0_0 <= slice2winner3_best_first_0_0;
-      slice2winner4_best_last_0_0 <= slice2winner3_best_last_0_1;
+      slice2winner4_best_first_0_0 <= slice2winner3_best_first_0(0);
+      slice2winner4_best_last_0_0 <= slice2winner3_best_last_0(1);
       slice2winner4_best_place_0_0 <= slice2winner4_best_place_0_0_is_not_less;
       slice2winner4_best_at_start_0_0 <= slice2winner4_best_below_0_0_is_equal and
         slice2winner4_best_place_0_0_is_not_less;
       slice2winner4_best_at_end_0_0 <= slice2winner4_best_index_0_0_is_less and slice2winner4_best_above_0_0_is_equal;
       slice2winner4_best_late_cost_0_0 <= slice2winner4_best_cost_0_0;
-      if (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0 then
-        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1;
+      if (slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) < 0 then
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0(1);
       else
-        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_0;
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0(0);
       end if;
       if slice2winner4_best_index_0_0_is_less then
         slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
-        slice2winner4_best_below_0_0 <= slice2winner3_best_below_0_0;
+        slice2winner4_best_below_0_0 <= slice2winner3_best_below_0(0);
         slice2winner4_best_above_0_0 <= slice2winner4_best_above_0_0_choice;
       else
         slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
         slice2winner4_best_below_0_0 <= slice2winner4_best_below_0_0_choice;
-        slice2winner4_best_above_0_0 <= slice2winner3_best_above_0_1;
+        slice2winner4_best_above_0_0 <= slice2winner3_best_above_0(1);
       end if;
-      if (slice2winner4_best_second_0_0_choice_2 - slice2winner4_best_second_0_0_choice_4) < 0 then
-        slice2winner4_best_second_0_0 <= slice2winner4_best_second_0_0_choice_2;
+      if (slice2winner4_best_second_0_0_choices(2) - slice2winner4_best_second_0_0_choices(4)) < 0 then
+        slice2winner4_best_second_0_0 <= slice2winner4_best_second_0_0_choices(2);
       else
-        slice2winner4_best_second_0_0 <= slice2winner4_best_second_0_0_choice_4;
+        slice2winner4_best_second_0_0 <= slice2winner4_best_second_0_0_choices(4);
       end if;
-      if (slice2winner3_best_late_cost_0_1 - slice2winner3_best_but_first_0_0) < 0 then
-        slice2winner4_best_but_first_0_0 <= slice2winner3_best_late_cost_0_1;
+      if (slice2winner3_best_late_cost_0(1) - slice2winner3_best_but_first_0(0)) < 0 then
+        slice2winner4_best_but_first_0_0 <= slice2winner3_best_late_cost_0(1);
       else
-        slice2winner4_best_but_first_0_0 <= slice2winner3_best_but_first_0_0;
+        slice2winner4_best_but_first_0_0 <= slice2winner3_best_but_first_0(0);
       end if;
-      if (slice2winner3_best_but_last_0_1 - slice2winner3_best_late_cost_0_0) < 0 then
-        slice2winner4_best_but_last_0_0 <= slice2winner3_best_but_last_0_1;
+      if (slice2winner3_best_but_last_0(1) - slice2winner3_best_late_cost_0(0)) < 0 then
+        slice2winner4_best_but_last_0_0 <= slice2winner3_best_but_last_0(1);
       else
-        slice2winner4_best_but_last_0_0 <= slice2winner3_best_late_cost_0_0;
+        slice2winner4_best_but_last_0_0 <= slice2winner3_best_late_cost_0(0);
       end if;
       -- slice2
       slice2_best_index_0_0_is_less := (slice1_best_cost_0_0 - slice2winner4_best_cost_0_0) < 0;
@@ -6268,19 +3871,19 @@ begin
         slice2_best_second_0_0_choice := slice2winner4_best_late_cost_0_0;
       end if;
       if slice2_best_at_end_0_0 then
-        slice2_best_second_0_0_choice_2 := slice2winner4_best_but_first_0_0;
+        slice2_best_second_0_0_choices(2) := slice2winner4_best_but_first_0_0;
       else
-        slice2_best_second_0_0_choice_2 := slice2_best_second_0_0_choice;
+        slice2_best_second_0_0_choices(2) := slice2_best_second_0_0_choice;
       end if;
       if slice2_best_place_0_0 then
-        slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0;
+        slice2_best_second_0_0_choices(3) := slice1_best_late_cost_0_0;
       else
-        slice2_best_second_0_0_choice_3 := slice1_best_second_0_0;
+        slice2_best_second_0_0_choices(3) := slice1_best_second_0_0;
       end if;
       if slice2_best_at_start_0_0 then
-        slice2_best_second_0_0_choice_4 := slice1_best_but_last_0_0;
+        slice2_best_second_0_0_choices(4) := slice1_best_but_last_0_0;
       else
-        slice2_best_second_0_0_choice_4 := slice2_best_second_0_0_choice_3;
+        slice2_best_second_0_0_choices(4) := slice2_best_second_0_0_choices(3);
       end if;
       slice2_best_last_0_0 <= slice2winner4_best_last_0_0;
       slice2_best_place_0_0 <= slice2_best_place_0_0_is_not_less;
@@ -6305,10 +3908,10 @@ begin
         slice2_best_below_0_0 <= slice2_best_below_0_0_choice;
         slice2_best_above_0_0 <= slice2winner4_best_above_0_0;
       end if;
-      if (slice2_best_second_0_0_choice_2 - slice2_best_second_0_0_choice_4) < 0 then
-        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2;
+      if (slice2_best_second_0_0_choices(2) - slice2_best_second_0_0_choices(4)) < 0 then
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choices(2);
       else
-        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_4;
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choices(4);
       end if;
       if (slice2winner4_best_but_last_0_0 - slice1_best_late_cost_0_0) < 0 then
         slice2_best_but_last_0_0 <= slice2winner4_best_but_last_0_0;
@@ -6317,334 +3920,95 @@ begin
       end if;
       -- slice3shift
       if slice0cost_pixels_tag_valid then
-        slice3shift_search_0_0 <= slice2shift_search_out_0;
-        slice3shift_search_0_1 <= slice3shift_search_0_0;
-        slice3shift_search_0_2 <= slice3shift_search_0_1;
-        slice3shift_search_0_3 <= slice3shift_search_0_2;
-        slice3shift_search_0_4 <= slice3shift_search_0_3;
-        slice3shift_search_0_5 <= slice3shift_search_0_4;
-        slice3shift_search_0_6 <= slice3shift_search_0_5;
-        slice3shift_search_0_7 <= slice3shift_search_0_6;
-        slice3shift_search_0_8 <= slice3shift_search_0_7;
-        slice3shift_search_0_9 <= slice3shift_search_0_8;
-        slice3shift_search_0_10 <= slice3shift_search_0_9;
-        slice3shift_search_0_11 <= slice3shift_search_0_10;
-        slice3shift_search_0_12 <= slice3shift_search_0_11;
-        slice3shift_search_0_13 <= slice3shift_search_0_12;
-        slice3shift_search_0_14 <= slice3shift_search_0_13;
-        slice3shift_search_0_15 <= slice3shift_search_0_14;
-        slice3shift_search_1_0 <= slice2shift_search_out_1;
-        slice3shift_search_1_1 <= slice3shift_search_1_0;
-        slice3shift_search_1_2 <= slice3shift_search_1_1;
-        slice3shift_search_1_3 <= slice3shift_search_1_2;
-        slice3shift_search_1_4 <= slice3shift_search_1_3;
-        slice3shift_search_1_5 <= slice3shift_search_1_4;
-        slice3shift_search_1_6 <= slice3shift_search_1_5;
-        slice3shift_search_1_7 <= slice3shift_search_1_6;
-        slice3shift_search_1_8 <= slice3shift_search_1_7;
-        slice3shift_search_1_9 <= slice3shift_search_1_8;
-        slice3shift_search_1_10 <= slice3shift_search_1_9;
-        slice3shift_search_1_11 <= slice3shift_search_1_10;
-        slice3shift_search_1_12 <= slice3shift_search_1_11;
-        slice3shift_search_1_13 <= slice3shift_search_1_12;
-        slice3shift_search_1_14 <= slice3shift_search_1_13;
-        slice3shift_search_1_15 <= slice3shift_search_1_14;
+        for i in 0 to 1 loop
+          slice3shift_search(i, 0) <= slice2shift_search_out(i);
+          for j in 1 to 15 loop
+            slice3shift_search(i, j) <= slice3shift_search(i, j - 1);
+          end loop;
+        end loop;
       end if;
-      slice3shift_reference_0 <= slice2shift_reference_0;
-      slice3shift_reference_1 <= slice2shift_reference_1;
+      slice3shift_reference(0) <= slice2shift_reference(0);
+      slice3shift_reference(1) <= slice2shift_reference(1);
       -- slice3cost
+      for i in 0 to 4 loop
+        if slice0window_change_tag_first_group then
+          slice3cost_column_0_choice(3 * i) := 0;
+        else
+          slice3cost_column_0_choice(3 * i) := slice3cost_ready_words(i) mod 1024;
+        end if;
+        if slice0window_change_tag_border_column then
+          slice3cost_column_0_choice_2(3 * i) := 0;
+        else
+          slice3cost_column_0_choice_2(3 * i) := (slice3cost_change_0(3 * i) + slice3cost_column_0_choice(3 * i)) mod
+            1024;
+        end if;
+        if slice0window_change_tag_first_group then
+          slice3cost_column_0_choice(3 * i + 1) := 0;
+        else
+          slice3cost_column_0_choice(3 * i + 1) := (slice3cost_ready_words(i) / 1024) mod 1024;
+        end if;
+        if slice0window_change_tag_border_column then
+          slice3cost_column_0_choice_2(3 * i + 1) := 0;
+        else
+          slice3cost_column_0_choice_2(3 * i + 1) := (slice3cost_change_0(3 * i + 1) + slice3cost_column_0_choice(3 * i
+            + 1)) mod 1024;
+        end if;
+        if slice0window_change_tag_first_group then
+          slice3cost_column_0_choice(3 * i + 2) := 0;
+        else
+          slice3cost_column_0_choice(3 * i + 2) := slice3cost_ready_words(i) / 1048576;
+        end if;
+        if slice0window_change_tag_border_column then
+          slice3cost_column_0_choice_2(3 * i + 2) := 0;
+        else
+          slice3cost_column_0_choice_2(3 * i + 2) := (slice3cost_change_0(3 * i + 2) + slice3cost_column_0_choice(3 * i
+            + 2)) mod 1024;
+        end if;
+      end loop;
       if slice0window_change_tag_first_group then
-        slice3cost_column_0_0_choice := 0;
+        slice3cost_column_0_choice(15) := 0;
       else
-        slice3cost_column_0_0_choice := slice3cost_ready_words_0 mod 1024;
+        slice3cost_column_0_choice(15) := slice3cost_ready_words_5;
       end if;
       if slice0window_change_tag_border_column then
-        slice3cost_column_0_0_choice_2 := 0;
+        slice3cost_column_0_choice_2(15) := 0;
       else
-        slice3cost_column_0_0_choice_2 := (slice3cost_change_0_0 + slice3cost_column_0_0_choice) mod 1024;
+        slice3cost_column_0_choice_2(15) := (slice3cost_change_0(15) + slice3cost_column_0_choice(15)) mod 1024;
       end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_1_choice := 0;
-      else
-        slice3cost_column_0_1_choice := (slice3cost_ready_words_0 / 1024) mod 1024;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_1_choice_2 := 0;
-      else
-        slice3cost_column_0_1_choice_2 := (slice3cost_change_0_1 + slice3cost_column_0_1_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_2_choice := 0;
-      else
-        slice3cost_column_0_2_choice := slice3cost_ready_words_0 / 1048576;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_2_choice_2 := 0;
-      else
-        slice3cost_column_0_2_choice_2 := (slice3cost_change_0_2 + slice3cost_column_0_2_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_3_choice := 0;
-      else
-        slice3cost_column_0_3_choice := slice3cost_ready_words_1 mod 1024;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_3_choice_2 := 0;
-      else
-        slice3cost_column_0_3_choice_2 := (slice3cost_change_0_3 + slice3cost_column_0_3_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_4_choice := 0;
-      else
-        slice3cost_column_0_4_choice := (slice3cost_ready_words_1 / 1024) mod 1024;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_4_choice_2 := 0;
-      else
-        slice3cost_column_0_4_choice_2 := (slice3cost_change_0_4 + slice3cost_column_0_4_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_5_choice := 0;
-      else
-        slice3cost_column_0_5_choice := slice3cost_ready_words_1 / 1048576;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_5_choice_2 := 0;
-      else
-        slice3cost_column_0_5_choice_2 := (slice3cost_change_0_5 + slice3cost_column_0_5_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_6_choice := 0;
-      else
-        slice3cost_column_0_6_choice := slice3cost_ready_words_2 mod 1024;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_6_choice_2 := 0;
-      else
-        slice3cost_column_0_6_choice_2 := (slice3cost_change_0_6 + slice3cost_column_0_6_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_7_choice := 0;
-      else
-        slice3cost_column_0_7_choice := (slice3cost_ready_words_2 / 1024) mod 1024;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_7_choice_2 := 0;
-      else
-        slice3cost_column_0_7_choice_2 := (slice3cost_change_0_7 + slice3cost_column_0_7_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_8_choice := 0;
-      else
-        slice3cost_column_0_8_choice := slice3cost_ready_words_2 / 1048576;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_8_choice_2 := 0;
-      else
-        slice3cost_column_0_8_choice_2 := (slice3cost_change_0_8 + slice3cost_column_0_8_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_9_choice := 0;
-      else
-        slice3cost_column_0_9_choice := slice3cost_ready_words_3 mod 1024;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_9_choice_2 := 0;
-      else
-        slice3cost_column_0_9_choice_2 := (slice3cost_change_0_9 + slice3cost_column_0_9_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_10_choice := 0;
-      else
-        slice3cost_column_0_10_choice := (slice3cost_ready_words_3 / 1024) mod 1024;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_10_choice_2 := 0;
-      else
-        slice3cost_column_0_10_choice_2 := (slice3cost_change_0_10 + slice3cost_column_0_10_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_11_choice := 0;
-      else
-        slice3cost_column_0_11_choice := slice3cost_ready_words_3 / 1048576;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_11_choice_2 := 0;
-      else
-        slice3cost_column_0_11_choice_2 := (slice3cost_change_0_11 + slice3cost_column_0_11_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_12_choice := 0;
-      else
-        slice3cost_column_0_12_choice := slice3cost_ready_words_4 mod 1024;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_12_choice_2 := 0;
-      else
-        slice3cost_column_0_12_choice_2 := (slice3cost_change_0_12 + slice3cost_column_0_12_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_13_choice := 0;
-      else
-        slice3cost_column_0_13_choice := (slice3cost_ready_words_4 / 1024) mod 1024;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_13_choice_2 := 0;
-      else
-        slice3cost_column_0_13_choice_2 := (slice3cost_change_0_13 + slice3cost_column_0_13_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_14_choice := 0;
-      else
-        slice3cost_column_0_14_choice := slice3cost_ready_words_4 / 1048576;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_14_choice_2 := 0;
-      else
-        slice3cost_column_0_14_choice_2 := (slice3cost_change_0_14 + slice3cost_column_0_14_choice) mod 1024;
-      end if;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_15_choice := 0;
-      else
-        slice3cost_column_0_15_choice := slice3cost_ready_words_5;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_15_choice_2 := 0;
-      else
-        slice3cost_column_0_15_choice_2 := (slice3cost_change_0_15 + slice3cost_column_0_15_choice) mod 1024;
-      end if;
-      slice3cost_pixels_first_0_0 <= slice3shift_search_0_0 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_1 <= slice3shift_search_0_1 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_2 <= slice3shift_search_0_2 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_3 <= slice3shift_search_0_3 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_4 <= slice3shift_search_0_4 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_5 <= slice3shift_search_0_5 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_6 <= slice3shift_search_0_6 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_7 <= slice3shift_search_0_7 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_8 <= slice3shift_search_0_8 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_9 <= slice3shift_search_0_9 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_10 <= slice3shift_search_0_10 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_11 <= slice3shift_search_0_11 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_12 <= slice3shift_search_0_12 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_13 <= slice3shift_search_0_13 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_14 <= slice3shift_search_0_14 - slice3shift_reference_0;
-      slice3cost_pixels_first_0_15 <= slice3shift_search_0_15 - slice3shift_reference_0;
-      slice3cost_pixels_first_1_0 <= slice3shift_search_1_0 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_1 <= slice3shift_search_1_1 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_2 <= slice3shift_search_1_2 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_3 <= slice3shift_search_1_3 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_4 <= slice3shift_search_1_4 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_5 <= slice3shift_search_1_5 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_6 <= slice3shift_search_1_6 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_7 <= slice3shift_search_1_7 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_8 <= slice3shift_search_1_8 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_9 <= slice3shift_search_1_9 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_10 <= slice3shift_search_1_10 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_11 <= slice3shift_search_1_11 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_12 <= slice3shift_search_1_12 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_13 <= slice3shift_search_1_13 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_14 <= slice3shift_search_1_14 - slice3shift_reference_1;
-      slice3cost_pixels_first_1_15 <= slice3shift_search_1_15 - slice3shift_reference_1;
-      slice3cost_pixels_cost_0_0 <= folded(slice3cost_pixels_first_0_0) + as_number((slice3cost_pixels_first_0_0 < 0));
-      slice3cost_pixels_cost_0_1 <= folded(slice3cost_pixels_first_0_1) + as_number((slice3cost_pixels_first_0_1 < 0));
-      slice3cost_pixels_cost_0_2 <= folded(slice3cost_pixels_first_0_2) + as_number((slice3cost_pixels_first_0_2 < 0));
-      slice3cost_pixels_cost_0_3 <= folded(slice3cost_pixels_first_0_3) + as_number((slice3cost_pixels_first_0_3 < 0));
-      slice3cost_pixels_cost_0_4 <= folded(slice3cost_pixels_first_0_4) + as_number((slice3cost_pixels_first_0_4 < 0));
-      slice3cost_pixels_cost_0_5 <= folded(slice3cost_pixels_first_0_5) + as_number((slice3cost_pixels_first_0_5 < 0));
-      slice3cost_pixels_cost_0_6 <= folded(slice3cost_pixels_first_0_6) + as_number((slice3cost_pixels_first_0_6 < 0));
-      slice3cost_pixels_cost_0_7 <= folded(slice3cost_pixels_first_0_7) + as_number((slice3cost_pixels_first_0_7 < 0));
-      slice3cost_pixels_cost_0_8 <= folded(slice3cost_pixels_first_0_8) + as_number((slice3cost_pixels_first_0_8 < 0));
-      slice3cost_pixels_cost_0_9 <= folded(slice3cost_pixels_first_0_9) + as_number((slice3cost_pixels_first_0_9 < 0));
-      slice3cost_pixels_cost_0_10 <= folded(slice3cost_pixels_first_0_10) + as_number((slice3cost_pixels_first_0_10 <
-        0));
-      slice3cost_pixels_cost_0_11 <= folded(slice3cost_pixels_first_0_11) + as_number((slice3cost_pixels_first_0_11 <
-        0));
-      slice3cost_pixels_cost_0_12 <= folded(slice3cost_pixels_first_0_12) + as_number((slice3cost_pixels_first_0_12 <
-        0));
-      slice3cost_pixels_cost_0_13 <= folded(slice3cost_pixels_first_0_13) + as_number((slice3cost_pixels_first_0_13 <
-        0));
-      slice3cost_pixels_cost_0_14 <= folded(slice3cost_pixels_first_0_14) + as_number((slice3cost_pixels_first_0_14 <
-        0));
-      slice3cost_pixels_cost_0_15 <= folded(slice3cost_pixels_first_0_15) + as_number((slice3cost_pixels_first_0_15 <
-        0));
-      slice3cost_pixels_cost_1_0 <= folded(slice3cost_pixels_first_1_0) + as_number((slice3cost_pixels_first_1_0 < 0));
-      slice3cost_pixels_cost_1_1 <= folded(slice3cost_pixels_first_1_1) + as_number((slice3cost_pixels_first_1_1 < 0));
-      slice3cost_pixels_cost_1_2 <= folded(slice3cost_pixels_first_1_2) + as_number((slice3cost_pixels_first_1_2 < 0));
-      slice3cost_pixels_cost_1_3 <= folded(slice3cost_pixels_first_1_3) + as_number((slice3cost_pixels_first_1_3 < 0));
-      slice3cost_pixels_cost_1_4 <= folded(slice3cost_pixels_first_1_4) + as_number((slice3cost_pixels_first_1_4 < 0));
-      slice3cost_pixels_cost_1_5 <= folded(slice3cost_pixels_first_1_5) + as_number((slice3cost_pixels_first_1_5 < 0));
-      slice3cost_pixels_cost_1_6 <= folded(slice3cost_pixels_first_1_6) + as_number((slice3cost_pixels_first_1_6 < 0));
-      slice3cost_pixels_cost_1_7 <= folded(slice3cost_pixels_first_1_7) + as_number((slice3cost_pixels_first_1_7 < 0));
-      slice3cost_pixels_cost_1_8 <= folded(slice3cost_pixels_first_1_8) + as_number((slice3cost_pixels_first_1_8 < 0));
-      slice3cost_pixels_cost_1_9 <= folded(slice3cost_pixels_first_1_9) + as_number((slice3cost_pixels_first_1_9 < 0));
-      slice3cost_pixels_cost_1_10 <= folded(slice3cost_pixels_first_1_10) + as_number((slice3cost_pixels_first_1_10 <
-        0));
-      slice3cost_pixels_cost_1_11 <= folded(slice3cost_pixels_first_1_11) + as_number((slice3cost_pixels_first_1_11 <
-        0));
-      slice3cost_pixels_cost_1_12 <= folded(slice3cost_pixels_first_1_12) + as_number((slice3cost_pixels_first_1_12 <
-        0));
-      slice3cost_pixels_cost_1_13 <= folded(slice3cost_pixels_first_1_13) + as_number((slice3cost_pixels_first_1_13 <
-        0));
-      slice3cost_pixels_cost_1_14 <= folded(slice3cost_pixels_first_1_14) + as_number((slice3cost_pixels_first_1_14 <
-        0));
-      slice3cost_pixels_cost_1_15 <= folded(slice3cost_pixels_first_1_15) + as_number((slice3cost_pixels_first_1_15 <
-        0));
+      for i in 0 to 15 loop
+        slice3cost_pixels_first(0, i) <= slice3shift_search(0, i) - slice3shift_reference(0);
+      end loop;
+      for i in 0 to 15 loop
+        slice3cost_pixels_first(1, i) <= slice3shift_search(1, i) - slice3shift_reference(1);
+      end loop;
+      for i in 0 to 1 loop
+        for j in 0 to 15 loop
+          slice3cost_pixels_cost(i, j) <= folded(slice3cost_pixels_first(i, j)) + as_number((slice3cost_pixels_first(i,
+            j) < 0));
+        end loop;
+      end loop;
       slice3cost_read_column <= slice2cost_read_column;
       slice3cost_change_column <= slice3cost_read_column;
-      slice3cost_change_0_0 <= slice3cost_pixels_cost_1_0 - slice3cost_pixels_cost_0_0;
-      slice3cost_change_0_1 <= slice3cost_pixels_cost_1_1 - slice3cost_pixels_cost_0_1;
-      slice3cost_change_0_2 <= slice3cost_pixels_cost_1_2 - slice3cost_pixels_cost_0_2;
-      slice3cost_change_0_3 <= slice3cost_pixels_cost_1_3 - slice3cost_pixels_cost_0_3;
-      slice3cost_change_0_4 <= slice3cost_pixels_cost_1_4 - slice3cost_pixels_cost_0_4;
-      slice3cost_change_0_5 <= slice3cost_pixels_cost_1_5 - slice3cost_pixels_cost_0_5;
-      slice3cost_change_0_6 <= slice3cost_pixels_cost_1_6 - slice3cost_pixels_cost_0_6;
-      slice3cost_change_0_7 <= slice3cost_pixels_cost_1_7 - slice3cost_pixels_cost_0_7;
-      slice3cost_change_0_8 <= slice3cost_pixels_cost_1_8 - slice3cost_pixels_cost_0_8;
-      slice3cost_change_0_9 <= slice3cost_pixels_cost_1_9 - slice3cost_pixels_cost_0_9;
-      slice3cost_change_0_10 <= slice3cost_pixels_cost_1_10 - slice3cost_pixels_cost_0_10;
-      slice3cost_change_0_11 <= slice3cost_pixels_cost_1_11 - slice3cost_pixels_cost_0_11;
-      slice3cost_change_0_12 <= slice3cost_pixels_cost_1_12 - slice3cost_pixels_cost_0_12;
-      slice3cost_change_0_13 <= slice3cost_pixels_cost_1_13 - slice3cost_pixels_cost_0_13;
-      slice3cost_change_0_14 <= slice3cost_pixels_cost_1_14 - slice3cost_pixels_cost_0_14;
-      slice3cost_change_0_15 <= slice3cost_pixels_cost_1_15 - slice3cost_pixels_cost_0_15;
-      slice3cost_ready_words_0 <= to_integer(slice3cost_read_words_0);
-      slice3cost_ready_words_1 <= to_integer(slice3cost_read_words_1);
-      slice3cost_ready_words_2 <= to_integer(slice3cost_read_words_2);
-      slice3cost_ready_words_3 <= to_integer(slice3cost_read_words_3);
-      slice3cost_ready_words_4 <= to_integer(slice3cost_read_words_4);
+      for i in 0 to 15 loop
+        slice3cost_change_0(i) <= slice3cost_pixels_cost(1, i) - slice3cost_pixels_cost(0, i);
+      end loop;
+      for i in 0 to 4 loop
+        slice3cost_ready_words(i) <= to_integer(slice3cost_read_words(i));
+      end loop;
       slice3cost_ready_words_5 <= to_integer(slice3cost_read_words_5);
-      slice3cost_column_0_0 <= slice3cost_column_0_0_choice_2;
-      slice3cost_column_0_1 <= slice3cost_column_0_1_choice_2;
-      slice3cost_column_0_2 <= slice3cost_column_0_2_choice_2;
-      slice3cost_column_0_3 <= slice3cost_column_0_3_choice_2;
-      slice3cost_column_0_4 <= slice3cost_column_0_4_choice_2;
-      slice3cost_column_0_5 <= slice3cost_column_0_5_choice_2;
-      slice3cost_column_0_6 <= slice3cost_column_0_6_choice_2;
-      slice3cost_column_0_7 <= slice3cost_column_0_7_choice_2;
-      slice3cost_column_0_8 <= slice3cost_column_0_8_choice_2;
-      slice3cost_column_0_9 <= slice3cost_column_0_9_choice_2;
-      slice3cost_column_0_10 <= slice3cost_column_0_10_choice_2;
-      slice3cost_column_0_11 <= slice3cost_column_0_11_choice_2;
-      slice3cost_column_0_12 <= slice3cost_column_0_12_choice_2;
-      slice3cost_column_0_13 <= slice3cost_column_0_13_choice_2;
-      slice3cost_column_0_14 <= slice3cost_column_0_14_choice_2;
-      slice3cost_column_0_15 <= slice3cost_column_0_15_choice_2;
+      for i in 0 to 15 loop
+        slice3cost_column_0(i) <= slice3cost_column_0_choice_2(i);
+      end loop;
       if slice0window_entering_tag_valid then
         slice3cost_ready_column <= slice3cost_change_column;
       end if;
       if slice0window_change_tag_valid then
         slice3cost_write_column <= slice2cost_write_column;
-        slice3cost_write_words_0 <= (slice3cost_column_0_1_choice_2 * 1024) + slice3cost_column_0_0_choice_2 +
-          (slice3cost_column_0_2_choice_2 * 1048576);
-        slice3cost_write_words_1 <= (slice3cost_column_0_4_choice_2 * 1024) + slice3cost_column_0_3_choice_2 +
-          (slice3cost_column_0_5_choice_2 * 1048576);
-        slice3cost_write_words_2 <= (slice3cost_column_0_7_choice_2 * 1024) + slice3cost_column_0_6_choice_2 +
-          (slice3cost_column_0_8_choice_2 * 1048576);
-        slice3cost_write_words_3 <= (slice3cost_column_0_10_choice_2 * 1024) + slice3cost_column_0_9_choice_2 +
-          (slice3cost_column_0_11_choice_2 * 1048576);
-        slice3cost_write_words_4 <= (slice3cost_column_0_13_choice_2 * 1024) + slice3cost_column_0_12_choice_2 +
-          (slice3cost_column_0_14_choice_2 * 1048576);
-        slice3cost_write_words_5 <= slice3cost_column_0_15_choice_2;
+        for i in 0 to 4 loop
+          slice3cost_write_words(i) <= (slice3cost_column_0_choice_2(3 * i + 1) * 1024) +
+            slice3cost_column_0_choice_2(3 * i) + (slice3cost_column_0_choice_2(3 * i + 2) * 1048576);
+        end loop;
+        slice3cost_write_words_5 <= slice3cost_column_0_choice_2(15);
       end if;
       -- slice3window
       if slice0window_tag_valid then
@@ -6655,855 +4019,480 @@ begin
           slice3window_ring_read_address <= (slice3window_ring_read_address + 1) mod 16;
         end if;
       end if;
+      for i in 0 to 1 loop
+        for j in 0 to 2 loop
+          if slice2window_change_tag_leaves_window then
+            slice3window_change_0_choice(6 * i + j) := to_integer(slice3window_leaving(2 * i)(10 * j + 9 downto 10 *
+              j));
+          else
+            slice3window_change_0_choice(6 * i + j) := 0;
+          end if;
+        end loop;
+        for j in 3 to 5 loop
+          if slice2window_change_tag_leaves_window then
+            slice3window_change_0_choice(6 * i + j) := to_integer(slice3window_leaving(2 * i + 1)(10 * j - 21 downto 10
+              * j - 30));
+          else
+            slice3window_change_0_choice(6 * i + j) := 0;
+          end if;
+        end loop;
+      end loop;
+      for i in 12 to 14 loop
+        if slice2window_change_tag_leaves_window then
+          slice3window_change_0_choice(i) := to_integer(slice3window_leaving(4)(10 * i - 111 downto 10 * i - 120));
+        else
+          slice3window_change_0_choice(i) := 0;
+        end if;
+      end loop;
       if slice2window_change_tag_leaves_window then
-        slice3window_change_0_0_choice := to_integer(slice3window_leaving_0(9 downto 0));
+        slice3window_change_0_choice(15) := to_integer(slice3window_leaving_5);
       else
-        slice3window_change_0_0_choice := 0;
+        slice3window_change_0_choice(15) := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_1_choice := to_integer(slice3window_leaving_0(19 downto 10));
-      else
-        slice3window_change_0_1_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_2_choice := to_integer(slice3window_leaving_0(29 downto 20));
-      else
-        slice3window_change_0_2_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_3_choice := to_integer(slice3window_leaving_1(9 downto 0));
-      else
-        slice3window_change_0_3_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_4_choice := to_integer(slice3window_leaving_1(19 downto 10));
-      else
-        slice3window_change_0_4_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_5_choice := to_integer(slice3window_leaving_1(29 downto 20));
-      else
-        slice3window_change_0_5_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_6_choice := to_integer(slice3window_leaving_2(9 downto 0));
-      else
-        slice3window_change_0_6_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_7_choice := to_integer(slice3window_leaving_2(19 downto 10));
-      else
-        slice3window_change_0_7_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_8_choice := to_integer(slice3window_leaving_2(29 downto 20));
-      else
-        slice3window_change_0_8_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_9_choice := to_integer(slice3window_leaving_3(9 downto 0));
-      else
-        slice3window_change_0_9_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_10_choice := to_integer(slice3window_leaving_3(19 downto 10));
-      else
-        slice3window_change_0_10_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_11_choice := to_integer(slice3window_leaving_3(29 downto 20));
-      else
-        slice3window_change_0_11_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_12_choice := to_integer(slice3window_leaving_4(9 downto 0));
-      else
-        slice3window_change_0_12_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_13_choice := to_integer(slice3window_leaving_4(19 downto 10));
-      else
-        slice3window_change_0_13_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_14_choice := to_integer(slice3window_leaving_4(29 downto 20));
-      else
-        slice3window_change_0_14_choice := 0;
-      end if;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_15_choice := to_integer(slice3window_leaving_5);
-      else
-        slice3window_change_0_15_choice := 0;
-      end if;
-      slice3window_entering_0_0 <= slice3cost_column_0_0;
-      slice3window_entering_0_1 <= slice3cost_column_0_1;
-      slice3window_entering_0_2 <= slice3cost_column_0_2;
-      slice3window_entering_0_3 <= slice3cost_column_0_3;
-      slice3window_entering_0_4 <= slice3cost_column_0_4;
-      slice3window_entering_0_5 <= slice3cost_column_0_5;
-      slice3window_entering_0_6 <= slice3cost_column_0_6;
-      slice3window_entering_0_7 <= slice3cost_column_0_7;
-      slice3window_entering_0_8 <= slice3cost_column_0_8;
-      slice3window_entering_0_9 <= slice3cost_column_0_9;
-      slice3window_entering_0_10 <= slice3cost_column_0_10;
-      slice3window_entering_0_11 <= slice3cost_column_0_11;
-      slice3window_entering_0_12 <= slice3cost_column_0_12;
-      slice3window_entering_0_13 <= slice3cost_column_0_13;
-      slice3window_entering_0_14 <= slice3cost_column_0_14;
-      slice3window_entering_0_15 <= slice3cost_column_0_15;
-      slice3window_change_0_0 <= slice3window_entering_0_0 - slice3window_change_0_0_choice;
-      slice3window_change_0_1 <= slice3window_entering_0_1 - slice3window_change_0_1_choice;
-      slice3window_change_0_2 <= slice3window_entering_0_2 - slice3window_change_0_2_choice;
-      slice3window_change_0_3 <= slice3window_entering_0_3 - slice3window_change_0_3_choice;
-      slice3window_change_0_4 <= slice3window_entering_0_4 - slice3window_change_0_4_choice;
-      slice3window_change_0_5 <= slice3window_entering_0_5 - slice3window_change_0_5_choice;
-      slice3window_change_0_6 <= slice3window_entering_0_6 - slice3window_change_0_6_choice;
-      slice3window_change_0_7 <= slice3window_entering_0_7 - slice3window_change_0_7_choice;
-      slice3window_change_0_8 <= slice3window_entering_0_8 - slice3window_change_0_8_choice;
-      slice3window_change_0_9 <= slice3window_entering_0_9 - slice3window_change_0_9_choice;
-      slice3window_change_0_10 <= slice3window_entering_0_10 - slice3window_change_0_10_choice;
-      slice3window_change_0_11 <= slice3window_entering_0_11 - slice3window_change_0_11_choice;
-      slice3window_change_0_12 <= slice3window_entering_0_12 - slice3window_change_0_12_choice;
-      slice3window_change_0_13 <= slice3window_entering_0_13 - slice3window_change_0_13_choice;
-      slice3window_change_0_14 <= slice3window_entering_0_14 - slice3window_change_0_14_choice;
-      slice3window_change_0_15 <= slice3window_entering_0_15 - slice3window_change_0_15_choice;
+      for i in 0 to 15 loop
+        slice3window_entering_0(i) <= slice3cost_column_0(i);
+      end loop;
+      for i in 0 to 15 loop
+        slice3window_change_0(i) <= slice3window_entering_0(i) - slice3window_change_0_choice(i);
+      end loop;
       slice3window_change_tag_first_cost <= slice2window_change_tag_first_cost;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_0_choice := 0;
-      else
-        slice3window_sum_0_0_choice := slice3window_sum_0_0;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_1_choice := 0;
-      else
-        slice3window_sum_0_1_choice := slice3window_sum_0_1;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_2_choice := 0;
-      else
-        slice3window_sum_0_2_choice := slice3window_sum_0_2;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_3_choice := 0;
-      else
-        slice3window_sum_0_3_choice := slice3window_sum_0_3;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_4_choice := 0;
-      else
-        slice3window_sum_0_4_choice := slice3window_sum_0_4;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_5_choice := 0;
-      else
-        slice3window_sum_0_5_choice := slice3window_sum_0_5;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_6_choice := 0;
-      else
-        slice3window_sum_0_6_choice := slice3window_sum_0_6;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_7_choice := 0;
-      else
-        slice3window_sum_0_7_choice := slice3window_sum_0_7;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_8_choice := 0;
-      else
-        slice3window_sum_0_8_choice := slice3window_sum_0_8;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_9_choice := 0;
-      else
-        slice3window_sum_0_9_choice := slice3window_sum_0_9;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_10_choice := 0;
-      else
-        slice3window_sum_0_10_choice := slice3window_sum_0_10;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_11_choice := 0;
-      else
-        slice3window_sum_0_11_choice := slice3window_sum_0_11;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_12_choice := 0;
-      else
-        slice3window_sum_0_12_choice := slice3window_sum_0_12;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_13_choice := 0;
-      else
-        slice3window_sum_0_13_choice := slice3window_sum_0_13;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_14_choice := 0;
-      else
-        slice3window_sum_0_14_choice := slice3window_sum_0_14;
-      end if;
-      if slice3window_change_tag_first_cost then
-        slice3window_sum_0_15_choice := 0;
-      else
-        slice3window_sum_0_15_choice := slice3window_sum_0_15;
-      end if;
+      for i in 0 to 15 loop
+        if slice3window_change_tag_first_cost then
+          slice3window_sum_0_choice(i) := 0;
+        else
+          slice3window_sum_0_choice(i) := slice3window_sum_0(i);
+        end if;
+      end loop;
       if slice0winner2_tag_valid then
-        slice3window_sum_0_0 <= (slice3window_sum_0_0_choice + slice3window_change_0_0) mod 16384;
-        slice3window_sum_0_1 <= (slice3window_sum_0_1_choice + slice3window_change_0_1) mod 16384;
-        slice3window_sum_0_2 <= (slice3window_sum_0_2_choice + slice3window_change_0_2) mod 16384;
-        slice3window_sum_0_3 <= (slice3window_sum_0_3_choice + slice3window_change_0_3) mod 16384;
-        slice3window_sum_0_4 <= (slice3window_sum_0_4_choice + slice3window_change_0_4) mod 16384;
-        slice3window_sum_0_5 <= (slice3window_sum_0_5_choice + slice3window_change_0_5) mod 16384;
-        slice3window_sum_0_6 <= (slice3window_sum_0_6_choice + slice3window_change_0_6) mod 16384;
-        slice3window_sum_0_7 <= (slice3window_sum_0_7_choice + slice3window_change_0_7) mod 16384;
-        slice3window_sum_0_8 <= (slice3window_sum_0_8_choice + slice3window_change_0_8) mod 16384;
-        slice3window_sum_0_9 <= (slice3window_sum_0_9_choice + slice3window_change_0_9) mod 16384;
-        slice3window_sum_0_10 <= (slice3window_sum_0_10_choice + slice3window_change_0_10) mod 16384;
-        slice3window_sum_0_11 <= (slice3window_sum_0_11_choice + slice3window_change_0_11) mod 16384;
-        slice3window_sum_0_12 <= (slice3window_sum_0_12_choice + slice3window_change_0_12) mod 16384;
-        slice3window_sum_0_13 <= (slice3window_sum_0_13_choice + slice3window_change_0_13) mod 16384;
-        slice3window_sum_0_14 <= (slice3window_sum_0_14_choice + slice3window_change_0_14) mod 16384;
-        slice3window_sum_0_15 <= (slice3window_sum_0_15_choice + slice3window_change_0_15) mod 16384;
-        slice3window_centre_output_column_0 <= slice2window_centre_output_column_0;
-        slice3window_centre_output_column_1 <= slice3window_centre_output_column_0;
-        slice3window_centre_output_column_2 <= slice3window_centre_output_column_1;
-        slice3window_centre_output_column_3 <= slice3window_centre_output_column_2;
-        slice3window_centre_output_column_4 <= slice3window_centre_output_column_3;
-        slice3window_centre_output_column_5 <= slice3window_centre_output_column_4;
+        for i in 0 to 15 loop
+          slice3window_sum_0(i) <= (slice3window_sum_0_choice(i) + slice3window_change_0(i)) mod 16384;
+        end loop;
+        slice3window_centre_output_column(0) <= slice2window_centre_output_column_0;
+        for i in 1 to 5 loop
+          slice3window_centre_output_column(i) <= slice3window_centre_output_column(i - 1);
+        end loop;
         slice3window_centre_start_of_frame_1 <= slice2window_centre_start_of_frame_1;
-        slice3window_centre_start_of_frame_5 <= slice1window_centre_start_of_frame_5;
-        slice3window_centre_end_of_line_0 <= slice2window_centre_end_of_line_0;
-        slice3window_centre_end_of_line_1 <= slice3window_centre_end_of_line_0;
-        slice3window_centre_end_of_line_2 <= slice3window_centre_end_of_line_1;
-        slice3window_centre_end_of_line_3 <= slice3window_centre_end_of_line_2;
-        slice3window_centre_end_of_line_4 <= slice3window_centre_end_of_line_3;
-        slice3window_centre_end_of_line_5 <= slice3window_centre_end_of_line_4;
+        slice3window_centre_start_of_frame_5 <= slice1window_centre_start_of_frame(5);
+        slice3window_centre_end_of_line(0) <= slice2window_centre_end_of_line_0;
+        for i in 1 to 5 loop
+          slice3window_centre_end_of_line(i) <= slice3window_centre_end_of_line(i - 1);
+        end loop;
       end if;
       -- slice3winner1
-      slice3winner1_best_index_0_0_is_not_less := (slice3window_sum_0_0 - slice3window_sum_0_1) >= 0;
-      slice3winner1_best_index_0_1_is_less := (slice3window_sum_0_2 - slice3window_sum_0_3) < 0;
-      slice3winner1_best_index_0_2_is_less := (slice3window_sum_0_4 - slice3window_sum_0_5) < 0;
-      slice3winner1_best_index_0_3_is_less := (slice3window_sum_0_6 - slice3window_sum_0_7) < 0;
-      slice3winner1_best_index_0_4_is_less := (slice3window_sum_0_8 - slice3window_sum_0_9) < 0;
-      slice3winner1_best_index_0_5_is_less := (slice3window_sum_0_10 - slice3window_sum_0_11) < 0;
-      slice3winner1_best_index_0_6_is_less := (slice3window_sum_0_12 - slice3window_sum_0_13) < 0;
-      slice3winner1_best_index_0_7_is_less := (slice3window_sum_0_14 - slice3window_sum_0_15) < 0;
-      slice3winner1_held_0_0 <= slice3window_sum_0_0;
-      slice3winner1_held_0_1 <= slice3window_sum_0_1;
-      slice3winner1_held_0_2 <= slice3window_sum_0_2;
-      slice3winner1_held_0_3 <= slice3window_sum_0_3;
-      slice3winner1_held_0_4 <= slice3window_sum_0_4;
-      slice3winner1_held_0_5 <= slice3window_sum_0_5;
-      slice3winner1_held_0_6 <= slice3window_sum_0_6;
-      slice3winner1_held_0_7 <= slice3window_sum_0_7;
-      slice3winner1_held_0_8 <= slice3window_sum_0_8;
-      slice3winner1_held_0_9 <= slice3window_sum_0_9;
-      slice3winner1_held_0_10 <= slice3window_sum_0_10;
-      slice3winner1_held_0_11 <= slice3window_sum_0_11;
-      slice3winner1_held_0_12 <= slice3window_sum_0_12;
-      slice3winner1_held_0_13 <= slice3window_sum_0_13;
-      slice3winner1_held_0_14 <= slice3window_sum_0_14;
-      slice3winner1_held_0_15 <= slice3window_sum_0_15;
+      slice3winner1_best_index_0_0_is_not_less := (slice3window_sum_0(0) - slice3window_sum_0(1)) >= 0;
+      for i in 1 to 7 loop
+        slice3winner1_best_index_0_is_less(i) := (slice3window_sum_0(2 * i) - slice3window_sum_0(2 * i + 1)) < 0;
+      end loop;
+      for i in 0 to 15 loop
+        slice3winner1_held_0(i) <= slice3window_sum_0(i);
+      end loop;
       slice3winner1_best_index_0_0 <= slice3winner1_best_index_0_0_is_not_less;
-      slice3winner1_best_late_cost_0_0 <= slice3winner1_best_cost_0_0;
-      slice3winner1_best_late_cost_0_1 <= slice3winner1_best_cost_0_1;
-      slice3winner1_best_late_cost_0_2 <= slice3winner1_best_cost_0_2;
-      slice3winner1_best_late_cost_0_3 <= slice3winner1_best_cost_0_3;
-      slice3winner1_best_late_cost_0_4 <= slice3winner1_best_cost_0_4;
-      slice3winner1_best_late_cost_0_5 <= slice3winner1_best_cost_0_5;
-      slice3winner1_best_late_cost_0_6 <= slice3winner1_best_cost_0_6;
-      slice3winner1_best_late_cost_0_7 <= slice3winner1_best_cost_0_7;
-      slice3winner1_best_but_first_0_0 <= slice3winner1_held_0_1;
-      slice3winner1_best_but_first_0_1 <= slice3winner1_held_0_3;
-      slice3winner1_best_but_first_0_2 <= slice3winner1_held_0_5;
-      slice3winner1_best_but_first_0_3 <= slice3winner1_held_0_7;
-      slice3winner1_best_but_first_0_4 <= slice3winner1_held_0_9;
-      slice3winner1_best_but_first_0_5 <= slice3winner1_held_0_11;
-      slice3winner1_best_but_first_0_6 <= slice3winner1_held_0_13;
-      slice3winner1_best_but_first_0_7 <= slice3winner1_held_0_15;
-      slice3winner1_best_but_last_0_0 <= slice3winner1_held_0_0;
-      slice3winner1_best_but_last_0_1 <= slice3winner1_held_0_2;
-      slice3winner1_best_but_last_0_2 <= slice3winner1_held_0_4;
-      slice3winner1_best_but_last_0_3 <= slice3winner1_held_0_6;
-      slice3winner1_best_but_last_0_4 <= slice3winner1_held_0_8;
-      slice3winner1_best_but_last_0_5 <= slice3winner1_held_0_10;
-      slice3winner1_best_but_last_0_6 <= slice3winner1_held_0_12;
-      if (slice3window_sum_0_1 - slice3window_sum_0_0) < 0 then
-        slice3winner1_best_cost_0_0 <= slice3window_sum_0_1;
-      else
-        slice3winner1_best_cost_0_0 <= slice3window_sum_0_0;
-      end if;
-      if (slice3window_sum_0_3 - slice3window_sum_0_2) < 0 then
-        slice3winner1_best_cost_0_1 <= slice3window_sum_0_3;
-      else
-        slice3winner1_best_cost_0_1 <= slice3window_sum_0_2;
-      end if;
-      if (slice3window_sum_0_5 - slice3window_sum_0_4) < 0 then
-        slice3winner1_best_cost_0_2 <= slice3window_sum_0_5;
-      else
-        slice3winner1_best_cost_0_2 <= slice3window_sum_0_4;
-      end if;
-      if (slice3window_sum_0_7 - slice3window_sum_0_6) < 0 then
-        slice3winner1_best_cost_0_3 <= slice3window_sum_0_7;
-      else
-        slice3winner1_best_cost_0_3 <= slice3window_sum_0_6;
-      end if;
-      if (slice3window_sum_0_9 - slice3window_sum_0_8) < 0 then
-        slice3winner1_best_cost_0_4 <= slice3window_sum_0_9;
-      else
-        slice3winner1_best_cost_0_4 <= slice3window_sum_0_8;
-      end if;
-      if (slice3window_sum_0_11 - slice3window_sum_0_10) < 0 then
-        slice3winner1_best_cost_0_5 <= slice3window_sum_0_11;
-      else
-        slice3winner1_best_cost_0_5 <= slice3window_sum_0_10;
-      end if;
-      if (slice3window_sum_0_13 - slice3window_sum_0_12) < 0 then
-        slice3winner1_best_cost_0_6 <= slice3window_sum_0_13;
-      else
-        slice3winner1_best_cost_0_6 <= slice3window_sum_0_12;
-      end if;
-      if (slice3window_sum_0_15 - slice3window_sum_0_14) < 0 then
-        slice3winner1_best_cost_0_7 <= slice3window_sum_0_15;
-      else
-        slice3winner1_best_cost_0_7 <= slice3window_sum_0_14;
-      end if;
-      if slice3winner1_best_index_0_1_is_less then
+      for i in 0 to 7 loop
+        slice3winner1_best_late_cost_0(i) <= slice3winner1_best_cost_0(i);
+      end loop;
+      for i in 0 to 7 loop
+        slice3winner1_best_but_first_0(i) <= slice3winner1_held_0(2 * i + 1);
+      end loop;
+      for i in 0 to 6 loop
+        slice3winner1_best_but_last_0(i) <= slice3winner1_held_0(2 * i);
+      end loop;
+      for i in 0 to 7 loop
+        if (slice3window_sum_0(2 * i + 1) - slice3window_sum_0(2 * i)) < 0 then
+          slice3winner1_best_cost_0(i) <= slice3window_sum_0(2 * i + 1);
+        else
+          slice3winner1_best_cost_0(i) <= slice3window_sum_0(2 * i);
+        end if;
+      end loop;
+      if slice3winner1_best_index_0_is_less(1) then
         slice3winner1_best_index_0_1 <= 2;
-        slice3winner1_best_below_0_1 <= 0;
-        slice3winner1_best_above_0_1 <= slice3window_sum_0_3;
+        slice3winner1_best_below_0(1) <= 0;
+        slice3winner1_best_above_0(1) <= slice3window_sum_0(3);
       else
         slice3winner1_best_index_0_1 <= 3;
-        slice3winner1_best_below_0_1 <= slice3window_sum_0_2;
-        slice3winner1_best_above_0_1 <= 0;
+        slice3winner1_best_below_0(1) <= slice3window_sum_0(2);
+        slice3winner1_best_above_0(1) <= 0;
       end if;
-      if slice3winner1_best_index_0_2_is_less then
+      if slice3winner1_best_index_0_is_less(2) then
         slice3winner1_best_index_0_2 <= 4;
-        slice3winner1_best_below_0_2 <= 0;
-        slice3winner1_best_above_0_2 <= slice3window_sum_0_5;
+        slice3winner1_best_below_0(2) <= 0;
+        slice3winner1_best_above_0(2) <= slice3window_sum_0(5);
       else
         slice3winner1_best_index_0_2 <= 5;
-        slice3winner1_best_below_0_2 <= slice3window_sum_0_4;
-        slice3winner1_best_above_0_2 <= 0;
+        slice3winner1_best_below_0(2) <= slice3window_sum_0(4);
+        slice3winner1_best_above_0(2) <= 0;
       end if;
-      if slice3winner1_best_index_0_3_is_less then
+      if slice3winner1_best_index_0_is_less(3) then
         slice3winner1_best_index_0_3 <= 6;
-        slice3winner1_best_below_0_3 <= 0;
-        slice3winner1_best_above_0_3 <= slice3window_sum_0_7;
+        slice3winner1_best_below_0(3) <= 0;
+        slice3winner1_best_above_0(3) <= slice3window_sum_0(7);
       else
         slice3winner1_best_index_0_3 <= 7;
-        slice3winner1_best_below_0_3 <= slice3window_sum_0_6;
-        slice3winner1_best_above_0_3 <= 0;
+        slice3winner1_best_below_0(3) <= slice3window_sum_0(6);
+        slice3winner1_best_above_0(3) <= 0;
       end if;
-      if slice3winner1_best_index_0_4_is_less then
+      if slice3winner1_best_index_0_is_less(4) then
         slice3winner1_best_index_0_4 <= 8;
-        slice3winner1_best_below_0_4 <= 0;
-        slice3winner1_best_above_0_4 <= slice3window_sum_0_9;
+        slice3winner1_best_below_0(4) <= 0;
+        slice3winner1_best_above_0(4) <= slice3window_sum_0(9);
       else
         slice3winner1_best_index_0_4 <= 9;
-        slice3winner1_best_below_0_4 <= slice3window_sum_0_8;
-        slice3winner1_best_above_0_4 <= 0;
+        slice3winner1_best_below_0(4) <= slice3window_sum_0(8);
+        slice3winner1_best_above_0(4) <= 0;
       end if;
-      if slice3winner1_best_index_0_5_is_less then
+      if slice3winner1_best_index_0_is_less(5) then
         slice3winner1_best_index_0_5 <= 10;
-        slice3winner1_best_below_0_5 <= 0;
-        slice3winner1_best_above_0_5 <= slice3window_sum_0_11;
+        slice3winner1_best_below_0(5) <= 0;
+        slice3winner1_best_above_0(5) <= slice3window_sum_0(11);
       else
         slice3winner1_best_index_0_5 <= 11;
-        slice3winner1_best_below_0_5 <= slice3window_sum_0_10;
-        slice3winner1_best_above_0_5 <= 0;
+        slice3winner1_best_below_0(5) <= slice3window_sum_0(10);
+        slice3winner1_best_above_0(5) <= 0;
       end if;
-      if slice3winner1_best_index_0_6_is_less then
+      if slice3winner1_best_index_0_is_less(6) then
         slice3winner1_best_index_0_6 <= 12;
-        slice3winner1_best_below_0_6 <= 0;
-        slice3winner1_best_above_0_6 <= slice3window_sum_0_13;
+        slice3winner1_best_below_0(6) <= 0;
+        slice3winner1_best_above_0(6) <= slice3window_sum_0(13);
       else
         slice3winner1_best_index_0_6 <= 13;
-        slice3winner1_best_below_0_6 <= slice3window_sum_0_12;
-        slice3winner1_best_above_0_6 <= 0;
+        slice3winner1_best_below_0(6) <= slice3window_sum_0(12);
+        slice3winner1_best_above_0(6) <= 0;
       end if;
-      if slice3winner1_best_index_0_7_is_less then
+      if slice3winner1_best_index_0_is_less(7) then
         slice3winner1_best_index_0_7 <= 14;
-        slice3winner1_best_below_0_7 <= 0;
-        slice3winner1_best_above_0_7 <= slice3window_sum_0_15;
+        slice3winner1_best_below_0(7) <= 0;
+        slice3winner1_best_above_0(7) <= slice3window_sum_0(15);
       else
         slice3winner1_best_index_0_7 <= 15;
-        slice3winner1_best_below_0_7 <= slice3window_sum_0_14;
-        slice3winner1_best_above_0_7 <= 0;
+        slice3winner1_best_below_0(7) <= slice3window_sum_0(14);
+        slice3winner1_best_above_0(7) <= 0;
       end if;
       if slice3winner1_best_index_0_0_is_not_less then
-        slice3winner1_best_below_0_0 <= slice3window_sum_0_0;
-        slice3winner1_best_above_0_0 <= 0;
+        slice3winner1_best_below_0(0) <= slice3window_sum_0(0);
+        slice3winner1_best_above_0(0) <= 0;
       else
-        slice3winner1_best_below_0_0 <= 0;
-        slice3winner1_best_above_0_0 <= slice3window_sum_0_1;
+        slice3winner1_best_below_0(0) <= 0;
+        slice3winner1_best_above_0(0) <= slice3window_sum_0(1);
       end if;
       -- slice3winner2
-      slice3winner2_best_index_0_0_is_not_less := (slice3winner1_best_cost_0_0 - slice3winner1_best_cost_0_1) >= 0;
-      slice3winner2_best_index_0_1_is_not_less := (slice3winner1_best_cost_0_2 - slice3winner1_best_cost_0_3) >= 0;
-      slice3winner2_best_index_0_2_is_not_less := (slice3winner1_best_cost_0_4 - slice3winner1_best_cost_0_5) >= 0;
-      slice3winner2_best_index_0_3_is_not_less := (slice3winner1_best_cost_0_6 - slice3winner1_best_cost_0_7) >= 0;
-      if other_0 then
-        slice3winner2_best_below_0_0_choice := slice3winner1_held_0_1;
-      else
-        slice3winner2_best_below_0_0_choice := slice3winner1_best_below_0_1;
-      end if;
-      if other_1 then
-        slice3winner2_best_below_0_1_choice := slice3winner1_held_0_5;
-      else
-        slice3winner2_best_below_0_1_choice := slice3winner1_best_below_0_3;
-      end if;
-      if other_2 then
-        slice3winner2_best_below_0_2_choice := slice3winner1_held_0_9;
-      else
-        slice3winner2_best_below_0_2_choice := slice3winner1_best_below_0_5;
-      end if;
-      if other_3 then
-        slice3winner2_best_below_0_3_choice := slice3winner1_held_0_13;
-      else
-        slice3winner2_best_below_0_3_choice := slice3winner1_best_below_0_7;
-      end if;
+      for i in 0 to 3 loop
+        slice3winner2_best_index_0_is_not_less(i) := (slice3winner1_best_cost_0(2 * i) - slice3winner1_best_cost_0(2 *
+          i + 1)) >= 0;
+      end loop;
+      for i in 0 to 3 loop
+        if other(i) then
+          slice3winner2_best_below_0_choice(i) := slice3winner1_held_0(4 * i + 1);
+        else
+          slice3winner2_best_below_0_choice(i) := slice3winner1_best_below_0(2 * i + 1);
+        end if;
+      end loop;
       if slice3winner1_best_index_0_0 then
-        slice3winner2_best_above_0_0_choice := slice3winner1_held_0_2;
+        slice3winner2_best_above_0_choice(0) := slice3winner1_held_0(2);
       else
-        slice3winner2_best_above_0_0_choice := slice3winner1_best_above_0_0;
+        slice3winner2_best_above_0_choice(0) := slice3winner1_best_above_0(0);
       end if;
-      if ((slice3winner1_best_index_0_2 / 4) = 1) and ((slice3winner1_best_index_0_2 mod 2) = 1) then
-        slice3winner2_best_above_0_1_choice := slice3winner1_held_0_6;
+      if is_set(slice3winner1_best_index_0_2, 2) and is_set(slice3winner1_best_index_0_2, 0) then
+        slice3winner2_best_above_0_choice(1) := slice3winner1_held_0(6);
       else
-        slice3winner2_best_above_0_1_choice := slice3winner1_best_above_0_2;
+        slice3winner2_best_above_0_choice(1) := slice3winner1_best_above_0(2);
       end if;
-      if ((slice3winner1_best_index_0_4 / 8) = 1) and ((slice3winner1_best_index_0_4 mod 2) = 1) then
-        slice3winner2_best_above_0_2_choice := slice3winner1_held_0_10;
+      if is_set(slice3winner1_best_index_0_4, 3) and is_set(slice3winner1_best_index_0_4, 0) then
+        slice3winner2_best_above_0_choice(2) := slice3winner1_held_0(10);
       else
-        slice3winner2_best_above_0_2_choice := slice3winner1_best_above_0_4;
+        slice3winner2_best_above_0_choice(2) := slice3winner1_best_above_0(4);
       end if;
-      slice3winner2_best_above_0_3_value := ((slice3winner1_best_index_0_6 / 4) mod 2) = 1;
-      if ((slice3winner1_best_index_0_6 / 8) = 1) and slice3winner2_best_above_0_3_value and
-        ((slice3winner1_best_index_0_6 mod 2) = 1) then
-        slice3winner2_best_above_0_3_choice := slice3winner1_held_0_14;
+      slice3winner2_best_above_0_3_value := is_set(slice3winner1_best_index_0_6, 2);
+      if is_set(slice3winner1_best_index_0_6, 3) and slice3winner2_best_above_0_3_value and
+        is_set(slice3winner1_best_index_0_6, 0) then
+        slice3winner2_best_above_0_choice(3) := slice3winner1_held_0(14);
       else
-        slice3winner2_best_above_0_3_choice := slice3winner1_best_above_0_6;
+        slice3winner2_best_above_0_choice(3) := slice3winner1_best_above_0(6);
       end if;
-      if slice3winner2_best_place_0_0 then
-        slice3winner2_best_second_0_0_choice := 16383;
-      else
-        slice3winner2_best_second_0_0_choice := slice3winner1_best_late_cost_0_1;
-      end if;
-      if slice3winner2_best_at_end_0_0 then
-        slice3winner2_best_second_0_0_choice_2 := slice3winner1_best_but_first_0_1;
-      else
-        slice3winner2_best_second_0_0_choice_2 := slice3winner2_best_second_0_0_choice;
-      end if;
-      if slice3winner2_best_place_0_0 then
-        slice3winner2_best_second_0_0_choice_3 := slice3winner1_best_late_cost_0_0;
-      else
-        slice3winner2_best_second_0_0_choice_3 := 16383;
-      end if;
-      if slice3winner2_best_at_start_0_0 then
-        slice3winner2_best_second_0_0_choice_4 := slice3winner1_best_but_last_0_0;
-      else
-        slice3winner2_best_second_0_0_choice_4 := slice3winner2_best_second_0_0_choice_3;
-      end if;
-      if slice3winner2_best_place_0_1 then
-        slice3winner2_best_second_0_1_choice := 16383;
-      else
-        slice3winner2_best_second_0_1_choice := slice3winner1_best_late_cost_0_3;
-      end if;
-      if slice3winner2_best_at_end_0_1 then
-        slice3winner2_best_second_0_1_choice_2 := slice3winner1_best_but_first_0_3;
-      else
-        slice3winner2_best_second_0_1_choice_2 := slice3winner2_best_second_0_1_choice;
-      end if;
-      if slice3winner2_best_place_0_1 then
-        slice3winner2_best_second_0_1_choice_3 := slice3winner1_best_late_cost_0_2;
-      else
-        slice3winner2_best_second_0_1_choice_3 := 16383;
-      end if;
-      if slice3winner2_best_at_start_0_1 then
-        slice3winner2_best_second_0_1_choice_4 := slice3winner1_best_but_last_0_2;
-      else
-        slice3winner2_best_second_0_1_choice_4 := slice3winner2_best_second_0_1_choice_3;
-      end if;
-      if slice3winner2_best_place_0_2 then
-        slice3winner2_best_second_0_2_choice := 16383;
-      else
-        slice3winner2_best_second_0_2_choice := slice3winner1_best_late_cost_0_5;
-      end if;
-      if slice3winner2_best_at_end_0_2 then
-        slice3winner2_best_second_0_2_choice_2 := slice3winner1_best_but_first_0_5;
-      else
-        slice3winner2_best_second_0_2_choice_2 := slice3winner2_best_second_0_2_choice;
-      end if;
-      if slice3winner2_best_place_0_2 then
-        slice3winner2_best_second_0_2_choice_3 := slice3winner1_best_late_cost_0_4;
-      else
-        slice3winner2_best_second_0_2_choice_3 := 16383;
-      end if;
-      if slice3winner2_best_at_start_0_2 then
-        slice3winner2_best_second_0_2_choice_4 := slice3winner1_best_but_last_0_4;
-      else
-        slice3winner2_best_second_0_2_choice_4 := slice3winner2_best_second_0_2_choice_3;
-      end if;
-      if slice3winner2_best_place_0_3 then
-        slice3winner2_best_second_0_3_choice := 16383;
-      else
-        slice3winner2_best_second_0_3_choice := slice3winner1_best_late_cost_0_7;
-      end if;
-      if slice3winner2_best_at_end_0_3 then
-        slice3winner2_best_second_0_3_choice_2 := slice3winner1_best_but_first_0_7;
-      else
-        slice3winner2_best_second_0_3_choice_2 := slice3winner2_best_second_0_3_choice;
-      end if;
-      if slice3winner2_best_place_0_3 then
-        slice3winner2_best_second_0_3_choice_3 := slice3winner1_best_late_cost_0_6;
-      else
-        slice3winner2_best_second_0_3_choice_3 := 16383;
-      end if;
-      if slice3winner2_best_at_start_0_3 then
-        slice3winner2_best_second_0_3_choice_4 := slice3winner1_best_but_last_0_6;
-      else
-        slice3winner2_best_second_0_3_choice_4 := slice3winner2_best_second_0_3_choice_3;
-      end if;
-      slice3winner2_best_first_0_0 <= slice3winner1_held_0_0;
-      slice3winner2_best_first_0_1 <= slice3winner1_held_0_4;
-      slice3winner2_best_first_0_2 <= slice3winner1_held_0_8;
-      slice3winner2_best_first_0_3 <= slice3winner1_held_0_12;
-      slice3winner2_best_last_0_0 <= slice3winner1_held_0_3;
-      slice3winner2_best_last_0_1 <= slice3winner1_held_0_7;
-      slice3winner2_best_last_0_2 <= slice3winner1_held_0_11;
-      slice3winner2_best_place_0_0 <= slice3winner2_best_index_0_0_is_not_less;
-      slice3winner2_best_place_0_1 <= slice3winner2_best_index_0_1_is_not_less;
-      slice3winner2_best_place_0_2 <= slice3winner2_best_index_0_2_is_not_less;
-      slice3winner2_best_place_0_3 <= slice3winner2_best_index_0_3_is_not_less;
-      slice3winner2_best_at_start_0_0 <= other_0 and slice3winner2_best_index_0_0_is_not_less;
-      slice3winner2_best_at_start_0_1 <= other_1 and slice3winner2_best_index_0_1_is_not_less;
-      slice3winner2_best_at_start_0_2 <= other_2 and slice3winner2_best_index_0_2_is_not_less;
-      slice3winner2_best_at_start_0_3 <= other_3 and slice3winner2_best_index_0_3_is_not_less;
-      slice3winner2_best_at_end_0_0 <= slice3winner1_best_index_0_0 and ((slice3winner1_best_cost_0_0 -
-        slice3winner1_best_cost_0_1) < 0);
-      slice3winner2_best_at_end_0_1 <= ((slice3winner1_best_cost_0_2 - slice3winner1_best_cost_0_3) < 0) and
-        ((slice3winner1_best_index_0_2 / 4) = 1) and ((slice3winner1_best_index_0_2 mod 2) = 1);
-      slice3winner2_best_at_end_0_2 <= ((slice3winner1_best_cost_0_4 - slice3winner1_best_cost_0_5) < 0) and
-        ((slice3winner1_best_index_0_4 / 8) = 1) and ((slice3winner1_best_index_0_4 mod 2) = 1);
-      slice3winner2_best_at_end_0_3 <= ((slice3winner1_best_cost_0_6 - slice3winner1_best_cost_0_7) < 0) and
-        ((slice3winner1_best_index_0_6 / 8) = 1) and slice3winner2_best_above_0_3_value and
-        ((slice3winner1_best_index_0_6 mod 2) = 1);
-      slice3winner2_best_late_cost_0_0 <= slice3winner2_best_cost_0_0;
-      slice3winner2_best_late_cost_0_1 <= slice3winner2_best_cost_0_1;
-      slice3winner2_best_late_cost_0_2 <= slice3winner2_best_cost_0_2;
-      slice3winner2_best_late_cost_0_3 <= slice3winner2_best_cost_0_3;
-      if (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0 then
-        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1;
-      else
-        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_0;
-      end if;
-      if (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0 then
-        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3;
-      else
-        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_2;
-      end if;
-      if (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0 then
-        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5;
-      else
-        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_4;
-      end if;
-      if (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0 then
-        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7;
-      else
-        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_6;
-      end if;
-      if slice3winner2_best_index_0_0_is_not_less then
+      for i in 0 to 3 loop
+        if slice3winner2_best_place_0(i) then
+          slice3winner2_best_second_0_choice(i) := 16383;
+        else
+          slice3winner2_best_second_0_choice(i) := slice3winner1_best_late_cost_0(2 * i + 1);
+        end if;
+        if slice3winner2_best_at_end_0(i) then
+          slice3winner2_best_second_0_choices(i, 2) := slice3winner1_best_but_first_0(2 * i + 1);
+        else
+          slice3winner2_best_second_0_choices(i, 2) := slice3winner2_best_second_0_choice(i);
+        end if;
+        if slice3winner2_best_place_0(i) then
+          slice3winner2_best_second_0_choices(i, 3) := slice3winner1_best_late_cost_0(2 * i);
+        else
+          slice3winner2_best_second_0_choices(i, 3) := 16383;
+        end if;
+        if slice3winner2_best_at_start_0(i) then
+          slice3winner2_best_second_0_choices(i, 4) := slice3winner1_best_but_last_0(2 * i);
+        else
+          slice3winner2_best_second_0_choices(i, 4) := slice3winner2_best_second_0_choices(i, 3);
+        end if;
+      end loop;
+      slice3winner2_best_first_0(0) <= slice3winner1_held_0(0);
+      slice3winner2_best_first_0(1) <= slice3winner1_held_0(4);
+      slice3winner2_best_first_0(2) <= slice3winner1_held_0(8);
+      slice3winner2_best_first_0(3) <= slice3winner1_held_0(12);
+      slice3winner2_best_last_0(0) <= slice3winner1_held_0(3);
+      slice3winner2_best_last_0(1) <= slice3winner1_held_0(7);
+      slice3winner2_best_last_0(2) <= slice3winner1_held_0(11);
+      slice3winner2_best_place_0(0) <= slice3winner2_best_index_0_is_not_less(0);
+      slice3winner2_best_place_0(1) <= slice3winner2_best_index_0_is_not_less(1);
+      slice3winner2_best_place_0(2) <= slice3winner2_best_index_0_is_not_less(2);
+      slice3winner2_best_place_0(3) <= slice3winner2_best_index_0_is_not_less(3);
+      slice3winner2_best_at_start_0(0) <= other(0) and slice3winner2_best_index_0_is_not_less(0);
+      slice3winner2_best_at_start_0(1) <= other(1) and slice3winner2_best_index_0_is_not_less(1);
+      slice3winner2_best_at_start_0(2) <= other(2) and slice3winner2_best_index_0_is_not_less(2);
+      slice3winner2_best_at_start_0(3) <= other(3) and slice3winner2_best_index_0_is_not_less(3);
+      slice3winner2_best_at_end_0(0) <= slice3winner1_best_index_0_0 and ((slice3winner1_best_cost_0(0) -
+        slice3winner1_best_cost_0(1)) < 0);
+      slice3winner2_best_at_end_0(1) <= ((slice3winner1_best_cost_0(2) - slice3winner1_best_cost_0(3)) < 0) and
+        is_set(slice3winner1_best_index_0_2, 2) and is_set(slice3winner1_best_index_0_2, 0);
+      slice3winner2_best_at_end_0(2) <= ((slice3winner1_best_cost_0(4) - slice3winner1_best_cost_0(5)) < 0) and
+        is_set(slice3winner1_best_index_0_4, 3) and is_set(slice3winner1_best_index_0_4, 0);
+      slice3winner2_best_at_end_0(3) <= ((slice3winner1_best_cost_0(6) - slice3winner1_best_cost_0(7)) < 0) and
+        is_set(slice3winner1_best_index_0_6, 3) and slice3winner2_best_above_0_3_value and
+        is_set(slice3winner1_best_index_0_6, 0);
+      slice3winner2_best_late_cost_0(0) <= slice3winner2_best_cost_0(0);
+      slice3winner2_best_late_cost_0(1) <= slice3winner2_best_cost_0(1);
+      slice3winner2_best_late_cost_0(2) <= slice3winner2_best_cost_0(2);
+      slice3winner2_best_late_cost_0(3) <= slice3winner2_best_cost_0(3);
+      for i in 0 to 3 loop
+        if (slice3winner1_best_cost_0(2 * i + 1) - slice3winner1_best_cost_0(2 * i)) < 0 then
+          slice3winner2_best_cost_0(i) <= slice3winner1_best_cost_0(2 * i + 1);
+        else
+          slice3winner2_best_cost_0(i) <= slice3winner1_best_cost_0(2 * i);
+        end if;
+      end loop;
+      if slice3winner2_best_index_0_is_not_less(0) then
         slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1;
-        slice3winner2_best_below_0_0 <= slice3winner2_best_below_0_0_choice;
-        slice3winner2_best_above_0_0 <= slice3winner1_best_above_0_1;
+        slice3winner2_best_below_0(0) <= slice3winner2_best_below_0_choice(0);
+        slice3winner2_best_above_0(0) <= slice3winner1_best_above_0(1);
       else
         slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0);
-        slice3winner2_best_below_0_0 <= slice3winner1_best_below_0_0;
-        slice3winner2_best_above_0_0 <= slice3winner2_best_above_0_0_choice;
+        slice3winner2_best_below_0(0) <= slice3winner1_best_below_0(0);
+        slice3winner2_best_above_0(0) <= slice3winner2_best_above_0_choice(0);
       end if;
-      if slice3winner2_best_index_0_1_is_not_less then
+      if slice3winner2_best_index_0_is_not_less(1) then
         slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3;
-        slice3winner2_best_below_0_1 <= slice3winner2_best_below_0_1_choice;
-        slice3winner2_best_above_0_1 <= slice3winner1_best_above_0_3;
+        slice3winner2_best_below_0(1) <= slice3winner2_best_below_0_choice(1);
+        slice3winner2_best_above_0(1) <= slice3winner1_best_above_0(3);
       else
         slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2;
-        slice3winner2_best_below_0_1 <= slice3winner1_best_below_0_2;
-        slice3winner2_best_above_0_1 <= slice3winner2_best_above_0_1_choice;
+        slice3winner2_best_below_0(1) <= slice3winner1_best_below_0(2);
+        slice3winner2_best_above_0(1) <= slice3winner2_best_above_0_choice(1);
       end if;
-      if slice3winner2_best_index_0_2_is_not_less then
+      if slice3winner2_best_index_0_is_not_less(2) then
         slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5;
-        slice3winner2_best_below_0_2 <= slice3winner2_best_below_0_2_choice;
-        slice3winner2_best_above_0_2 <= slice3winner1_best_above_0_5;
+        slice3winner2_best_below_0(2) <= slice3winner2_best_below_0_choice(2);
+        slice3winner2_best_above_0(2) <= slice3winner1_best_above_0(5);
       else
         slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4;
-        slice3winner2_best_below_0_2 <= slice3winner1_best_below_0_4;
-        slice3winner2_best_above_0_2 <= slice3winner2_best_above_0_2_choice;
+        slice3winner2_best_below_0(2) <= slice3winner1_best_below_0(4);
+        slice3winner2_best_above_0(2) <= slice3winner2_best_above_0_choice(2);
       end if;
-      if slice3winner2_best_index_0_3_is_not_less then
+      if slice3winner2_best_index_0_is_not_less(3) then
         slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7;
-        slice3winner2_best_below_0_3 <= slice3winner2_best_below_0_3_choice;
-        slice3winner2_best_above_0_3 <= slice3winner1_best_above_0_7;
+        slice3winner2_best_below_0(3) <= slice3winner2_best_below_0_choice(3);
+        slice3winner2_best_above_0(3) <= slice3winner1_best_above_0(7);
       else
         slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_6;
-        slice3winner2_best_below_0_3 <= slice3winner1_best_below_0_6;
-        slice3winner2_best_above_0_3 <= slice3winner2_best_above_0_3_choice;
+        slice3winner2_best_below_0(3) <= slice3winner1_best_below_0(6);
+        slice3winner2_best_above_0(3) <= slice3winner2_best_above_0_choice(3);
       end if;
-      if (slice3winner2_best_second_0_0_choice_2 - slice3winner2_best_second_0_0_choice_4) < 0 then
-        slice3winner2_best_second_0_0 <= slice3winner2_best_second_0_0_choice_2;
-      else
-        slice3winner2_best_second_0_0 <= slice3winner2_best_second_0_0_choice_4;
-      end if;
-      if (slice3winner2_best_second_0_1_choice_2 - slice3winner2_best_second_0_1_choice_4) < 0 then
-        slice3winner2_best_second_0_1 <= slice3winner2_best_second_0_1_choice_2;
-      else
-        slice3winner2_best_second_0_1 <= slice3winner2_best_second_0_1_choice_4;
-      end if;
-      if (slice3winner2_best_second_0_2_choice_2 - slice3winner2_best_second_0_2_choice_4) < 0 then
-        slice3winner2_best_second_0_2 <= slice3winner2_best_second_0_2_choice_2;
-      else
-        slice3winner2_best_second_0_2 <= slice3winner2_best_second_0_2_choice_4;
-      end if;
-      if (slice3winner2_best_second_0_3_choice_2 - slice3winner2_best_second_0_3_choice_4) < 0 then
-        slice3winner2_best_second_0_3 <= slice3winner2_best_second_0_3_choice_2;
-      else
-        slice3winner2_best_second_0_3 <= slice3winner2_best_second_0_3_choice_4;
-      end if;
-      if (slice3winner1_best_late_cost_0_1 - slice3winner1_best_but_first_0_0) < 0 then
-        slice3winner2_best_but_first_0_0 <= slice3winner1_best_late_cost_0_1;
-      else
-        slice3winner2_best_but_first_0_0 <= slice3winner1_best_but_first_0_0;
-      end if;
-      if (slice3winner1_best_late_cost_0_3 - slice3winner1_best_but_first_0_2) < 0 then
-        slice3winner2_best_but_first_0_1 <= slice3winner1_best_late_cost_0_3;
-      else
-        slice3winner2_best_but_first_0_1 <= slice3winner1_best_but_first_0_2;
-      end if;
-      if (slice3winner1_best_late_cost_0_5 - slice3winner1_best_but_first_0_4) < 0 then
-        slice3winner2_best_but_first_0_2 <= slice3winner1_best_late_cost_0_5;
-      else
-        slice3winner2_best_but_first_0_2 <= slice3winner1_best_but_first_0_4;
-      end if;
-      if (slice3winner1_best_late_cost_0_7 - slice3winner1_best_but_first_0_6) < 0 then
-        slice3winner2_best_but_first_0_3 <= slice3winner1_best_late_cost_0_7;
-      else
-        slice3winner2_best_but_first_0_3 <= slice3winner1_best_but_first_0_6;
-      end if;
-      if (slice3winner1_best_but_last_0_1 - slice3winner1_best_late_cost_0_0) < 0 then
-        slice3winner2_best_but_last_0_0 <= slice3winner1_best_but_last_0_1;
-      else
-        slice3winner2_best_but_last_0_0 <= slice3winner1_best_late_cost_0_0;
-      end if;
-      if (slice3winner1_best_but_last_0_3 - slice3winner1_best_late_cost_0_2) < 0 then
-        slice3winner2_best_but_last_0_1 <= slice3winner1_best_but_last_0_3;
-      else
-        slice3winner2_best_but_last_0_1 <= slice3winner1_best_late_cost_0_2;
-      end if;
-      if (slice3winner1_best_but_last_0_5 - slice3winner1_best_late_cost_0_4) < 0 then
-        slice3winner2_best_but_last_0_2 <= slice3winner1_best_but_last_0_5;
-      else
-        slice3winner2_best_but_last_0_2 <= slice3winner1_best_late_cost_0_4;
-      end if;
+      for i in 0 to 3 loop
+        if (slice3winner2_best_second_0_choices(i, 2) - slice3winner2_best_second_0_choices(i, 4)) < 0 then
+          slice3winner2_best_second_0(i) <= slice3winner2_best_second_0_choices(i, 2);
+        else
+          slice3winner2_best_second_0(i) <= slice3winner2_best_second_0_choices(i, 4);
+        end if;
+      end loop;
+      for i in 0 to 3 loop
+        if (slice3winner1_best_late_cost_0(2 * i + 1) - slice3winner1_best_but_first_0(2 * i)) < 0 then
+          slice3winner2_best_but_first_0(i) <= slice3winner1_best_late_cost_0(2 * i + 1);
+        else
+          slice3winner2_best_but_first_0(i) <= slice3winner1_best_but_first_0(2 * i);
+        end if;
+      end loop;
+      for i in 0 to 2 loop
+        if (slice3winner1_best_but_last_0(2 * i + 1) - slice3winner1_best_late_cost_0(2 * i)) < 0 then
+          slice3winner2_best_but_last_0(i) <= slice3winner1_best_but_last_0(2 * i + 1);
+        else
+          slice3winner2_best_but_last_0(i) <= slice3winner1_best_late_cost_0(2 * i);
+        end if;
+      end loop;
       -- slice3winner3
-      slice3winner3_best_index_0_0_is_not_less := (slice3winner2_best_cost_0_0 - slice3winner2_best_cost_0_1) >= 0;
-      slice3winner3_best_index_0_1_is_not_less := (slice3winner2_best_cost_0_2 - slice3winner2_best_cost_0_3) >= 0;
-      slice3winner3_best_below_0_0_is_equal := slice3winner2_best_index_0_1 = 4;
-      if slice3winner3_best_below_0_0_is_equal then
-        slice3winner3_best_below_0_0_choice := slice3winner2_best_last_0_0;
+      slice3winner3_best_index_0_is_not_less(0) := (slice3winner2_best_cost_0(0) - slice3winner2_best_cost_0(1)) >= 0;
+      slice3winner3_best_index_0_is_not_less(1) := (slice3winner2_best_cost_0(2) - slice3winner2_best_cost_0(3)) >= 0;
+      slice3winner3_best_below_0_is_equal(0) := slice3winner2_best_index_0_1 = 4;
+      if slice3winner3_best_below_0_is_equal(0) then
+        slice3winner3_best_below_0_choice(0) := slice3winner2_best_last_0(0);
       else
-        slice3winner3_best_below_0_0_choice := slice3winner2_best_below_0_1;
+        slice3winner3_best_below_0_choice(0) := slice3winner2_best_below_0(1);
       end if;
-      slice3winner3_best_below_0_1_is_equal := slice3winner2_best_index_0_3 = 12;
-      if slice3winner3_best_below_0_1_is_equal then
-        slice3winner3_best_below_0_1_choice := slice3winner2_best_last_0_2;
+      slice3winner3_best_below_0_is_equal(1) := slice3winner2_best_index_0_3 = 12;
+      if slice3winner3_best_below_0_is_equal(1) then
+        slice3winner3_best_below_0_choice(1) := slice3winner2_best_last_0(2);
       else
-        slice3winner3_best_below_0_1_choice := slice3winner2_best_below_0_3;
+        slice3winner3_best_below_0_choice(1) := slice3winner2_best_below_0(3);
       end if;
-      slice3winner3_best_above_0_0_is_equal := slice3winner2_best_index_0_0 = 3;
-      if slice3winner3_best_above_0_0_is_equal then
-        slice3winner3_best_above_0_0_choice := slice3winner2_best_first_0_1;
+      slice3winner3_best_above_0_is_equal(0) := slice3winner2_best_index_0_0 = 3;
+      if slice3winner3_best_above_0_is_equal(0) then
+        slice3winner3_best_above_0_choice(0) := slice3winner2_best_first_0(1);
       else
-        slice3winner3_best_above_0_0_choice := slice3winner2_best_above_0_0;
+        slice3winner3_best_above_0_choice(0) := slice3winner2_best_above_0(0);
       end if;
-      slice3winner3_best_above_0_1_is_equal := (slice3winner2_best_index_0_2 mod 4) = 3;
-      if ((slice3winner2_best_index_0_2 / 8) = 1) and slice3winner3_best_above_0_1_is_equal then
-        slice3winner3_best_above_0_1_choice := slice3winner2_best_first_0_3;
+      slice3winner3_best_above_0_is_equal(1) := (slice3winner2_best_index_0_2 mod 4) = 3;
+      if is_set(slice3winner2_best_index_0_2, 3) and slice3winner3_best_above_0_is_equal(1) then
+        slice3winner3_best_above_0_choice(1) := slice3winner2_best_first_0(3);
       else
-        slice3winner3_best_above_0_1_choice := slice3winner2_best_above_0_2;
+        slice3winner3_best_above_0_choice(1) := slice3winner2_best_above_0(2);
       end if;
-      if slice3winner3_best_place_0_0 then
-        slice3winner3_best_second_0_0_choice := slice3winner2_best_second_0_1;
-      else
-        slice3winner3_best_second_0_0_choice := slice3winner2_best_late_cost_0_1;
-      end if;
-      if slice3winner3_best_at_end_0_0 then
-        slice3winner3_best_second_0_0_choice_2 := slice3winner2_best_but_first_0_1;
-      else
-        slice3winner3_best_second_0_0_choice_2 := slice3winner3_best_second_0_0_choice;
-      end if;
-      if slice3winner3_best_place_0_0 then
-        slice3winner3_best_second_0_0_choice_3 := slice3winner2_best_late_cost_0_0;
-      else
-        slice3winner3_best_second_0_0_choice_3 := slice3winner2_best_second_0_0;
-      end if;
-      if slice3winner3_best_at_start_0_0 then
-        slice3winner3_best_second_0_0_choice_4 := slice3winner2_best_but_last_0_0;
-      else
-        slice3winner3_best_second_0_0_choice_4 := slice3winner3_best_second_0_0_choice_3;
-      end if;
-      if slice3winner3_best_place_0_1 then
-        slice3winner3_best_second_0_1_choice := slice3winner2_best_second_0_3;
-      else
-        slice3winner3_best_second_0_1_choice := slice3winner2_best_late_cost_0_3;
-      end if;
-      if slice3winner3_best_at_end_0_1 then
-        slice3winner3_best_second_0_1_choice_2 := slice3winner2_best_but_first_0_3;
-      else
-        slice3winner3_best_second_0_1_choice_2 := slice3winner3_best_second_0_1_choice;
-      end if;
-      if slice3winner3_best_place_0_1 then
-        slice3winner3_best_second_0_1_choice_3 := slice3winner2_best_late_cost_0_2;
-      else
-        slice3winner3_best_second_0_1_choice_3 := slice3winner2_best_second_0_2;
-      end if;
-      if slice3winner3_best_at_start_0_1 then
-        slice3winner3_best_second_0_1_choice_4 := slice3winner2_best_but_last_0_2;
-      else
-        slice3winner3_best_second_0_1_choice_4 := slice3winner3_best_second_0_1_choice_3;
-      end if;
-      slice3winner3_best_first_0_0 <= slice3winner2_best_first_0_0;
-      slice3winner3_best_first_0_1 <= slice3winner2_best_first_0_2;
-      slice3winner3_best_last_0_0 <= slice3winner2_best_last_0_1;
-      slice3winner3_best_place_0_0 <= slice3winner3_best_index_0_0_is_not_less;
-      slice3winner3_best_place_0_1 <= slice3winner3_best_index_0_1_is_not_less;
-      slice3winner3_best_at_start_0_0 <= slice3winner3_best_index_0_0_is_not_less and
-        slice3winner3_best_below_0_0_is_equal;
-      slice3winner3_best_at_start_0_1 <= slice3winner3_best_below_0_1_is_equal and
-        slice3winner3_best_index_0_1_is_not_less;
-      slice3winner3_best_at_end_0_0 <= ((slice3winner2_best_cost_0_0 - slice3winner2_best_cost_0_1) < 0) and
-        slice3winner3_best_above_0_0_is_equal;
-      slice3winner3_best_at_end_0_1 <= ((slice3winner2_best_cost_0_2 - slice3winner2_best_cost_0_3) < 0) and
-        ((slice3winner2_best_index_0_2 / 8) = 1) and slice3winner3_best_above_0_1_is_equal;
-      slice3winner3_best_late_cost_0_0 <= slice3winner3_best_cost_0_0;
-      slice3winner3_best_late_cost_0_1 <= slice3winner3_best_cost_0_1;
-      if (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0 then
-        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1;
-      else
-        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_0;
-      end if;
-      if (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0 then
-        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3;
-      else
-        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_2;
-      end if;
-      if slice3winner3_best_index_0_0_is_not_less then
+      for i in 0 to 1 loop
+        if slice3winner3_best_place_0(i) then
+          slice3winner3_best_second_0_choice(i) := slice3winner2_best_second_0(2 * i + 1);
+        else
+          slice3winner3_best_second_0_choice(i) := slice3winner2_best_late_cost_0(2 * i + 1);
+        end if;
+        if slice3winner3_best_at_end_0(i) then
+          slice3winner3_best_second_0_choices(i, 2) := slice3winner2_best_but_first_0(2 * i + 1);
+        else
+          slice3winner3_best_second_0_choices(i, 2) := slice3winner3_best_second_0_choice(i);
+        end if;
+        if slice3winner3_best_place_0(i) then
+          slice3winner3_best_second_0_choices(i, 3) := slice3winner2_best_late_cost_0(2 * i);
+        else
+          slice3winner3_best_second_0_choices(i, 3) := slice3winner2_best_second_0(2 * i);
+        end if;
+        if slice3winner3_best_at_start_0(i) then
+          slice3winner3_best_second_0_choices(i, 4) := slice3winner2_best_but_last_0(2 * i);
+        else
+          slice3winner3_best_second_0_choices(i, 4) := slice3winner3_best_second_0_choices(i, 3);
+        end if;
+      end loop;
+      slice3winner3_best_first_0(0) <= slice3winner2_best_first_0(0);
+      slice3winner3_best_first_0(1) <= slice3winner2_best_first_0(2);
+      slice3winner3_best_last_0_0 <= slice3winner2_best_last_0(1);
+      slice3winner3_best_place_0(0) <= slice3winner3_best_index_0_is_not_less(0);
+      slice3winner3_best_place_0(1) <= slice3winner3_best_index_0_is_not_less(1);
+      slice3winner3_best_at_start_0(0) <= slice3winner3_best_index_0_is_not_less(0) and
+        slice3winner3_best_below_0_is_equal(0);
+      slice3winner3_best_at_start_0(1) <= slice3winner3_best_below_0_is_equal(1) and
+        slice3winner3_best_index_0_is_not_less(1);
+      slice3winner3_best_at_end_0(0) <= ((slice3winner2_best_cost_0(0) - slice3winner2_best_cost_0(1)) < 0) and
+        slice3winner3_best_above_0_is_equal(0);
+      slice3winner3_best_at_end_0(1) <= ((slice3winner2_best_cost_0(2) - slice3winner2_best_cost_0(3)) < 0) and
+        is_set(slice3winner2_best_index_0_2, 3) and slice3winner3_best_above_0_is_equal(1);
+      slice3winner3_best_late_cost_0(0) <= slice3winner3_best_cost_0(0);
+      slice3winner3_best_late_cost_0(1) <= slice3winner3_best_cost_0(1);
+      for i in 0 to 1 loop
+        if (slice3winner2_best_cost_0(2 * i + 1) - slice3winner2_best_cost_0(2 * i)) < 0 then
+          slice3winner3_best_cost_0(i) <= slice3winner2_best_cost_0(2 * i + 1);
+        else
+          slice3winner3_best_cost_0(i) <= slice3winner2_best_cost_0(2 * i);
+        end if;
+      end loop;
+      if slice3winner3_best_index_0_is_not_less(0) then
         slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1;
-        slice3winner3_best_below_0_0 <= slice3winner3_best_below_0_0_choice;
-        slice3winner3_best_above_0_0 <= slice3winner2_best_above_0_1;
+        slice3winner3_best_below_0(0) <= slice3winner3_best_below_0_choice(0);
+        slice3winner3_best_above_0(0) <= slice3winner2_best_above_0(1);
       else
         slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0;
-        slice3winner3_best_below_0_0 <= slice3winner2_best_below_0_0;
-        slice3winner3_best_above_0_0 <= slice3winner3_best_above_0_0_choice;
+        slice3winner3_best_below_0(0) <= slice3winner2_best_below_0(0);
+        slice3winner3_best_above_0(0) <= slice3winner3_best_above_0_choice(0);
       end if;
-      if slice3winner3_best_index_0_1_is_not_less then
+      if slice3winner3_best_index_0_is_not_less(1) then
         slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3;
-        slice3winner3_best_below_0_1 <= slice3winner3_best_below_0_1_choice;
-        slice3winner3_best_above_0_1 <= slice3winner2_best_above_0_3;
+        slice3winner3_best_below_0(1) <= slice3winner3_best_below_0_choice(1);
+        slice3winner3_best_above_0(1) <= slice3winner2_best_above_0(3);
       else
         slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2;
-        slice3winner3_best_below_0_1 <= slice3winner2_best_below_0_2;
-        slice3winner3_best_above_0_1 <= slice3winner3_best_above_0_1_choice;
+        slice3winner3_best_below_0(1) <= slice3winner2_best_below_0(2);
+        slice3winner3_best_above_0(1) <= slice3winner3_best_above_0_choice(1);
       end if;
-      if (slice3winner3_best_second_0_0_choice_2 - slice3winner3_best_second_0_0_choice_4) < 0 then
-        slice3winner3_best_second_0_0 <= slice3winner3_best_second_0_0_choice_2;
+      for i in 0 to 1 loop
+        if (slice3winner3_best_second_0_choices(i, 2) - slice3winner3_best_second_0_choices(i, 4)) < 0 then
+          slice3winner3_best_second_0(i) <= slice3winner3_best_second_0_choices(i, 2);
+        else
+          slice3winner3_best_second_0(i) <= slice3winner3_best_second_0_choices(i, 4);
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        if (slice3winner2_best_late_cost_0(2 * i + 1) - slice3winner2_best_but_first_0(2 * i)) < 0 then
+          slice3winner3_best_but_first_0(i) <= slice3winner2_best_late_cost_0(2 * i + 1);
+        else
+          slice3winner3_best_but_first_0(i) <= slice3winner2_best_but_first_0(2 * i);
+        end if;
+      end loop;
+      if (slice3winner2_best_but_last_0(1) - slice3winner2_best_late_cost_0(0)) < 0 then
+        slice3winner3_best_but_last_0_0 <= slice3winner2_best_but_last_0(1);
       else
-        slice3winner3_best_second_0_0 <= slice3winner3_best_second_0_0_choice_4;
-      end if;
-      if (slice3winner3_best_second_0_1_choice_2 - slice3winner3_best_second_0_1_choice_4) < 0 then
-        slice3winner3_best_second_0_1 <= slice3winner3_best_second_0_1_choice_2;
-      else
-        slice3winner3_best_second_0_1 <= slice3winner3_best_second_0_1_choice_4;
-      end if;
-      if (slice3winner2_best_late_cost_0_1 - slice3winner2_best_but_first_0_0) < 0 then
-        slice3winner3_best_but_first_0_0 <= slice3winner2_best_late_cost_0_1;
-      else
-        slice3winner3_best_but_first_0_0 <= slice3winner2_best_but_first_0_0;
-      end if;
-      if (slice3winner2_best_late_cost_0_3 - slice3winner2_best_but_first_0_2) < 0 then
-        slice3winner3_best_but_first_0_1 <= slice3winner2_best_late_cost_0_3;
-      else
-        slice3winner3_best_but_first_0_1 <= slice3winner2_best_but_first_0_2;
-      end if;
-      if (slice3winner2_best_but_last_0_1 - slice3winner2_best_late_cost_0_0) < 0 then
-        slice3winner3_best_but_last_0_0 <= slice3winner2_best_but_last_0_1;
-      else
-        slice3winner3_best_but_last_0_0 <= slice3winner2_best_late_cost_0_0;
+        slice3winner3_best_but_last_0_0 <= slice3winner2_best_late_cost_0(0);
       end if;
       -- slice3winner4
-      slice3winner4_best_index_0_0_is_less := (slice3winner3_best_cost_0_0 - slice3winner3_best_cost_0_1) < 0;
+      slice3winner4_best_index_0_0_is_less := (slice3winner3_best_cost_0(0) - slice3winner3_best_cost_0(1)) < 0;
       slice3winner4_best_below_0_0_is_equal := slice3winner3_best_index_0_1 = 8;
       if slice3winner4_best_below_0_0_is_equal then
         slice3winner4_best_below_0_0_choice := slice3winner3_best_last_0_0;
       else
-        slice3winner4_best_below_0_0_choice := slice3winner3_best_below_0_1;
+        slice3winner4_best_below_0_0_choice := slice3winner3_best_below_0(1);
       end if;
       slice3winner4_best_above_0_0_is_equal := slice3winner3_best_index_0_0 = 7;
       if slice3winner4_best_above_0_0_is_equal then
-        slice3winner4_best_above_0_0_choice := slice3winner3_best_first_0_1;
+        slice3winner4_best_above_0_0_choice := slice3winner3_best_first_0(1);
       else
-        slice3winner4_best_above_0_0_choice := slice3winner3_best_above_0_0;
+        slice3winner4_best_above_0_0_choice := slice3winner3_best_above_0(0);
       end if;
-      slice3winner4_best_place_0_0_is_not_less := (slice3winner3_best_cost_0_0 - slice3winner3_best_cost_0_1) >= 0;
+      slice3winner4_best_place_0_0_is_not_less := (slice3winner3_best_cost_0(0) - slice3winner3_best_cost_0(1)) >= 0;
       if slice3winner4_best_place_0_0 then
-        slice3winner4_best_second_0_0_choice := slice3winner3_best_second_0_1;
+        slice3winner4_best_second_0_0_choice := slice3winner3_best_second_0(1);
       else
-        slice3winner4_best_second_0_0_choice := slice3winner3_best_late_cost_0_1;
+        slice3winner4_best_second_0_0_choice := slice3winner3_best_late_cost_0(1);
       end if;
       if slice3winner4_best_at_end_0_0 then
-        slice3winner4_best_second_0_0_choice_2 := slice3winner3_best_but_first_0_1;
+        slice3winner4_best_second_0_0_choices(2) := slice3winner3_best_but_first_0(1);
       else
-        slice3winner4_best_second_0_0_choice_2 := slice3winner4_best_second_0_0_choice;
+        slice3winner4_best_second_0_0_choices(2) := slice3winner4_best_second_0_0_choice;
       end if;
       if slice3winner4_best_place_0_0 then
-        slice3winner4_best_second_0_0_choice_3 := slice3winner3_best_late_cost_0_0;
+        slice3winner4_best_second_0_0_choices(3) := slice3winner3_best_late_cost_0(0);
       else
-        slice3winner4_best_second_0_0_choice_3 := slice3winner3_best_second_0_0;
+        slice3winner4_best_second_0_0_choices(3) := slice3winner3_best_second_0(0);
       end if;
       if slice3winner4_best_at_start_0_0 then
-        slice3winner4_best_second_0_0_choice_4 := slice3winner3_best_but_last_0_0;
+        slice3winner4_best_second_0_0_choices(4) := slice3winner3_best_but_last_0_0;
       else
-        slice3winner4_best_second_0_0_choice_4 := slice3winner4_best_second_0_0_choice_3;
+        slice3winner4_best_second_0_0_choices(4) := slice3winner4_best_second_0_0_choices(3);
       end if;
-      slice3winner4_best_first_0_0 <= slice3winner3_best_first_0_0;
+      slice3winner4_best_first_0_0 <= slice3winner3_best_first_0(0);
       slice3winner4_best_place_0_0 <= slice3winner4_best_place_0_0_is_not_less;
       slice3winner4_best_at_start_0_0 <= slice3winner4_best_below_0_0_is_equal and
         slice3winner4_best_place_0_0_is_not_less;
       slice3winner4_best_at_end_0_0 <= slice3winner4_best_index_0_0_is_less and slice3winner4_best_above_0_0_is_equal;
       slice3winner4_best_late_cost_0_0 <= slice3winner4_best_cost_0_0;
-      if (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0 then
-        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1;
+      if (slice3winner3_best_cost_0(1) - slice3winner3_best_cost_0(0)) < 0 then
+        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0(1);
       else
-        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_0;
+        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0(0);
       end if;
       if slice3winner4_best_index_0_0_is_less then
         slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0;
-        slice3winner4_best_below_0_0 <= slice3winner3_best_below_0_0;
+        slice3winner4_best_below_0_0 <= slice3winner3_best_below_0(0);
         slice3winner4_best_above_0_0 <= slice3winner4_best_above_0_0_choice;
       else
         slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1;
         slice3winner4_best_below_0_0 <= slice3winner4_best_below_0_0_choice;
-        slice3winner4_best_above_0_0 <= slice3winner3_best_above_0_1;
+        slice3winner4_best_above_0_0 <= slice3winner3_best_above_0(1);
       end if;
-      if (slice3winner4_best_second_0_0_choice_2 - slice3winner4_best_second_0_0_choice_4) < 0 then
-        slice3winner4_best_second_0_0 <= slice3winner4_best_second_0_0_choice_2;
+      if (slice3winner4_best_second_0_0_choices(2) - slice3winner4_best_second_0_0_choices(4)) < 0 then
+        slice3winner4_best_second_0_0 <= slice3winner4_best_second_0_0_choices(2);
       else
-        slice3winner4_best_second_0_0 <= slice3winner4_best_second_0_0_choice_4;
+        slice3winner4_best_second_0_0 <= slice3winner4_best_second_0_0_choices(4);
       end if;
-      if (slice3winner3_best_late_cost_0_1 - slice3winner3_best_but_first_0_0) < 0 then
-        slice3winner4_best_but_first_0_0 <= slice3winner3_best_late_cost_0_1;
+      if (slice3winner3_best_late_cost_0(1) - slice3winner3_best_but_first_0(0)) < 0 then
+        slice3winner4_best_but_first_0_0 <= slice3winner3_best_late_cost_0(1);
       else
-        slice3winner4_best_but_first_0_0 <= slice3winner3_best_but_first_0_0;
+        slice3winner4_best_but_first_0_0 <= slice3winner3_best_but_first_0(0);
       end if;
       -- slice3
       slice3_best_index_0_0_is_less := (slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) < 0;
@@ -7526,19 +4515,19 @@ begin
         slice3_best_second_0_0_choice := slice3winner4_best_late_cost_0_0;
       end if;
       if slice3_best_at_end_0_0 then
-        slice3_best_second_0_0_choice_2 := slice3winner4_best_but_first_0_0;
+        slice3_best_second_0_0_choices(2) := slice3winner4_best_but_first_0_0;
       else
-        slice3_best_second_0_0_choice_2 := slice3_best_second_0_0_choice;
+        slice3_best_second_0_0_choices(2) := slice3_best_second_0_0_choice;
       end if;
       if slice3_best_place_0_0 then
-        slice3_best_second_0_0_choice_3 := slice2_best_late_cost_0_0;
+        slice3_best_second_0_0_choices(3) := slice2_best_late_cost_0_0;
       else
-        slice3_best_second_0_0_choice_3 := slice2_best_second_0_0;
+        slice3_best_second_0_0_choices(3) := slice2_best_second_0_0;
       end if;
       if slice3_best_at_start_0_0 then
-        slice3_best_second_0_0_choice_4 := slice2_best_but_last_0_0;
+        slice3_best_second_0_0_choices(4) := slice2_best_but_last_0_0;
       else
-        slice3_best_second_0_0_choice_4 := slice3_best_second_0_0_choice_3;
+        slice3_best_second_0_0_choices(4) := slice3_best_second_0_0_choices(3);
       end if;
       slice3_best_place_0_0 <= slice3_best_place_0_0_is_not_less;
       slice3_best_at_start_0_0 <= slice3_best_below_0_0_is_equal and slice3_best_place_0_0_is_not_less;
@@ -7562,30 +4551,23 @@ begin
         slice3_best_below_0_0 <= slice3_best_below_0_0_choice;
         slice3_best_above_0_0 <= slice3winner4_best_above_0_0;
       end if;
-      if (slice3_best_second_0_0_choice_2 - slice3_best_second_0_0_choice_4) < 0 then
-        slice3_best_second_0_0 <= slice3_best_second_0_0_choice_2;
+      if (slice3_best_second_0_0_choices(2) - slice3_best_second_0_0_choices(4)) < 0 then
+        slice3_best_second_0_0 <= slice3_best_second_0_0_choices(2);
       else
-        slice3_best_second_0_0 <= slice3_best_second_0_0_choice_4;
+        slice3_best_second_0_0 <= slice3_best_second_0_0_choices(4);
       end if;
       -- texture
-      texture_passes_0_0 <= 9 < texturewindow_sum_0_0;
-      texture_passes_1_0 <= texture_passes_0_0;
-      texture_passes_2_0 <= texture_passes_1_0;
-      texture_passes_3_0 <= texture_passes_2_0;
-      texture_passes_4_0 <= texture_passes_3_0;
-      texture_passes_5_0 <= texture_passes_4_0;
-      texture_passes_6_0 <= texture_passes_5_0;
-      texture_passes_7_0 <= texture_passes_6_0;
-      if rows_inside_0 then
-        texture_taps_search_0_0 <= 31;
-      else
-        texture_taps_search_0_0 <= 0;
-      end if;
-      if rows_inside_1 then
-        texture_taps_search_1_0 <= 31;
-      else
-        texture_taps_search_1_0 <= 0;
-      end if;
+      texture_passes_0(0) <= 9 < texturewindow_sum_0_0;
+      for i in 1 to 7 loop
+        texture_passes_0(i) <= texture_passes_0(i - 1);
+      end loop;
+      for i in 0 to 1 loop
+        if rows_inside(i) then
+          texture_taps_search_0(i) <= 31;
+        else
+          texture_taps_search_0(i) <= 0;
+        end if;
+      end loop;
       -- texturecost
       if slice0cost_ready_tag_first_group then
         texturecost_column_0_0_choice := 0;
@@ -7597,13 +4579,13 @@ begin
       else
         texturecost_column_0_0_choice_2 := (texturecost_column_0_0_choice + texturecost_change_0_0) mod 1024;
       end if;
-      texturecost_pixels_first_0_0 <= texture_taps_search_0_0 - slice0shift_reference_0;
-      texturecost_pixels_first_1_0 <= texture_taps_search_1_0 - slice0shift_reference_1;
-      texturecost_pixels_cost_0_0 <= folded(texturecost_pixels_first_0_0) + as_number((texturecost_pixels_first_0_0 <
-        0));
-      texturecost_pixels_cost_1_0 <= folded(texturecost_pixels_first_1_0) + as_number((texturecost_pixels_first_1_0 <
-        0));
-      texturecost_change_0_0 <= texturecost_pixels_cost_1_0 - texturecost_pixels_cost_0_0;
+      texturecost_pixels_first_0(0) <= texture_taps_search_0(0) - slice0shift_reference(0);
+      texturecost_pixels_first_0(1) <= texture_taps_search_0(1) - slice0shift_reference(1);
+      texturecost_pixels_cost_0(0) <= folded(texturecost_pixels_first_0(0)) + as_number((texturecost_pixels_first_0(0)
+        < 0));
+      texturecost_pixels_cost_0(1) <= folded(texturecost_pixels_first_0(1)) + as_number((texturecost_pixels_first_0(1)
+        < 0));
+      texturecost_change_0_0 <= texturecost_pixels_cost_0(1) - texturecost_pixels_cost_0(0);
       texturecost_ready_words_0 <= to_integer(texturecost_read_words_0);
       texturecost_column_0_0 <= texturecost_column_0_0_choice_2;
       if slice0cost_ready_tag_valid then
@@ -7626,13 +4608,11 @@ begin
         texturewindow_sum_0_0 <= (texturewindow_sum_0_0_choice + texturewindow_change_0_0) mod 16384;
       end if;
       -- refinement
-      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 32768) - refinement_divisor_0_0;
-      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 32768) - refinement_divisor_1_0;
-      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 32768) - refinement_divisor_2_0;
-      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 32768) - refinement_divisor_3_0;
-      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 32768) - refinement_divisor_4_0;
-      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 32768) - refinement_divisor_5_0;
-      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 32768) - refinement_divisor_6_0;
+      refinement_remainder_1_0_difference := (refinement_remainder_0(0) + 32768) - refinement_divisor_0(0);
+      for i in 2 to 7 loop
+        refinement_remainder_0_difference(i) := ((refinement_remainder_0(i - 1) * 2) + 32768) - refinement_divisor_0(i
+          - 1);
+      end loop;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
       if refinement_divisor_0_0_is_less then
         refinement_divisor_0_0_choice := refinement_v_0;
@@ -7641,89 +4621,38 @@ begin
       end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      if refinement_negative_8_0 then
+      if refinement_negative_0(8) then
         refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
       else
         refinement_fraction_0_choice := refinement_fraction_0_value;
       end if;
-      if refinement_negative_8_0 then
+      if refinement_negative_0(8) then
         refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
       else
         refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
       end if;
-      refinement_disparity_0_0 <= slice3_best_index_0_0;
-      refinement_disparity_1_0 <= refinement_disparity_0_0;
-      refinement_disparity_2_0 <= refinement_disparity_1_0;
-      refinement_disparity_3_0 <= refinement_disparity_2_0;
-      refinement_disparity_4_0 <= refinement_disparity_3_0;
-      refinement_disparity_5_0 <= refinement_disparity_4_0;
-      refinement_disparity_6_0 <= refinement_disparity_5_0;
-      refinement_disparity_7_0 <= refinement_disparity_6_0;
-      refinement_disparity_8_0 <= refinement_disparity_7_0;
-      refinement_disparity_9_0 <= refinement_disparity_8_0;
-      refinement_disparity_10_0 <= refinement_disparity_9_0;
-      refinement_disparity_11_0 <= refinement_disparity_10_0;
-      refinement_passed_0_0 <= texture_passes_7_0;
-      refinement_passed_1_0 <= refinement_passed_0_0;
-      refinement_passed_2_0 <= refinement_passed_1_0;
-      refinement_passed_4_0 <= refinement_passed_3_0;
-      refinement_passed_5_0 <= refinement_passed_4_0;
-      refinement_passed_6_0 <= refinement_passed_5_0;
-      refinement_passed_7_0 <= refinement_passed_6_0;
-      refinement_passed_8_0 <= refinement_passed_7_0;
-      refinement_passed_9_0 <= refinement_passed_8_0;
-      refinement_passed_10_0 <= refinement_passed_9_0;
-      refinement_passed_11_0 <= refinement_passed_10_0;
-      refinement_tag_0_valid <= slice3_best_tag_valid;
-      refinement_tag_0_output_column <= slice3_best_tag_output_column;
-      refinement_tag_0_start_of_frame <= slice3_best_tag_start_of_frame;
-      refinement_tag_0_end_of_line <= slice3_best_tag_end_of_line;
-      refinement_tag_1_valid <= refinement_tag_0_valid;
-      refinement_tag_1_output_column <= refinement_tag_0_output_column;
-      refinement_tag_1_start_of_frame <= refinement_tag_0_start_of_frame;
-      refinement_tag_1_end_of_line <= refinement_tag_0_end_of_line;
-      refinement_tag_2_valid <= refinement_tag_1_valid;
-      refinement_tag_2_output_column <= refinement_tag_1_output_column;
-      refinement_tag_2_start_of_frame <= refinement_tag_1_start_of_frame;
-      refinement_tag_2_end_of_line <= refinement_tag_1_end_of_line;
-      refinement_tag_3_valid <= refinement_tag_2_valid;
-      refinement_tag_3_output_column <= refinement_tag_2_output_column;
-      refinement_tag_3_start_of_frame <= refinement_tag_2_start_of_frame;
-      refinement_tag_3_end_of_line <= refinement_tag_2_end_of_line;
-      refinement_tag_4_valid <= refinement_tag_3_valid;
-      refinement_tag_4_output_column <= refinement_tag_3_output_column;
-      refinement_tag_4_start_of_frame <= refinement_tag_3_start_of_frame;
-      refinement_tag_4_end_of_line <= refinement_tag_3_end_of_line;
-      refinement_tag_5_valid <= refinement_tag_4_valid;
-      refinement_tag_5_output_column <= refinement_tag_4_output_column;
-      refinement_tag_5_start_of_frame <= refinement_tag_4_start_of_frame;
-      refinement_tag_5_end_of_line <= refinement_tag_4_end_of_line;
-      refinement_tag_6_valid <= refinement_tag_5_valid;
-      refinement_tag_6_output_column <= refinement_tag_5_output_column;
-      refinement_tag_6_start_of_frame <= refinement_tag_5_start_of_frame;
-      refinement_tag_6_end_of_line <= refinement_tag_5_end_of_line;
-      refinement_tag_7_valid <= refinement_tag_6_valid;
-      refinement_tag_7_output_column <= refinement_tag_6_output_column;
-      refinement_tag_7_start_of_frame <= refinement_tag_6_start_of_frame;
-      refinement_tag_7_end_of_line <= refinement_tag_6_end_of_line;
-      refinement_tag_8_valid <= refinement_tag_7_valid;
-      refinement_tag_8_output_column <= refinement_tag_7_output_column;
-      refinement_tag_8_start_of_frame <= refinement_tag_7_start_of_frame;
-      refinement_tag_8_end_of_line <= refinement_tag_7_end_of_line;
-      refinement_tag_9_valid <= refinement_tag_8_valid;
-      refinement_tag_9_output_column <= refinement_tag_8_output_column;
-      refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
-      refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
-      refinement_tag_10_valid <= refinement_tag_9_valid;
-      refinement_tag_10_output_column <= refinement_tag_9_output_column;
-      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
-      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
-      refinement_tag_11_valid <= refinement_tag_10_valid;
-      refinement_tag_11_output_column <= refinement_tag_10_output_column;
-      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
-      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
-      refinement_alone_0_0 <= slice3_best_second_0_0 = 16383;
-      refinement_alone_1_0 <= refinement_alone_0_0;
+      refinement_disparity_0(0) <= slice3_best_index_0_0;
+      for i in 1 to 11 loop
+        refinement_disparity_0(i) <= refinement_disparity_0(i - 1);
+      end loop;
+      refinement_passed_0(0) <= texture_passes_0(7);
+      refinement_passed_0(1) <= refinement_passed_0(0);
+      refinement_passed_0(2) <= refinement_passed_0(1);
+      for i in 4 to 11 loop
+        refinement_passed_0(i) <= refinement_passed_0(i - 1);
+      end loop;
+      refinement_tag_valid(0) <= slice3_best_tag_valid;
+      refinement_tag_output_column(0) <= slice3_best_tag_output_column;
+      refinement_tag_start_of_frame(0) <= slice3_best_tag_start_of_frame;
+      refinement_tag_end_of_line(0) <= slice3_best_tag_end_of_line;
+      for i in 1 to 11 loop
+        refinement_tag_valid(i) <= refinement_tag_valid(i - 1);
+        refinement_tag_output_column(i) <= refinement_tag_output_column(i - 1);
+        refinement_tag_start_of_frame(i) <= refinement_tag_start_of_frame(i - 1);
+        refinement_tag_end_of_line(i) <= refinement_tag_end_of_line(i - 1);
+      end loop;
+      refinement_alone_0(0) <= slice3_best_second_0_0 = 16383;
+      refinement_alone_0(1) <= refinement_alone_0(0);
       refinement_gap_0 <= (slice3_best_second_0_0 - slice3_best_late_cost_0_0) mod 16384;
       refinement_lowest_0 <= slice3_best_late_cost_0_0;
       refinement_scaled_gap_0 <= (((refinement_gap_0 + (refinement_gap_0 / 4)) * 4) + (refinement_gap_0 mod 4)) * 4;
@@ -7731,32 +4660,23 @@ begin
       refinement_u_0 <= (refinement_below_0 - slice3_best_late_cost_0_0) mod 16384;
       refinement_v_0 <= (refinement_above_0 - slice3_best_late_cost_0_0) mod 16384;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
-      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 14)) or
+      refinement_remainder_0(0) <= magnitude(refinement_difference_0);
+      refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 14)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 14))));
-      refinement_divisor_1_0 <= refinement_divisor_0_0;
-      refinement_divisor_2_0 <= refinement_divisor_1_0;
-      refinement_divisor_3_0 <= refinement_divisor_2_0;
-      refinement_divisor_4_0 <= refinement_divisor_3_0;
-      refinement_divisor_5_0 <= refinement_divisor_4_0;
-      refinement_divisor_6_0 <= refinement_divisor_5_0;
-      refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_8_0 <= ((((32768 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 16384) +
+      for i in 1 to 7 loop
+        refinement_divisor_0(i) <= refinement_divisor_0(i - 1);
+      end loop;
+      refinement_quotient_8_0 <= ((((32768 - refinement_divisor_0(7)) / 2) + refinement_remainder_0(7)) / 16384) +
         ((other_6 / 2) * 2);
-      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
-      refinement_negative_1_0 <= refinement_negative_0_0;
-      refinement_negative_2_0 <= refinement_negative_1_0;
-      refinement_negative_3_0 <= refinement_negative_2_0;
-      refinement_negative_4_0 <= refinement_negative_3_0;
-      refinement_negative_5_0 <= refinement_negative_4_0;
-      refinement_negative_6_0 <= refinement_negative_5_0;
-      refinement_negative_7_0 <= refinement_negative_6_0;
-      refinement_negative_8_0 <= refinement_negative_7_0;
+      refinement_negative_0(0) <= refinement_divisor_0_0_is_less;
+      for i in 1 to 8 loop
+        refinement_negative_0(i) <= refinement_negative_0(i - 1);
+      end loop;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
-      if refinement_alone_1_0 then
-        refinement_passed_3_0 <= refinement_passed_2_0;
+      if refinement_alone_0(1) then
+        refinement_passed_0(3) <= refinement_passed_0(2);
       else
-        refinement_passed_3_0 <= refinement_passed_2_0 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+        refinement_passed_0(3) <= refinement_passed_0(2) and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
       end if;
       if slice3_best_index_0_0 = 0 then
         refinement_below_0 <= slice3_best_above_0_0;
@@ -7768,74 +4688,51 @@ begin
       else
         refinement_above_0 <= slice3_best_above_0_0;
       end if;
-      if (refinement_remainder_1_0_difference / 32768) = 1 then
-        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 16384;
+      if is_set(refinement_remainder_1_0_difference, 15) then
+        refinement_remainder_0(1) <= refinement_remainder_1_0_difference mod 16384;
       else
-        refinement_remainder_1_0 <= refinement_remainder_0_0;
+        refinement_remainder_0(1) <= refinement_remainder_0(0);
       end if;
-      if (refinement_remainder_2_0_difference / 32768) = 1 then
-        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 16384;
-      else
-        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 8192) * 2;
-      end if;
-      if (refinement_remainder_3_0_difference / 32768) = 1 then
-        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 16384;
-      else
-        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 8192) * 2;
-      end if;
-      if (refinement_remainder_4_0_difference / 32768) = 1 then
-        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 16384;
-      else
-        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 8192) * 2;
-      end if;
-      if (refinement_remainder_5_0_difference / 32768) = 1 then
-        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 16384;
-      else
-        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 8192) * 2;
-      end if;
-      if (refinement_remainder_6_0_difference / 32768) = 1 then
-        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 16384;
-      else
-        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 8192) * 2;
-      end if;
-      if (refinement_remainder_7_0_difference / 32768) = 1 then
-        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 16384;
-      else
-        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 8192) * 2;
-      end if;
+      for i in 2 to 7 loop
+        if is_set(refinement_remainder_0_difference(i), 15) then
+          refinement_remainder_0(i) <= refinement_remainder_0_difference(i) mod 16384;
+        else
+          refinement_remainder_0(i) <= (refinement_remainder_0(i - 1) mod 8192) * 2;
+        end if;
+      end loop;
       -- map
-      map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
+      map_out_disparity_0 <= (((((refinement_disparity_0(11) + (refinement_fraction_0 / 16)) * 2) +
         ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);
-      map_out_passed_0 <= refinement_passed_11_0;
-      map_out_valid <= refinement_tag_11_valid and refinement_tag_11_output_column;
-      map_out_start_of_frame <= refinement_tag_11_start_of_frame and refinement_tag_11_valid and
-        refinement_tag_11_output_column;
-      map_out_end_of_line <= refinement_tag_11_end_of_line and refinement_tag_11_valid and
-        refinement_tag_11_output_column;
+      map_out_passed_0 <= refinement_passed_0(11);
+      map_out_valid <= refinement_tag_valid(11) and refinement_tag_output_column(11);
+      map_out_start_of_frame <= refinement_tag_start_of_frame(11) and refinement_tag_valid(11) and
+        refinement_tag_output_column(11);
+      map_out_end_of_line <= refinement_tag_end_of_line(11) and refinement_tag_valid(11) and
+        refinement_tag_output_column(11);
       -- other
-      other_0 <= slice3winner1_best_index_0_1_is_less;
-      other_1 <= slice3winner1_best_index_0_3_is_less;
-      other_2 <= slice3winner1_best_index_0_5_is_less;
-      other_3 <= slice3winner1_best_index_0_7_is_less;
-      other_4 <= slice2winner1_best_index_0_1_is_less;
-      other_5 <= slice2winner1_best_index_0_3_is_less;
-      other_6 <= ((refinement_remainder_7_0_difference / 32768) * 2) + ((other_7 / 4) * 4);
-      other_7 <= ((refinement_remainder_6_0_difference / 32768) * 4) + ((other_8 / 8) * 8);
-      other_8 <= ((refinement_remainder_5_0_difference / 32768) * 8) + ((other_9 / 16) * 16);
-      other_9 <= ((refinement_remainder_4_0_difference / 32768) * 16) + ((other_10 / 32) * 32);
-      other_10 <= ((refinement_remainder_3_0_difference / 32768) * 32) + ((other_11 / 64) * 64);
-      other_11 <= ((refinement_remainder_2_0_difference / 32768) * 64) + ((other_12 / 128) * 128);
+      other(0) <= slice3winner1_best_index_0_is_less(1);
+      other(1) <= slice3winner1_best_index_0_is_less(3);
+      other(2) <= slice3winner1_best_index_0_is_less(5);
+      other(3) <= slice3winner1_best_index_0_is_less(7);
+      other(4) <= slice2winner1_best_index_0_is_less(1);
+      other(5) <= slice2winner1_best_index_0_is_less(3);
+      other_6 <= ((refinement_remainder_0_difference(7) / 32768) * 2) + ((other_7 / 4) * 4);
+      other_7 <= ((refinement_remainder_0_difference(6) / 32768) * 4) + ((other_8 / 8) * 8);
+      other_8 <= ((refinement_remainder_0_difference(5) / 32768) * 8) + ((other_9 / 16) * 16);
+      other_9 <= ((refinement_remainder_0_difference(4) / 32768) * 16) + ((other_10 / 32) * 32);
+      other_10 <= ((refinement_remainder_0_difference(3) / 32768) * 32) + ((other_11 / 64) * 64);
+      other_11 <= ((refinement_remainder_0_difference(2) / 32768) * 64) + ((other_12 / 128) * 128);
       other_12 <= (refinement_remainder_1_0_difference / 32768) * 128;
-      other_13 <= slice2winner1_best_index_0_5_is_less;
-      other_14 <= slice2winner1_best_index_0_7_is_less;
-      other_15 <= slice1winner1_best_index_0_1_is_less;
-      other_16 <= slice1winner1_best_index_0_3_is_less;
-      other_17 <= slice1winner1_best_index_0_5_is_less;
-      other_18 <= slice1winner1_best_index_0_7_is_less;
-      other_19 <= slice0winner1_best_index_0_1_is_less;
-      other_20 <= slice0winner1_best_index_0_3_is_less;
-      other_21 <= slice0winner1_best_index_0_5_is_less;
-      other_22 <= slice0winner1_best_index_0_7_is_less;
+      others_from_13(13) <= slice2winner1_best_index_0_is_less(5);
+      others_from_13(14) <= slice2winner1_best_index_0_is_less(7);
+      others_from_13(15) <= slice1winner1_best_index_0_is_less(1);
+      others_from_13(16) <= slice1winner1_best_index_0_is_less(3);
+      others_from_13(17) <= slice1winner1_best_index_0_is_less(5);
+      others_from_13(18) <= slice1winner1_best_index_0_is_less(7);
+      others_from_13(19) <= slice0winner1_best_index_0_is_less(1);
+      others_from_13(20) <= slice0winner1_best_index_0_is_less(3);
+      others_from_13(21) <= slice0winner1_best_index_0_is_less(5);
+      others_from_13(22) <= slice0winner1_best_index_0_is_less(7);
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -7850,12 +4747,10 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_0_start_of_frame <= false;
-        transform_filtering_0_valid <= false;
-        transform_filtering_1_start_of_frame <= false;
-        transform_filtering_1_valid <= false;
-        transform_filtering_2_start_of_frame <= false;
-        transform_filtering_2_valid <= false;
+        for i in 0 to 2 loop
+          transform_filtering_start_of_frame(i) <= false;
+          transform_filtering_valid(i) <= false;
+        end loop;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 382;
@@ -7922,8 +4817,8 @@ begin
         slice0window_change_tag_start_of_frame <= false;
         slice0window_change_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
-        slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_1 <= false;
+        slice0window_centre_start_of_frame(0) <= false;
+        slice0window_centre_start_of_frame(1) <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0winner1_tag_valid <= false;
@@ -7951,9 +4846,9 @@ begin
         slice1window_ring_write_address <= 0;
         slice1window_centre_output_column_0 <= false;
         slice1window_centre_start_of_frame_1 <= false;
-        slice1window_centre_start_of_frame_3 <= false;
-        slice1window_centre_start_of_frame_4 <= false;
-        slice1window_centre_start_of_frame_5 <= false;
+        slice1window_centre_start_of_frame(3) <= false;
+        slice1window_centre_start_of_frame(4) <= false;
+        slice1window_centre_start_of_frame(5) <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;
@@ -7978,72 +4873,24 @@ begin
         slice3cost_write_column <= 0;
         slice3window_ring_read_address <= 1;
         slice3window_ring_write_address <= 0;
-        slice3window_centre_output_column_0 <= false;
-        slice3window_centre_output_column_1 <= false;
-        slice3window_centre_output_column_2 <= false;
-        slice3window_centre_output_column_3 <= false;
-        slice3window_centre_output_column_4 <= false;
-        slice3window_centre_output_column_5 <= false;
+        for i in 0 to 5 loop
+          slice3window_centre_output_column(i) <= false;
+        end loop;
         slice3window_centre_start_of_frame_1 <= false;
         slice3window_centre_start_of_frame_5 <= false;
-        slice3window_centre_end_of_line_0 <= false;
-        slice3window_centre_end_of_line_1 <= false;
-        slice3window_centre_end_of_line_2 <= false;
-        slice3window_centre_end_of_line_3 <= false;
-        slice3window_centre_end_of_line_4 <= false;
-        slice3window_centre_end_of_line_5 <= false;
+        for i in 0 to 5 loop
+          slice3window_centre_end_of_line(i) <= false;
+        end loop;
         slice3_best_tag_valid <= false;
         slice3_best_tag_output_column <= false;
         slice3_best_tag_start_of_frame <= false;
         slice3_best_tag_end_of_line <= false;
-        refinement_tag_0_valid <= false;
-        refinement_tag_0_output_column <= false;
-        refinement_tag_0_start_of_frame <= false;
-        refinement_tag_0_end_of_line <= false;
-        refinement_tag_1_valid <= false;
-        refinement_tag_1_output_column <= false;
-        refinement_tag_1_start_of_frame <= false;
-        refinement_tag_1_end_of_line <= false;
-        refinement_tag_2_valid <= false;
-        refinement_tag_2_output_column <= false;
-        refinement_tag_2_start_of_frame <= false;
-        refinement_tag_2_end_of_line <= false;
-        refinement_tag_3_valid <= false;
-        refinement_tag_3_output_column <= false;
-        refinement_tag_3_start_of_frame <= false;
-        refinement_tag_3_end_of_line <= false;
-        refinement_tag_4_valid <= false;
-        refinement_tag_4_output_column <= false;
-        refinement_tag_4_start_of_frame <= false;
-        refinement_tag_4_end_of_line <= false;
-        refinement_tag_5_valid <= false;
-        refinement_tag_5_output_column <= false;
-        refinement_tag_5_start_of_frame <= false;
-        refinement_tag_5_end_of_line <= false;
-        refinement_tag_6_valid <= false;
-        refinement_tag_6_output_column <= false;
-        refinement_tag_6_start_of_frame <= false;
-        refinement_tag_6_end_of_line <= false;
-        refinement_tag_7_valid <= false;
-        refinement_tag_7_output_column <= false;
-        refinement_tag_7_start_of_frame <= false;
-        refinement_tag_7_end_of_line <= false;
-        refinement_tag_8_valid <= false;
-        refinement_tag_8_output_column <= false;
-        refinement_tag_8_start_of_frame <= false;
-        refinement_tag_8_end_of_line <= false;
-        refinement_tag_9_valid <= false;
-        refinement_tag_9_output_column <= false;
-        refinement_tag_9_start_of_frame <= false;
-        refinement_tag_9_end_of_line <= false;
-        refinement_tag_10_valid <= false;
-        refinement_tag_10_output_column <= false;
-        refinement_tag_10_start_of_frame <= false;
-        refinement_tag_10_end_of_line <= false;
-        refinement_tag_11_valid <= false;
-        refinement_tag_11_output_column <= false;
-        refinement_tag_11_start_of_frame <= false;
-        refinement_tag_11_end_of_line <= false;
+        for i in 0 to 11 loop
+          refinement_tag_valid(i) <= false;
+          refinement_tag_output_column(i) <= false;
+          refinement_tag_start_of_frame(i) <= false;
+          refinement_tag_end_of_line(i) <= false;
+        end loop;
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;

@@ -4,6 +4,7 @@
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+-- Where a comment behind a declaration has #, the C++ has the indices.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -86,10 +87,23 @@ architecture rtl of stereo_core_tiny is
     return '0';
   end function;
 
-  signal in_start_of_frame : boolean;
-  signal in_valid : boolean;
-  signal in_left_pixel : natural range 0 to 255;
-  signal in_right_pixel : natural range 0 to 255;
+  -- whether the bit of this place is 1
+  function is_set(value : natural; place : natural) return boolean is
+  begin
+    return (value / 2 ** place) mod 2 = 1;
+  end function;
+
+  type boolean_1d is array (natural range <>) of boolean;
+  type integer_minus_255_to_255_2d is array (natural range <>, natural range <>) of integer range -255 to 255;
+  type natural_1534_1d is array (natural range <>) of natural range 0 to 1534;
+  type natural_15_1d is array (natural range <>) of natural range 0 to 15;
+  type natural_2301_1d is array (natural range <>) of natural range 0 to 2301;
+  type natural_255_1d is array (natural range <>) of natural range 0 to 255;
+  type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
+  type natural_511_1d is array (natural range <>) of natural range 0 to 511;
+  type natural_767_1d is array (natural range <>) of natural range 0 to 767;
+  signal in_start_of_frame, in_valid : boolean;
+  signal in_left_pixel, in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
   signal raster_features_valid, raster_place_next_frame : boolean;
@@ -100,54 +114,54 @@ architecture rtl of stereo_core_tiny is
   signal delay_ahead_0 : natural range 0 to 255;
   signal delay_delayed_0 : unsigned(7 downto 0);
   signal delay_column : natural range 0 to 31;
-  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_border_column : boolean;
-  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_row_inside : boolean_1d(0 to 2);
+  signal delay_tag_valid, delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(15 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 255;
-  signal rows_search_1, rows_search_2, rows_reference_0, rows_reference_1, rows_reference_2 : natural range 0 to 255;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 255;
+  signal rows_search : natural_255_1d(0 to 2);
+  signal rows_reference : natural_255_1d(0 to 2);
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 65535;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 65535;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
-  signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2 : boolean;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 2);
   signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
   signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
   signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- slice0shift
-  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
-  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 255;
-  signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 255;
-  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
-  signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 255;
+  signal slice0shift_search : natural_255_2d(0 to 2, 0 to 2);
+  signal slice0shift_reference : natural_255_1d(0 to 2);
+  signal slice0shift_search_out : natural_255_1d(0 to 2);
   signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
   signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
-  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
-  signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
-  signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
+  signal slice0cost_difference : integer_minus_255_to_255_2d(0 to 2, 0 to 2);
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
-  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
-  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
-  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
-  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 511;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
+  signal slice0cost_difference_tag_end_of_line : boolean;
+  signal slice0cost_negative_0 : boolean_1d(0 to 2);
+  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_0 : natural_511_1d(0 to 2);
+  signal slice0cost_single_0 : natural_255_1d(0 to 2);
+  signal slice0cost_column_0 : natural_767_1d(0 to 2);
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice0window_partial_0_0 : natural_767_1d(0 to 2);
+  signal slice0window_partial_0_1 : natural_1534_1d(0 to 2);
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
   signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
+  signal slice0window_sum_0 : natural_2301_1d(0 to 2);
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_0 : natural_2301_1d(0 to 2);
+  signal slice0winner1_of_four_0 : natural_2301_1d(0 to 2);
   signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
   signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
   signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
@@ -162,27 +176,23 @@ architecture rtl of stereo_core_tiny is
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
-  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
-  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 255;
-  signal slice1shift_search_2_0, slice1shift_search_2_1, slice1shift_search_2_2 : natural range 0 to 255;
-  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 255;
-  signal slice1shift_search_out_0, slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 255;
+  signal slice1shift_search : natural_255_2d(0 to 2, 0 to 2);
+  signal slice1shift_reference : natural_255_1d(0 to 2);
+  signal slice1shift_search_out : natural_255_1d(0 to 2);
   -- slice1cost
-  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -255 to 255;
-  signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
-  signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
+  signal slice1cost_difference : integer_minus_255_to_255_2d(0 to 2, 0 to 2);
+  signal slice1cost_pair_0 : natural_511_1d(0 to 2);
+  signal slice1cost_negative_0 : boolean_1d(0 to 2);
   signal slice1cost_tag_border_column : boolean;
-  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
+  signal slice1cost_single_0 : natural_255_1d(0 to 2);
+  signal slice1cost_column_0 : natural_767_1d(0 to 2);
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 767;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1534;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
+  signal slice1window_partial_0_0 : natural_767_1d(0 to 2);
+  signal slice1window_partial_0_1 : natural_1534_1d(0 to 2);
+  signal slice1window_sum_0 : natural_2301_1d(0 to 2);
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 2301;
-  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_0 : natural_2301_1d(0 to 2);
+  signal slice1winner1_of_four_0 : natural_2301_1d(0 to 2);
   signal slice1winner1_pair_index_0_0 : boolean;
   signal slice1winner1_four_index_0_0, slice1winner1_best_index_0_0 : natural range 0 to 2;
   signal slice1winner1_best_cost_0_0 : natural range 0 to 4095;
@@ -192,20 +202,18 @@ architecture rtl of stereo_core_tiny is
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
   -- slice2shift
-  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 255;
-  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 255;
-  signal slice2shift_reference_0, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 255;
+  signal slice2shift_search : natural_255_2d(0 to 2, 0 to 1);
+  signal slice2shift_reference : natural_255_1d(0 to 2);
   -- slice2cost
-  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
-  signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
-  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
-  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 255;
-  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 767;
+  signal slice2cost_difference : integer_minus_255_to_255_2d(0 to 2, 0 to 1);
+  signal slice2cost_pair_0 : natural_511_1d(0 to 1);
+  signal slice2cost_negative_0 : boolean_1d(0 to 1);
+  signal slice2cost_single_0 : natural_255_1d(0 to 1);
+  signal slice2cost_column_0 : natural_767_1d(0 to 1);
   -- slice2window
-  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 767;
-  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 1534;
-  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 2301;
+  signal slice2window_partial_0_0 : natural_767_1d(0 to 1);
+  signal slice2window_partial_0_1 : natural_1534_1d(0 to 1);
+  signal slice2window_sum_0 : natural_2301_1d(0 to 1);
   -- slice2winner1
   signal slice2winner1_best_cost_0_0 : natural range 0 to 2301;
   signal slice2winner1_best_index_0_0 : boolean;
@@ -218,8 +226,7 @@ architecture rtl of stereo_core_tiny is
   -- slice2
   signal slice2_best_index_0_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
-  signal slice2_best_tag_end_of_line : boolean;
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal slice2_best_tag_end_of_line, rows_search_rows_read_words_0_memory_read_enable : boolean;
   signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
@@ -228,8 +235,7 @@ architecture rtl of stereo_core_tiny is
   signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address : unsigned(2 downto 0);
-  signal delay_delayed_0_memory_write_address : unsigned(2 downto 0);
+  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(2 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
 
 begin
@@ -277,41 +283,41 @@ begin
       write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable raster_place_group_is_equal : boolean;
+    variable raster_place_group_is_equals : boolean_1d(2 to 3);  -- raster_place_group_is_equal_#
+    variable raster_place_group_all, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
     variable raster_place_next_frame_choice_2, delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
     variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
     variable slice1winner1_of_pair_0_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
     variable slice1_best_cost_0_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
-    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
+    variable raster_place_group_choices : natural_15_1d(3 to 4);  -- raster_place_group_choice_#
   begin
     if rising_edge(clock) then
       -- raster
       raster_place_group_is_equal := raster_place_column = 31;
-      raster_place_group_is_equal_2 := raster_place_group = 11;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_is_equals(2) := raster_place_group = 11;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equals(2);
       if raster_place_group_all then
         raster_place_group_choice := 3;
       else
         raster_place_group_choice := 0;
       end if;
-      raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
-      if raster_place_group_is_equal_3 then
-        raster_place_group_choice_2 := raster_place_group_is_equal and in_valid and (not ((raster_place_group mod 2) =
-          1));
+      raster_place_group_is_equals(3) := (raster_place_group / 2) = 6;
+      if raster_place_group_is_equals(3) then
+        raster_place_group_choice_2 := raster_place_group_is_equal and in_valid and (not is_set(raster_place_group, 0));
       else
         raster_place_group_choice_2 := raster_place_group_is_equal and in_valid;
       end if;
       if raster_place_next_frame and (raster_place_group = 12) then
-        raster_place_group_choice_3 := 1;
+        raster_place_group_choices(3) := 1;
       else
-        raster_place_group_choice_3 := (raster_place_group + 1) mod 16;
+        raster_place_group_choices(3) := (raster_place_group + 1) mod 16;
       end if;
       if raster_place_group_choice_2 then
-        raster_place_group_choice_4 := raster_place_group_choice_3;
+        raster_place_group_choices(4) := raster_place_group_choices(3);
       else
-        raster_place_group_choice_4 := raster_place_group;
+        raster_place_group_choices(4) := raster_place_group;
       end if;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
@@ -319,14 +325,14 @@ begin
       if in_start_of_frame and in_valid then
         raster_place_group <= raster_place_group_choice * 4;
       else
-        raster_place_group <= raster_place_group_choice_4;
+        raster_place_group <= raster_place_group_choices(4);
       end if;
       if raster_place_group_is_equal then
-        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+        raster_place_next_frame_choice := raster_place_next_frame and is_set(raster_place_group, 0);
       else
         raster_place_next_frame_choice := raster_place_next_frame;
       end if;
-      if raster_place_group_is_equal_3 then
+      if raster_place_group_is_equals(3) then
         raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
       else
         raster_place_next_frame_choice_2 := raster_place_next_frame;
@@ -340,7 +346,7 @@ begin
         if raster_place_next_frame_choice_2 then
           raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
         else
-          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equals(2) and
             in_start_of_frame;
         end if;
       end if;
@@ -357,9 +363,9 @@ begin
       delay_row_inside_1_is_less := raster_place_group < 13;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
-      delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
+      delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
+      delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+      delay_row_inside(2) <= (not is_set(raster_place_group, 3)) or (not is_set(raster_place_group, 2));
       delay_tag_valid <= raster_features_valid;
       delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and (raster_place_column
         >= 7) and (raster_place_column < 31);
@@ -378,18 +384,18 @@ begin
       rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside_0 <= delay_row_inside_0;
-      rows_read_inside_1 <= delay_row_inside_1;
-      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_inside(0) <= delay_row_inside(0);
+      rows_read_inside(1) <= delay_row_inside(1);
+      rows_read_inside(2) <= delay_row_inside(2);
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_border_column <= delay_tag_border_column;
       rows_read_tag_output_column <= delay_tag_output_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= rows_read_inside_1;
-      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_inside(0) <= rows_read_inside(0);
+      rows_ready_inside(1) <= rows_read_inside(1);
+      rows_ready_inside(2) <= rows_read_inside(2);
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_border_column <= rows_read_tag_border_column;
       rows_ready_tag_output_column <= rows_read_tag_output_column;
@@ -400,26 +406,26 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside_0 then
-        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
-        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      if rows_ready_inside(0) then
+        rows_search(0) <= rows_search_rows_ready_words_0 mod 256;
+        rows_reference(0) <= rows_reference_rows_ready_words_0 mod 256;
       else
-        rows_search_0 <= 0;
-        rows_reference_0 <= 0;
+        rows_search(0) <= 0;
+        rows_reference(0) <= 0;
       end if;
-      if rows_ready_inside_1 then
-        rows_search_1 <= rows_search_rows_ready_words_0 / 256;
-        rows_reference_1 <= rows_reference_rows_ready_words_0 / 256;
+      if rows_ready_inside(1) then
+        rows_search(1) <= rows_search_rows_ready_words_0 / 256;
+        rows_reference(1) <= rows_reference_rows_ready_words_0 / 256;
       else
-        rows_search_1 <= 0;
-        rows_reference_1 <= 0;
+        rows_search(1) <= 0;
+        rows_reference(1) <= 0;
       end if;
-      if rows_ready_inside_2 then
-        rows_search_2 <= rows_search_rows_ready_newest_0;
-        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      if rows_ready_inside(2) then
+        rows_search(2) <= rows_search_rows_ready_newest_0;
+        rows_reference(2) <= rows_reference_rows_ready_newest_0;
       else
-        rows_search_2 <= 0;
-        rows_reference_2 <= 0;
+        rows_search(2) <= 0;
+        rows_reference(2) <= 0;
       end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_newest_0 * 256) + (rows_search_rows_ready_words_0 /
@@ -430,54 +436,45 @@ begin
       end if;
       -- slice0shift
       if rows_tag_valid then
-        slice0shift_search_0_0 <= slice0shift_search_0_1;
-        slice0shift_search_0_1 <= slice0shift_search_0_2;
-        slice0shift_search_0_2 <= rows_search_0;
-        slice0shift_search_1_0 <= slice0shift_search_1_1;
-        slice0shift_search_1_1 <= slice0shift_search_1_2;
-        slice0shift_search_1_2 <= rows_search_1;
-        slice0shift_search_2_0 <= slice0shift_search_2_1;
-        slice0shift_search_2_1 <= slice0shift_search_2_2;
-        slice0shift_search_2_2 <= rows_search_2;
+        for i in 0 to 2 loop
+          slice0shift_search(i, 0) <= slice0shift_search(i, 1);
+          slice0shift_search(i, 1) <= slice0shift_search(i, 2);
+          slice0shift_search(i, 2) <= rows_search(i);
+        end loop;
       end if;
-      slice0shift_reference_0 <= rows_reference_0;
-      slice0shift_reference_1 <= rows_reference_1;
-      slice0shift_reference_2 <= rows_reference_2;
-      slice0shift_search_out_0 <= slice0shift_search_0_0;
-      slice0shift_search_out_1 <= slice0shift_search_1_0;
-      slice0shift_search_out_2 <= slice0shift_search_2_0;
+      slice0shift_reference(0) <= rows_reference(0);
+      slice0shift_reference(1) <= rows_reference(1);
+      slice0shift_reference(2) <= rows_reference(2);
+      slice0shift_search_out(0) <= slice0shift_search(0, 0);
+      slice0shift_search_out(1) <= slice0shift_search(1, 0);
+      slice0shift_search_out(2) <= slice0shift_search(2, 0);
       slice0shift_tag_valid <= rows_tag_valid;
       slice0shift_tag_border_column <= rows_tag_border_column;
       slice0shift_tag_output_column <= rows_tag_output_column;
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
-      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
-      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
-      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
-      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
-      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
-      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
-      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
-      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
+      for i in 0 to 2 loop
+        slice0cost_difference(i, 0) <= slice0shift_search(i, 0) - slice0shift_reference(i);
+        slice0cost_difference(i, 1) <= slice0shift_search(i, 1) - slice0shift_reference(i);
+        slice0cost_difference(i, 2) <= slice0shift_search(i, 2) - slice0shift_reference(i);
+      end loop;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
-        as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
-        as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
-        as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
-      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
-      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
-      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      for i in 0 to 2 loop
+        slice0cost_pair_0(i) <= folded(slice0cost_difference(2, i)) + folded(slice0cost_difference(1, i)) +
+          as_number((slice0cost_difference(1, i) < 0));
+      end loop;
+      slice0cost_negative_0(0) <= slice0cost_difference(2, 0) < 0;
+      slice0cost_negative_0(1) <= slice0cost_difference(2, 1) < 0;
+      slice0cost_negative_0(2) <= slice0cost_difference(2, 2) < 0;
+      for i in 0 to 2 loop
+        slice0cost_single_0(i) <= (folded(slice0cost_difference(0, i)) + as_number((slice0cost_difference(0, i) < 0)))
+          mod 256;
+      end loop;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
@@ -489,38 +486,39 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       if slice0cost_pair_tag_border_column then
-        slice0cost_column_0_0 <= 0;
-        slice0cost_column_0_1 <= 0;
-        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0(0) <= 0;
+        slice0cost_column_0(1) <= 0;
+        slice0cost_column_0(2) <= 0;
       else
-        slice0cost_column_0_0 <= as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0;
-        slice0cost_column_0_1 <= as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1;
-        slice0cost_column_0_2 <= as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2;
+        for i in 0 to 2 loop
+          slice0cost_column_0(i) <= as_number(slice0cost_negative_0(i)) + slice0cost_pair_0(i) + slice0cost_single_0(i);
+        end loop;
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
-        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
-        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
-        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
-        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
-        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_partial_0_0(0) <= slice0cost_column_0(0);
+        slice0window_partial_0_0(1) <= slice0cost_column_0(1);
+        slice0window_partial_0_0(2) <= slice0cost_column_0(2);
+        slice0window_partial_0_1(0) <= slice0cost_column_0(0) + slice0window_partial_0_0(0);
+        slice0window_partial_0_1(1) <= slice0cost_column_0(1) + slice0window_partial_0_0(1);
+        slice0window_partial_0_1(2) <= slice0cost_column_0(2) + slice0window_partial_0_0(2);
       end if;
       slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
       slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
       slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
-      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
-      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
-      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_sum_0(0) <= slice0cost_column_0(0) + slice0window_partial_0_1(0);
+      slice0window_sum_0(1) <= slice0cost_column_0(1) + slice0window_partial_0_1(1);
+      slice0window_sum_0(2) <= slice0cost_column_0(2) + slice0window_partial_0_1(2);
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_output_column <= slice0window_centre_output_column_0;
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
-      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0(1) - slice0window_sum_0(0)) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0(2) -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0(0), 12)) or (to_unsigned(slice0winner1_of_pair_0(1), 12))))) <
+        0;
+      slice0winner1_of_pair_0(2) <= slice0window_sum_0(2);
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
       slice0winner1_pair_index_0_1 <= 2;
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
@@ -528,29 +526,29 @@ begin
       slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
       slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
       slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
-      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_2, 12)))) or (to_unsigned(slice0winner1_of_four_0_0, 12))));
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0(1), 12)) or
+        (to_unsigned(slice0winner1_of_four_0(2), 12)))) or (to_unsigned(slice0winner1_of_four_0(0), 12))));
       slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
       slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
       slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       if slice0winner1_of_pair_0_0_is_less then
-        slice0winner1_of_pair_0_0 <= 0;
-        slice0winner1_of_pair_0_1 <= slice0window_sum_0_1;
+        slice0winner1_of_pair_0(0) <= 0;
+        slice0winner1_of_pair_0(1) <= slice0window_sum_0(1);
       else
-        slice0winner1_of_pair_0_0 <= slice0window_sum_0_0;
-        slice0winner1_of_pair_0_1 <= 0;
+        slice0winner1_of_pair_0(0) <= slice0window_sum_0(0);
+        slice0winner1_of_pair_0(1) <= 0;
       end if;
       if slice0winner1_of_four_0_0_is_less then
-        slice0winner1_of_four_0_0 <= 0;
-        slice0winner1_of_four_0_1 <= 0;
-        slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2;
+        slice0winner1_of_four_0(0) <= 0;
+        slice0winner1_of_four_0(1) <= 0;
+        slice0winner1_of_four_0(2) <= slice0winner1_of_pair_0(2);
         slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
       else
-        slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0;
-        slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1;
-        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_of_four_0(0) <= slice0winner1_of_pair_0(0);
+        slice0winner1_of_four_0(1) <= slice0winner1_of_pair_0(1);
+        slice0winner1_of_four_0(2) <= 0;
         slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0);
       end if;
       if slice0winner1_pair_tag_valid then
@@ -567,91 +565,83 @@ begin
       slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
-        slice1shift_search_0_0 <= slice1shift_search_0_1;
-        slice1shift_search_0_1 <= slice1shift_search_0_2;
-        slice1shift_search_0_2 <= slice0shift_search_out_0;
-        slice1shift_search_1_0 <= slice1shift_search_1_1;
-        slice1shift_search_1_1 <= slice1shift_search_1_2;
-        slice1shift_search_1_2 <= slice0shift_search_out_1;
-        slice1shift_search_2_0 <= slice1shift_search_2_1;
-        slice1shift_search_2_1 <= slice1shift_search_2_2;
-        slice1shift_search_2_2 <= slice0shift_search_out_2;
+        for i in 0 to 2 loop
+          slice1shift_search(i, 0) <= slice1shift_search(i, 1);
+          slice1shift_search(i, 1) <= slice1shift_search(i, 2);
+          slice1shift_search(i, 2) <= slice0shift_search_out(i);
+        end loop;
       end if;
-      slice1shift_reference_0 <= slice0shift_reference_0;
-      slice1shift_reference_1 <= slice0shift_reference_1;
-      slice1shift_reference_2 <= slice0shift_reference_2;
-      slice1shift_search_out_0 <= slice1shift_search_0_0;
-      slice1shift_search_out_1 <= slice1shift_search_1_0;
-      slice1shift_search_out_2 <= slice1shift_search_2_0;
+      slice1shift_reference(0) <= slice0shift_reference(0);
+      slice1shift_reference(1) <= slice0shift_reference(1);
+      slice1shift_reference(2) <= slice0shift_reference(2);
+      slice1shift_search_out(0) <= slice1shift_search(0, 0);
+      slice1shift_search_out(1) <= slice1shift_search(1, 0);
+      slice1shift_search_out(2) <= slice1shift_search(2, 0);
       -- slice1cost
-      slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
-      slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
-      slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
-      slice1cost_difference_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
-      slice1cost_difference_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
-      slice1cost_difference_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
-      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
-      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
-      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
-      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
-        as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
-        as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
-        as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
-      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
-      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
-      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      for i in 0 to 2 loop
+        slice1cost_difference(i, 0) <= slice1shift_search(i, 0) - slice1shift_reference(i);
+        slice1cost_difference(i, 1) <= slice1shift_search(i, 1) - slice1shift_reference(i);
+        slice1cost_difference(i, 2) <= slice1shift_search(i, 2) - slice1shift_reference(i);
+      end loop;
+      for i in 0 to 2 loop
+        slice1cost_pair_0(i) <= folded(slice1cost_difference(2, i)) + folded(slice1cost_difference(1, i)) +
+          as_number((slice1cost_difference(1, i) < 0));
+      end loop;
+      slice1cost_negative_0(0) <= slice1cost_difference(2, 0) < 0;
+      slice1cost_negative_0(1) <= slice1cost_difference(2, 1) < 0;
+      slice1cost_negative_0(2) <= slice1cost_difference(2, 2) < 0;
+      for i in 0 to 2 loop
+        slice1cost_single_0(i) <= (folded(slice1cost_difference(0, i)) + as_number((slice1cost_difference(0, i) < 0)))
+          mod 256;
+      end loop;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       if slice0cost_tag_border_column then
-        slice1cost_column_0_0 <= 0;
-        slice1cost_column_0_1 <= 0;
-        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0(0) <= 0;
+        slice1cost_column_0(1) <= 0;
+        slice1cost_column_0(2) <= 0;
       else
-        slice1cost_column_0_0 <= as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0;
-        slice1cost_column_0_1 <= as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1;
-        slice1cost_column_0_2 <= as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2;
+        for i in 0 to 2 loop
+          slice1cost_column_0(i) <= as_number(slice1cost_negative_0(i)) + slice1cost_pair_0(i) + slice1cost_single_0(i);
+        end loop;
       end if;
       -- slice1window
       if slice0window_tag_valid then
-        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
-        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
-        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
-        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
-        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
-        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+        slice1window_partial_0_0(0) <= slice1cost_column_0(0);
+        slice1window_partial_0_0(1) <= slice1cost_column_0(1);
+        slice1window_partial_0_0(2) <= slice1cost_column_0(2);
+        slice1window_partial_0_1(0) <= slice1cost_column_0(0) + slice1window_partial_0_0(0);
+        slice1window_partial_0_1(1) <= slice1cost_column_0(1) + slice1window_partial_0_0(1);
+        slice1window_partial_0_1(2) <= slice1cost_column_0(2) + slice1window_partial_0_0(2);
       end if;
-      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
-      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
-      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
+      slice1window_sum_0(0) <= slice1cost_column_0(0) + slice1window_partial_0_1(0);
+      slice1window_sum_0(1) <= slice1cost_column_0(1) + slice1window_partial_0_1(1);
+      slice1window_sum_0(2) <= slice1cost_column_0(2) + slice1window_partial_0_1(2);
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
-      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0(1) - slice1window_sum_0(0)) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0(2) -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0(0), 12)) or (to_unsigned(slice1winner1_of_pair_0(1), 12))))) <
+        0;
+      slice1winner1_of_pair_0(2) <= slice1window_sum_0(2);
       slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0(1), 12)) or
+        (to_unsigned(slice1winner1_of_four_0(2), 12)))) or (to_unsigned(slice1winner1_of_four_0(0), 12))));
       slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       if slice1winner1_of_pair_0_0_is_less then
-        slice1winner1_of_pair_0_0 <= 0;
-        slice1winner1_of_pair_0_1 <= slice1window_sum_0_1;
+        slice1winner1_of_pair_0(0) <= 0;
+        slice1winner1_of_pair_0(1) <= slice1window_sum_0(1);
       else
-        slice1winner1_of_pair_0_0 <= slice1window_sum_0_0;
-        slice1winner1_of_pair_0_1 <= 0;
+        slice1winner1_of_pair_0(0) <= slice1window_sum_0(0);
+        slice1winner1_of_pair_0(1) <= 0;
       end if;
       if slice1winner1_of_four_0_0_is_less then
-        slice1winner1_of_four_0_0 <= 0;
-        slice1winner1_of_four_0_1 <= 0;
-        slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2;
+        slice1winner1_of_four_0(0) <= 0;
+        slice1winner1_of_four_0(1) <= 0;
+        slice1winner1_of_four_0(2) <= slice1winner1_of_pair_0(2);
         slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
       else
-        slice1winner1_of_four_0_0 <= slice1winner1_of_pair_0_0;
-        slice1winner1_of_four_0_1 <= slice1winner1_of_pair_0_1;
-        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_of_four_0(0) <= slice1winner1_of_pair_0(0);
+        slice1winner1_of_four_0(1) <= slice1winner1_of_pair_0(1);
+        slice1winner1_of_four_0(2) <= 0;
         slice1winner1_four_index_0_0 <= as_number(slice1winner1_pair_index_0_0);
       end if;
       -- slice1
@@ -669,54 +659,52 @@ begin
       end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
-        slice2shift_search_0_0 <= slice2shift_search_0_1;
-        slice2shift_search_0_1 <= slice1shift_search_out_0;
-        slice2shift_search_1_0 <= slice2shift_search_1_1;
-        slice2shift_search_1_1 <= slice1shift_search_out_1;
-        slice2shift_search_2_0 <= slice2shift_search_2_1;
-        slice2shift_search_2_1 <= slice1shift_search_out_2;
+        for i in 0 to 2 loop
+          slice2shift_search(i, 0) <= slice2shift_search(i, 1);
+          slice2shift_search(i, 1) <= slice1shift_search_out(i);
+        end loop;
       end if;
-      slice2shift_reference_0 <= slice1shift_reference_0;
-      slice2shift_reference_1 <= slice1shift_reference_1;
-      slice2shift_reference_2 <= slice1shift_reference_2;
+      slice2shift_reference(0) <= slice1shift_reference(0);
+      slice2shift_reference(1) <= slice1shift_reference(1);
+      slice2shift_reference(2) <= slice1shift_reference(2);
       -- slice2cost
-      slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
-      slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
-      slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
-      slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
-      slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
-      slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
-      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
-        folded(slice2cost_difference_2_0);
-      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
-        folded(slice2cost_difference_2_1);
-      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
-      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
-      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
+      for i in 0 to 2 loop
+        slice2cost_difference(i, 0) <= slice2shift_search(i, 0) - slice2shift_reference(i);
+        slice2cost_difference(i, 1) <= slice2shift_search(i, 1) - slice2shift_reference(i);
+      end loop;
+      slice2cost_pair_0(0) <= as_number((slice2cost_difference(1, 0) < 0)) + folded(slice2cost_difference(1, 0)) +
+        folded(slice2cost_difference(2, 0));
+      slice2cost_pair_0(1) <= as_number((slice2cost_difference(1, 1) < 0)) + folded(slice2cost_difference(1, 1)) +
+        folded(slice2cost_difference(2, 1));
+      slice2cost_negative_0(0) <= slice2cost_difference(2, 0) < 0;
+      slice2cost_negative_0(1) <= slice2cost_difference(2, 1) < 0;
+      slice2cost_single_0(0) <= (folded(slice2cost_difference(0, 0)) + as_number((slice2cost_difference(0, 0) < 0)))
+        mod 256;
+      slice2cost_single_0(1) <= (folded(slice2cost_difference(0, 1)) + as_number((slice2cost_difference(0, 1) < 0)))
+        mod 256;
       if slice1cost_tag_border_column then
-        slice2cost_column_0_0 <= 0;
-        slice2cost_column_0_1 <= 0;
+        slice2cost_column_0(0) <= 0;
+        slice2cost_column_0(1) <= 0;
       else
-        slice2cost_column_0_0 <= as_number(slice2cost_negative_0_0) + slice2cost_pair_0_0 + slice2cost_single_0_0;
-        slice2cost_column_0_1 <= as_number(slice2cost_negative_0_1) + slice2cost_pair_0_1 + slice2cost_single_0_1;
+        slice2cost_column_0(0) <= as_number(slice2cost_negative_0(0)) + slice2cost_pair_0(0) + slice2cost_single_0(0);
+        slice2cost_column_0(1) <= as_number(slice2cost_negative_0(1)) + slice2cost_pair_0(1) + slice2cost_single_0(1);
       end if;
       -- slice2window
       if slice0winner1_pair_tag_valid then
-        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
-        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
-        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
-        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+        slice2window_partial_0_0(0) <= slice2cost_column_0(0);
+        slice2window_partial_0_0(1) <= slice2cost_column_0(1);
+        slice2window_partial_0_1(0) <= slice2cost_column_0(0) + slice2window_partial_0_0(0);
+        slice2window_partial_0_1(1) <= slice2cost_column_0(1) + slice2window_partial_0_0(1);
       end if;
-      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
-      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+      slice2window_sum_0(0) <= slice2cost_column_0(0) + slice2window_partial_0_1(0);
+      slice2window_sum_0(1) <= slice2cost_column_0(1) + slice2window_partial_0_1(1);
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0(1) - slice2window_sum_0(0)) < 0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       if slice2winner1_best_cost_0_0_is_less then
-        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0(1);
       else
-        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0(0);
       end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;

@@ -4,6 +4,7 @@
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_p4
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+-- Where a comment behind a declaration has #, the C++ has the indices.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -86,234 +87,161 @@ architecture rtl of stereo_core_tiny_p4 is
     return '0';
   end function;
 
-  signal in_valid : boolean;
-  signal in_start_of_frame : boolean;
-  signal in_left_pixel : unsigned(31 downto 0);
-  signal in_right_pixel : unsigned(31 downto 0);
+  -- whether the bit of this place is 1
+  function is_set(value : natural; place : natural) return boolean is
+  begin
+    return (value / 2 ** place) mod 2 = 1;
+  end function;
+
+  type boolean_1d is array (natural range <>) of boolean;
+  type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type integer_minus_255_to_255_2d is array (natural range <>, natural range <>) of integer range -255 to 255;
+  type natural_1534_2d is array (natural range <>, natural range <>) of natural range 0 to 1534;
+  type natural_2301_1d is array (natural range <>) of natural range 0 to 2301;
+  type natural_2301_2d is array (natural range <>, natural range <>) of natural range 0 to 2301;
+  type natural_255_1d is array (natural range <>) of natural range 0 to 255;
+  type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
+  type natural_2_1d is array (natural range <>) of natural range 0 to 2;
+  type natural_511_2d is array (natural range <>, natural range <>) of natural range 0 to 511;
+  type natural_767_2d is array (natural range <>, natural range <>) of natural range 0 to 767;
+  type natural_7_1d is array (natural range <>) of natural range 0 to 7;
+  signal in_valid, in_start_of_frame : boolean;
+  signal in_left_pixel, in_right_pixel : unsigned(31 downto 0);
   -- raster
-  signal raster_features_search_0, raster_features_search_1, raster_features_search_2 : natural range 0 to 255;
-  signal raster_features_search_3 : natural range 0 to 255;
+  signal raster_features_search : natural_255_1d(0 to 3);
   signal raster_features_reference : unsigned(31 downto 0);
   signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 7;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 7;
-  signal delay_ahead_0, delay_ahead_1, delay_ahead_2, delay_ahead_3 : natural range 0 to 255;
+  signal delay_ahead : natural_255_1d(0 to 3);
   signal delay_delayed_0 : unsigned(31 downto 0);
   signal delay_column : natural range 0 to 31;
-  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_5, delay_tag_valid, delay_tag_border_column : boolean;
-  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_row_inside : boolean_1d(0 to 1);
+  signal delay_row_inside_5, delay_tag_valid, delay_tag_border_column, delay_tag_output_column : boolean;
+  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_search_rows_ready_words_0 : unsigned(31 downto 0);
   signal rows_search_rows_write_words_0, rows_reference_rows_read_words_0 : unsigned(31 downto 0);
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : unsigned(31 downto 0);
   signal rows_search_rows_read_words_1, rows_reference_rows_read_words_1 : unsigned(7 downto 0);
-  signal rows_search_rows_read_newest_0, rows_search_rows_read_newest_1 : natural range 0 to 255;
-  signal rows_search_rows_read_newest_2, rows_search_rows_read_newest_3 : natural range 0 to 255;
-  signal rows_search_rows_ready_words_1, rows_search_rows_ready_newest_0 : natural range 0 to 255;
-  signal rows_search_rows_ready_newest_1, rows_search_rows_ready_newest_2 : natural range 0 to 255;
-  signal rows_search_rows_ready_newest_3, rows_search_rows_write_words_1 : natural range 0 to 255;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_read_newest_1 : natural range 0 to 255;
-  signal rows_reference_rows_read_newest_2, rows_reference_rows_read_newest_3 : natural range 0 to 255;
-  signal rows_reference_rows_ready_words_1, rows_reference_rows_ready_newest_0 : natural range 0 to 255;
-  signal rows_reference_rows_ready_newest_1, rows_reference_rows_ready_newest_2 : natural range 0 to 255;
-  signal rows_reference_rows_ready_newest_3, rows_reference_rows_write_words_1, rows_search_0 : natural range 0 to 255;
-  signal rows_search_1, rows_search_2, rows_search_3, rows_search_4, rows_search_5 : natural range 0 to 255;
-  signal rows_reference_0, rows_reference_1, rows_reference_2, rows_reference_3 : natural range 0 to 255;
-  signal rows_reference_4, rows_reference_5 : natural range 0 to 255;
+  signal rows_search_rows_read_newest : natural_255_1d(0 to 3);
+  signal rows_search_rows_ready_words_1 : natural range 0 to 255;
+  signal rows_search_rows_ready_newest : natural_255_1d(0 to 3);
+  signal rows_search_rows_write_words_1 : natural range 0 to 255;
+  signal rows_reference_rows_read_newest : natural_255_1d(0 to 3);
+  signal rows_reference_rows_ready_words_1 : natural range 0 to 255;
+  signal rows_reference_rows_ready_newest : natural_255_1d(0 to 3);
+  signal rows_reference_rows_write_words_1 : natural range 0 to 255;
+  signal rows_search : natural_255_1d(0 to 5);
+  signal rows_reference : natural_255_1d(0 to 5);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_5, rows_read_tag_valid : boolean;
-  signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_5 : boolean;
-  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
-  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_inside_5, rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_inside_5, rows_ready_tag_valid, rows_ready_tag_border_column : boolean;
+  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
+  signal rows_tag_valid, rows_tag_border_column, rows_tag_output_column, rows_tag_start_of_frame : boolean;
+  signal rows_tag_end_of_line : boolean;
   -- slice0shift
-  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
-  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 255;
-  signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 255;
-  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 255;
-  signal slice0shift_search_4_0, slice0shift_search_4_1, slice0shift_search_4_2 : natural range 0 to 255;
-  signal slice0shift_search_5_0, slice0shift_search_5_1, slice0shift_search_5_2 : natural range 0 to 255;
-  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
-  signal slice0shift_reference_3, slice0shift_reference_4, slice0shift_reference_5 : natural range 0 to 255;
-  signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 255;
-  signal slice0shift_search_out_3, slice0shift_search_out_4, slice0shift_search_out_5 : natural range 0 to 255;
+  signal slice0shift_search : natural_255_2d(0 to 5, 0 to 2);
+  signal slice0shift_reference : natural_255_1d(0 to 5);
+  signal slice0shift_search_out : natural_255_1d(0 to 5);
   signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
   signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
-  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
-  signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
-  signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
-  signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -255 to 255;
-  signal slice0cost_difference_4_0, slice0cost_difference_4_1, slice0cost_difference_4_2 : integer range -255 to 255;
-  signal slice0cost_difference_5_0, slice0cost_difference_5_1, slice0cost_difference_5_2 : integer range -255 to 255;
+  signal slice0cost_difference : integer_minus_255_to_255_2d(0 to 5, 0 to 2);
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
-  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_1_0, slice0cost_negative_1_1, slice0cost_negative_1_2 : boolean;
+  signal slice0cost_difference_tag_end_of_line : boolean;
+  signal slice0cost_negative : boolean_2d(0 to 1, 0 to 2);
   signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
   signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
   signal slice0cost_tag_end_of_line : boolean;
-  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_1_0 : natural range 0 to 511;
-  signal slice0cost_pair_1_1, slice0cost_pair_1_2 : natural range 0 to 511;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
-  signal slice0cost_single_2_0, slice0cost_single_2_1, slice0cost_single_2_2 : natural range 0 to 255;
-  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
-  signal slice0cost_single_5_0, slice0cost_single_5_1, slice0cost_single_5_2 : natural range 0 to 255;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
-  signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 767;
-  signal slice0cost_column_2_0, slice0cost_column_2_1, slice0cost_column_2_2 : natural range 0 to 767;
-  signal slice0cost_column_3_0, slice0cost_column_3_1, slice0cost_column_3_2 : natural range 0 to 767;
+  signal slice0cost_pair : natural_511_2d(0 to 1, 0 to 2);
+  signal slice0cost_single_0 : natural_255_1d(0 to 2);
+  signal slice0cost_single : natural_255_2d(2 to 3, 0 to 2);
+  signal slice0cost_single_5 : natural_255_1d(0 to 2);
+  signal slice0cost_column : natural_767_2d(0 to 3, 0 to 2);
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
-  signal slice0window_partial_1_0_0, slice0window_partial_1_0_1, slice0window_partial_1_0_2 : natural range 0 to 767;
-  signal slice0window_partial_2_0_0, slice0window_partial_2_0_1, slice0window_partial_2_0_2 : natural range 0 to 767;
-  signal slice0window_partial_3_0_0, slice0window_partial_3_0_1, slice0window_partial_3_0_2 : natural range 0 to 767;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_0, slice0window_partial_1_1_1, slice0window_partial_1_1_2 : natural range 0 to 1534;
-  signal slice0window_partial_2_1_0, slice0window_partial_2_1_1, slice0window_partial_2_1_2 : natural range 0 to 1534;
-  signal slice0window_partial_3_1_0, slice0window_partial_3_1_1, slice0window_partial_3_1_2 : natural range 0 to 1534;
+  signal slice0window_partial_0 : natural_767_2d(0 to 3, 0 to 2);  -- slice0window_partial_#_0_#
+  signal slice0window_partial_1 : natural_1534_2d(0 to 3, 0 to 2);  -- slice0window_partial_#_1_#
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
   signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
-  signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 2301;
-  signal slice0window_sum_2_0, slice0window_sum_2_1, slice0window_sum_2_2 : natural range 0 to 2301;
-  signal slice0window_sum_3_0, slice0window_sum_3_1, slice0window_sum_3_2 : natural range 0 to 2301;
+  signal slice0window_sum : natural_2301_2d(0 to 3, 0 to 2);
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_2_1 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_3_0, slice0winner1_best_cost_3_1 : natural range 0 to 2301;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : boolean;
-  signal slice0winner1_best_index_3_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_cost : natural_2301_2d(0 to 3, 0 to 1);
+  signal slice0winner1_best_index_0 : boolean_1d(0 to 3);  -- slice0winner1_best_index_#_0
+  signal slice0winner1_tag_valid, slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame : boolean;
+  signal slice0winner1_tag_end_of_line : boolean;
   signal slice0winner1_best_index_0_1 : natural range 0 to 2;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_2_0, slice0winner2_best_cost_3_0 : natural range 0 to 2301;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice0winner2_best_index_2_0, slice0winner2_best_index_3_0 : natural range 0 to 2;
+  signal slice0winner2_best_cost_0 : natural_2301_1d(0 to 3);  -- slice0winner2_best_cost_#_0
+  signal slice0winner2_best_index_0 : natural_2_1d(0 to 3);  -- slice0winner2_best_index_#_0
   signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 2301;
-  signal slice0_best_cost_3_0 : natural range 0 to 2301;
-  signal slice0_best_index_0_0, slice0_best_index_1_0, slice0_best_index_2_0 : natural range 0 to 7;
-  signal slice0_best_index_3_0 : natural range 0 to 7;
+  signal slice0_best_cost_0 : natural_2301_1d(0 to 3);  -- slice0_best_cost_#_0
+  signal slice0_best_index_0 : natural_7_1d(0 to 3);  -- slice0_best_index_#_0
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
-  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
-  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 255;
-  signal slice1shift_search_2_0, slice1shift_search_2_1, slice1shift_search_2_2 : natural range 0 to 255;
-  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 255;
-  signal slice1shift_search_4_0, slice1shift_search_4_1, slice1shift_search_4_2 : natural range 0 to 255;
-  signal slice1shift_search_5_0, slice1shift_search_5_1, slice1shift_search_5_2 : natural range 0 to 255;
-  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 255;
-  signal slice1shift_reference_3, slice1shift_reference_4, slice1shift_reference_5 : natural range 0 to 255;
-  signal slice1shift_search_out_0, slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 255;
-  signal slice1shift_search_out_3, slice1shift_search_out_4, slice1shift_search_out_5 : natural range 0 to 255;
+  signal slice1shift_search : natural_255_2d(0 to 5, 0 to 2);
+  signal slice1shift_reference : natural_255_1d(0 to 5);
+  signal slice1shift_search_out : natural_255_1d(0 to 5);
   -- slice1cost
-  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -255 to 255;
-  signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
-  signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
-  signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
-  signal slice1cost_difference_4_0, slice1cost_difference_4_1, slice1cost_difference_4_2 : integer range -255 to 255;
-  signal slice1cost_difference_5_0, slice1cost_difference_5_1, slice1cost_difference_5_2 : integer range -255 to 255;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_1_0 : natural range 0 to 511;
-  signal slice1cost_pair_1_1, slice1cost_pair_1_2 : natural range 0 to 511;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_1_0 : boolean;
-  signal slice1cost_negative_1_1, slice1cost_negative_1_2, slice1cost_tag_border_column : boolean;
-  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
-  signal slice1cost_single_2_0, slice1cost_single_2_1, slice1cost_single_2_2 : natural range 0 to 255;
-  signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 255;
-  signal slice1cost_single_5_0, slice1cost_single_5_1, slice1cost_single_5_2 : natural range 0 to 255;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
-  signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 767;
-  signal slice1cost_column_2_0, slice1cost_column_2_1, slice1cost_column_2_2 : natural range 0 to 767;
-  signal slice1cost_column_3_0, slice1cost_column_3_1, slice1cost_column_3_2 : natural range 0 to 767;
+  signal slice1cost_difference : integer_minus_255_to_255_2d(0 to 5, 0 to 2);
+  signal slice1cost_pair : natural_511_2d(0 to 1, 0 to 2);
+  signal slice1cost_negative : boolean_2d(0 to 1, 0 to 2);
+  signal slice1cost_tag_border_column : boolean;
+  signal slice1cost_single_0 : natural_255_1d(0 to 2);
+  signal slice1cost_single : natural_255_2d(2 to 3, 0 to 2);
+  signal slice1cost_single_5 : natural_255_1d(0 to 2);
+  signal slice1cost_column : natural_767_2d(0 to 3, 0 to 2);
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 767;
-  signal slice1window_partial_1_0_0, slice1window_partial_1_0_1, slice1window_partial_1_0_2 : natural range 0 to 767;
-  signal slice1window_partial_2_0_0, slice1window_partial_2_0_1, slice1window_partial_2_0_2 : natural range 0 to 767;
-  signal slice1window_partial_3_0_0, slice1window_partial_3_0_1, slice1window_partial_3_0_2 : natural range 0 to 767;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_0, slice1window_partial_1_1_1, slice1window_partial_1_1_2 : natural range 0 to 1534;
-  signal slice1window_partial_2_1_0, slice1window_partial_2_1_1, slice1window_partial_2_1_2 : natural range 0 to 1534;
-  signal slice1window_partial_3_1_0, slice1window_partial_3_1_1, slice1window_partial_3_1_2 : natural range 0 to 1534;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
-  signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 2301;
-  signal slice1window_sum_2_0, slice1window_sum_2_1, slice1window_sum_2_2 : natural range 0 to 2301;
-  signal slice1window_sum_3_0, slice1window_sum_3_1, slice1window_sum_3_2 : natural range 0 to 2301;
+  signal slice1window_partial_0 : natural_767_2d(0 to 3, 0 to 2);  -- slice1window_partial_#_0_#
+  signal slice1window_partial_1 : natural_1534_2d(0 to 3, 0 to 2);  -- slice1window_partial_#_1_#
+  signal slice1window_sum : natural_2301_2d(0 to 3, 0 to 2);
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_2_1 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_3_0, slice1winner1_best_cost_3_1 : natural range 0 to 2301;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0, slice1winner1_best_index_2_0 : boolean;
-  signal slice1winner1_best_index_3_0 : boolean;
+  signal slice1winner1_best_cost : natural_2301_2d(0 to 3, 0 to 1);
+  signal slice1winner1_best_index_0 : boolean_1d(0 to 3);  -- slice1winner1_best_index_#_0
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice1winner2_best_cost_2_0, slice1winner2_best_cost_3_0 : natural range 0 to 2301;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice1winner2_best_index_2_0, slice1winner2_best_index_3_0 : natural range 0 to 2;
+  signal slice1winner2_best_cost_0 : natural_2301_1d(0 to 3);  -- slice1winner2_best_cost_#_0
+  signal slice1winner2_best_index_0 : natural_2_1d(0 to 3);  -- slice1winner2_best_index_#_0
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_cost_2_0 : natural range 0 to 2301;
-  signal slice1_best_cost_3_0 : natural range 0 to 2301;
-  signal slice1_best_index_0_0, slice1_best_index_1_0, slice1_best_index_2_0 : natural range 0 to 7;
-  signal slice1_best_index_3_0 : natural range 0 to 7;
+  signal slice1_best_cost_0 : natural_2301_1d(0 to 3);  -- slice1_best_cost_#_0
+  signal slice1_best_index_0 : natural_7_1d(0 to 3);  -- slice1_best_index_#_0
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
   -- slice2shift
-  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 255;
-  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 255;
-  signal slice2shift_search_3_0, slice2shift_search_3_1, slice2shift_search_4_0 : natural range 0 to 255;
-  signal slice2shift_search_4_1, slice2shift_search_5_0, slice2shift_search_5_1 : natural range 0 to 255;
-  signal slice2shift_reference_0, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 255;
-  signal slice2shift_reference_3, slice2shift_reference_4, slice2shift_reference_5 : natural range 0 to 255;
+  signal slice2shift_search : natural_255_2d(0 to 5, 0 to 1);
+  signal slice2shift_reference : natural_255_1d(0 to 5);
   -- slice2cost
-  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
-  signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
-  signal slice2cost_difference_3_0, slice2cost_difference_3_1, slice2cost_difference_4_0 : integer range -255 to 255;
-  signal slice2cost_difference_4_1, slice2cost_difference_5_0, slice2cost_difference_5_1 : integer range -255 to 255;
-  signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_1_0, slice2cost_pair_1_1 : natural range 0 to 511;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_1_0, slice2cost_negative_1_1 : boolean;
-  signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_2_0 : natural range 0 to 255;
-  signal slice2cost_single_2_1, slice2cost_single_3_0, slice2cost_single_3_1 : natural range 0 to 255;
-  signal slice2cost_single_5_0, slice2cost_single_5_1 : natural range 0 to 255;
-  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_1_0 : natural range 0 to 767;
-  signal slice2cost_column_1_1, slice2cost_column_2_0, slice2cost_column_2_1 : natural range 0 to 767;
-  signal slice2cost_column_3_0, slice2cost_column_3_1 : natural range 0 to 767;
+  signal slice2cost_difference : integer_minus_255_to_255_2d(0 to 5, 0 to 1);
+  signal slice2cost_pair : natural_511_2d(0 to 1, 0 to 1);
+  signal slice2cost_negative : boolean_2d(0 to 1, 0 to 1);
+  signal slice2cost_single_0 : natural_255_1d(0 to 1);
+  signal slice2cost_single : natural_255_2d(2 to 3, 0 to 1);
+  signal slice2cost_single_5 : natural_255_1d(0 to 1);
+  signal slice2cost_column : natural_767_2d(0 to 3, 0 to 1);
   -- slice2window
-  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_1_0_0 : natural range 0 to 767;
-  signal slice2window_partial_1_0_1, slice2window_partial_2_0_0, slice2window_partial_2_0_1 : natural range 0 to 767;
-  signal slice2window_partial_3_0_0, slice2window_partial_3_0_1 : natural range 0 to 767;
-  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_1_1_0 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_1, slice2window_partial_2_1_0, slice2window_partial_2_1_1 : natural range 0 to 1534;
-  signal slice2window_partial_3_1_0, slice2window_partial_3_1_1 : natural range 0 to 1534;
-  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_1_0 : natural range 0 to 2301;
-  signal slice2window_sum_1_1, slice2window_sum_2_0, slice2window_sum_2_1 : natural range 0 to 2301;
-  signal slice2window_sum_3_0, slice2window_sum_3_1 : natural range 0 to 2301;
+  signal slice2window_partial_0 : natural_767_2d(0 to 3, 0 to 1);  -- slice2window_partial_#_0_#
+  signal slice2window_partial_1 : natural_1534_2d(0 to 3, 0 to 1);  -- slice2window_partial_#_1_#
+  signal slice2window_sum : natural_2301_2d(0 to 3, 0 to 1);
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_1_0 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_2_0, slice2winner1_best_cost_3_0 : natural range 0 to 2301;
-  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0, slice2winner1_best_index_2_0 : boolean;
-  signal slice2winner1_best_index_3_0 : boolean;
+  signal slice2winner1_best_cost_0 : natural_2301_1d(0 to 3);  -- slice2winner1_best_cost_#_0
+  signal slice2winner1_best_index_0 : boolean_1d(0 to 3);  -- slice2winner1_best_index_#_0
   -- slice2winner2
-  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice2winner2_best_cost_2_0, slice2winner2_best_cost_3_0 : natural range 0 to 2301;
-  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0, slice2winner2_best_index_2_0 : boolean;
-  signal slice2winner2_best_index_3_0 : boolean;
+  signal slice2winner2_best_cost_0 : natural_2301_1d(0 to 3);  -- slice2winner2_best_cost_#_0
+  signal slice2winner2_best_index_0 : boolean_1d(0 to 3);  -- slice2winner2_best_index_#_0
   -- slice2
-  signal slice2_best_index_0_0, slice2_best_index_1_0, slice2_best_index_2_0 : natural range 0 to 7;
-  signal slice2_best_index_3_0 : natural range 0 to 7;
+  signal slice2_best_index_0 : natural_7_1d(0 to 3);  -- slice2_best_index_#_0
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
-  signal slice2_best_tag_end_of_line : boolean;
-  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal slice2_best_tag_end_of_line, rows_search_rows_read_words_1_memory_read_enable : boolean;
   signal rows_search_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
@@ -330,8 +258,7 @@ architecture rtl of stereo_core_tiny_p4 is
   signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address : unsigned(2 downto 0);
-  signal delay_delayed_0_memory_write_address : unsigned(2 downto 0);
+  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(2 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(31 downto 0);
 
 begin
@@ -339,7 +266,7 @@ begin
   in_start_of_frame <= start_of_frame = '1';
   in_left_pixel <= unsigned(left_pixel);
   in_right_pixel <= unsigned(right_pixel);
-  disparity <= std_logic_vector(to_unsigned(slice2_best_index_3_0, 8) & to_unsigned(slice2_best_index_2_0, 8) & to_unsigned(slice2_best_index_1_0, 8) & to_unsigned(slice2_best_index_0_0, 8));
+  disparity <= std_logic_vector(unsigned'(to_unsigned(slice2_best_index_0(3), 8) & to_unsigned(slice2_best_index_0(2), 8) & to_unsigned(slice2_best_index_0(1), 8) & to_unsigned(slice2_best_index_0(0), 8)));
   pixel_valid <= std_logic_vector(to_unsigned(15, 4));
   disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
@@ -403,33 +330,24 @@ begin
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_all, raster_place_group_is_equal_2 : boolean;
     variable raster_place_next_frame_all, raster_place_next_frame_choice, delay_row_inside_0_is_equal : boolean;
-    variable delay_row_inside_1_choice, slice0cost_pair_1_0_is_less, slice0cost_pair_1_1_is_less : boolean;
-    variable slice0cost_pair_1_2_is_less, slice0cost_negative_0_0_is_less, slice0cost_negative_0_1_is_less : boolean;
-    variable slice0cost_negative_0_2_is_less, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_1_0_is_less, slice0winner1_best_cost_2_0_is_less : boolean;
-    variable slice0winner1_best_cost_3_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_1_0_is_less, slice0winner2_best_cost_2_0_is_less : boolean;
-    variable slice0winner2_best_cost_3_0_is_less, slice1cost_pair_1_0_is_less, slice1cost_pair_1_1_is_less : boolean;
-    variable slice1cost_pair_1_2_is_less, slice1cost_negative_0_0_is_less, slice1cost_negative_0_1_is_less : boolean;
-    variable slice1cost_negative_0_2_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_1_0_is_less, slice1winner1_best_cost_2_0_is_less : boolean;
-    variable slice1winner1_best_cost_3_0_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_1_0_is_less, slice1winner2_best_cost_2_0_is_less : boolean;
-    variable slice1winner2_best_cost_3_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
-    variable slice1_best_cost_2_0_is_less, slice1_best_cost_3_0_is_less, slice2cost_pair_1_0_is_less : boolean;
-    variable slice2cost_pair_1_1_is_less, slice2cost_negative_0_0_is_less, slice2cost_negative_0_1_is_less : boolean;
-    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
-    variable slice2winner1_best_cost_2_0_is_less, slice2winner1_best_cost_3_0_is_less : boolean;
+    variable delay_row_inside_1_choice : boolean;
+    variable slice0cost_pair_1_is_less : boolean_1d(0 to 2);  -- slice0cost_pair_1_#_is_less
+    variable slice0cost_negative_0_is_less : boolean_1d(0 to 2);  -- slice0cost_negative_0_#_is_less
+    variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice0winner1_best_cost_#_0_is_less
+    variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice0winner2_best_cost_#_0_is_less
+    variable slice1cost_pair_1_is_less : boolean_1d(0 to 2);  -- slice1cost_pair_1_#_is_less
+    variable slice1cost_negative_0_is_less : boolean_1d(0 to 2);  -- slice1cost_negative_0_#_is_less
+    variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice1winner1_best_cost_#_0_is_less
+    variable slice1winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice1winner2_best_cost_#_0_is_less
+    variable slice1_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice1_best_cost_#_0_is_less
+    variable slice2cost_pair_1_is_less : boolean_1d(0 to 1);  -- slice2cost_pair_1_#_is_less
+    variable slice2cost_negative_0_is_less : boolean_1d(0 to 1);  -- slice2cost_negative_0_#_is_less
+    variable slice2winner1_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice2winner1_best_cost_#_0_is_less
     variable raster_place_group_choice : natural range 0 to 3;
-    variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 7;
-    variable slice0cost_pair_0_0_folded_value, slice0cost_pair_0_1_folded_value : natural range 0 to 255;
-    variable slice0cost_pair_0_2_folded_value, slice0cost_pair_1_0_folded_value : natural range 0 to 255;
-    variable slice0cost_pair_1_1_folded_value, slice0cost_pair_1_2_folded_value : natural range 0 to 255;
-    variable slice1cost_pair_0_0_folded_value, slice1cost_pair_0_1_folded_value : natural range 0 to 255;
-    variable slice1cost_pair_0_2_folded_value, slice1cost_pair_1_0_folded_value : natural range 0 to 255;
-    variable slice1cost_pair_1_1_folded_value, slice1cost_pair_1_2_folded_value : natural range 0 to 255;
-    variable slice2cost_pair_0_0_folded_value, slice2cost_pair_0_1_folded_value : natural range 0 to 255;
-    variable slice2cost_pair_1_0_folded_value, slice2cost_pair_1_1_folded_value : natural range 0 to 255;
+    variable raster_place_group_choices : natural_7_1d(2 to 3);  -- raster_place_group_choice_#
+    variable slice0cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 2);  -- slice0cost_pair_#_#_folded_value
+    variable slice1cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 2);  -- slice1cost_pair_#_#_folded_value
+    variable slice2cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 1);  -- slice2cost_pair_#_#_folded_value
   begin
     if rising_edge(clock) then
       -- raster
@@ -442,25 +360,25 @@ begin
       end if;
       raster_place_group_is_equal_2 := raster_place_group = 3;
       if raster_place_next_frame and raster_place_group_is_equal_2 then
-        raster_place_group_choice_2 := 1;
+        raster_place_group_choices(2) := 1;
       else
-        raster_place_group_choice_2 := (raster_place_group + 1) mod 8;
+        raster_place_group_choices(2) := (raster_place_group + 1) mod 8;
       end if;
       if (raster_place_group /= 4) and raster_place_group_is_equal and in_valid then
-        raster_place_group_choice_3 := raster_place_group_choice_2;
+        raster_place_group_choices(3) := raster_place_group_choices(2);
       else
-        raster_place_group_choice_3 := raster_place_group;
+        raster_place_group_choices(3) := raster_place_group;
       end if;
-      raster_features_search_0 <= to_integer(in_left_pixel(7 downto 0));
-      raster_features_search_1 <= to_integer(in_left_pixel(15 downto 8));
-      raster_features_search_2 <= to_integer(in_left_pixel(23 downto 16));
-      raster_features_search_3 <= to_integer(in_left_pixel(31 downto 24));
+      raster_features_search(0) <= to_integer(in_left_pixel(7 downto 0));
+      raster_features_search(1) <= to_integer(in_left_pixel(15 downto 8));
+      raster_features_search(2) <= to_integer(in_left_pixel(23 downto 16));
+      raster_features_search(3) <= to_integer(in_left_pixel(31 downto 24));
       raster_features_reference <= in_right_pixel;
       raster_features_valid <= in_valid;
       if in_start_of_frame and in_valid then
         raster_place_group <= raster_place_group_choice;
       else
-        raster_place_group <= raster_place_group_choice_3;
+        raster_place_group <= raster_place_group_choices(3);
       end if;
       raster_place_next_frame_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       if raster_place_next_frame_all then
@@ -491,28 +409,28 @@ begin
         end if;
       end if;
       delay_row_inside_0_is_equal := (raster_place_group / 2) = 1;
-      if (raster_place_group mod 2) = 1 then
-        delay_row_inside_1_choice := not ((raster_place_group / 4) = 1);
+      if is_set(raster_place_group, 0) then
+        delay_row_inside_1_choice := not is_set(raster_place_group, 2);
       else
         delay_row_inside_1_choice := delay_row_inside_0_is_equal;
       end if;
-      delay_ahead_0 <= raster_features_search_0;
-      delay_ahead_1 <= raster_features_search_1;
-      delay_ahead_2 <= raster_features_search_2;
-      delay_ahead_3 <= raster_features_search_3;
+      delay_ahead(0) <= raster_features_search(0);
+      delay_ahead(1) <= raster_features_search(1);
+      delay_ahead(2) <= raster_features_search(2);
+      delay_ahead(3) <= raster_features_search(3);
       delay_column <= raster_place_column;
-      delay_row_inside_1 <= delay_row_inside_1_choice;
+      delay_row_inside(1) <= delay_row_inside_1_choice;
       delay_tag_valid <= raster_features_valid;
       delay_tag_output_column <= (raster_place_column >= 7) and (raster_place_column < 31) and
         delay_row_inside_1_choice;
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
-      if (raster_place_group mod 2) = 1 then
-        delay_row_inside_0 <= delay_row_inside_0_is_equal;
+      if is_set(raster_place_group, 0) then
+        delay_row_inside(0) <= delay_row_inside_0_is_equal;
         delay_row_inside_5 <= (raster_place_group / 2) = 0;
       else
-        delay_row_inside_0 <= ((raster_place_group / 4) = 1) /= (((raster_place_group / 2) mod 2) = 1);
-        delay_row_inside_5 <= not ((raster_place_group / 4) = 1);
+        delay_row_inside(0) <= is_set(raster_place_group, 2) /= is_set(raster_place_group, 1);
+        delay_row_inside_5 <= not is_set(raster_place_group, 2);
       end if;
       if (raster_place_column mod 4) = 3 then
         delay_tag_border_column <= (raster_place_column / 4) = 0;
@@ -520,29 +438,29 @@ begin
         delay_tag_border_column <= (raster_place_column / 8) = 0;
       end if;
       -- rows
-      rows_search_rows_read_newest_0 <= delay_ahead_0;
-      rows_search_rows_read_newest_1 <= delay_ahead_1;
-      rows_search_rows_read_newest_2 <= delay_ahead_2;
-      rows_search_rows_read_newest_3 <= delay_ahead_3;
+      rows_search_rows_read_newest(0) <= delay_ahead(0);
+      rows_search_rows_read_newest(1) <= delay_ahead(1);
+      rows_search_rows_read_newest(2) <= delay_ahead(2);
+      rows_search_rows_read_newest(3) <= delay_ahead(3);
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
       rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
-      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
-      rows_search_rows_ready_newest_1 <= rows_search_rows_read_newest_1;
-      rows_search_rows_ready_newest_2 <= rows_search_rows_read_newest_2;
-      rows_search_rows_ready_newest_3 <= rows_search_rows_read_newest_3;
-      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0(7 downto 0));
-      rows_reference_rows_read_newest_1 <= to_integer(delay_delayed_0(15 downto 8));
-      rows_reference_rows_read_newest_2 <= to_integer(delay_delayed_0(23 downto 16));
-      rows_reference_rows_read_newest_3 <= to_integer(delay_delayed_0(31 downto 24));
+      rows_search_rows_ready_newest(0) <= rows_search_rows_read_newest(0);
+      rows_search_rows_ready_newest(1) <= rows_search_rows_read_newest(1);
+      rows_search_rows_ready_newest(2) <= rows_search_rows_read_newest(2);
+      rows_search_rows_ready_newest(3) <= rows_search_rows_read_newest(3);
+      rows_reference_rows_read_newest(0) <= to_integer(delay_delayed_0(7 downto 0));
+      rows_reference_rows_read_newest(1) <= to_integer(delay_delayed_0(15 downto 8));
+      rows_reference_rows_read_newest(2) <= to_integer(delay_delayed_0(23 downto 16));
+      rows_reference_rows_read_newest(3) <= to_integer(delay_delayed_0(31 downto 24));
       rows_reference_rows_ready_words_0 <= rows_reference_rows_read_words_0;
       rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
-      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
-      rows_reference_rows_ready_newest_1 <= rows_reference_rows_read_newest_1;
-      rows_reference_rows_ready_newest_2 <= rows_reference_rows_read_newest_2;
-      rows_reference_rows_ready_newest_3 <= rows_reference_rows_read_newest_3;
+      rows_reference_rows_ready_newest(0) <= rows_reference_rows_read_newest(0);
+      rows_reference_rows_ready_newest(1) <= rows_reference_rows_read_newest(1);
+      rows_reference_rows_ready_newest(2) <= rows_reference_rows_read_newest(2);
+      rows_reference_rows_ready_newest(3) <= rows_reference_rows_read_newest(3);
       rows_read_column <= delay_column;
-      rows_read_inside_0 <= delay_row_inside_0;
-      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside(0) <= delay_row_inside(0);
+      rows_read_inside(1) <= delay_row_inside(1);
       rows_read_inside_5 <= delay_row_inside_5;
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_border_column <= delay_tag_border_column;
@@ -550,8 +468,8 @@ begin
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside(0) <= rows_read_inside(0);
+      rows_ready_inside(1) <= rows_read_inside(1);
       rows_ready_inside_5 <= rows_read_inside_5;
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_border_column <= rows_read_tag_border_column;
@@ -563,154 +481,120 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside_0 then
-        rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
-        rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
+      if rows_ready_inside(0) then
+        rows_search(0) <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
+        rows_reference(0) <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
       else
-        rows_search_0 <= 0;
-        rows_reference_0 <= 0;
+        rows_search(0) <= 0;
+        rows_reference(0) <= 0;
       end if;
-      if rows_ready_inside_1 then
-        rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8));
-        rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16));
-        rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24));
-        rows_search_4 <= rows_search_rows_ready_words_1;
-        rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8));
-        rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16));
-        rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24));
-        rows_reference_4 <= rows_reference_rows_ready_words_1;
+      if rows_ready_inside(1) then
+        rows_search(1) <= to_integer(rows_search_rows_ready_words_0(15 downto 8));
+        rows_search(2) <= to_integer(rows_search_rows_ready_words_0(23 downto 16));
+        rows_search(3) <= to_integer(rows_search_rows_ready_words_0(31 downto 24));
+        rows_search(4) <= rows_search_rows_ready_words_1;
+        rows_reference(1) <= to_integer(rows_reference_rows_ready_words_0(15 downto 8));
+        rows_reference(2) <= to_integer(rows_reference_rows_ready_words_0(23 downto 16));
+        rows_reference(3) <= to_integer(rows_reference_rows_ready_words_0(31 downto 24));
+        rows_reference(4) <= rows_reference_rows_ready_words_1;
       else
-        rows_search_1 <= 0;
-        rows_search_2 <= 0;
-        rows_search_3 <= 0;
-        rows_search_4 <= 0;
-        rows_reference_1 <= 0;
-        rows_reference_2 <= 0;
-        rows_reference_3 <= 0;
-        rows_reference_4 <= 0;
+        rows_search(1) <= 0;
+        rows_search(2) <= 0;
+        rows_search(3) <= 0;
+        rows_search(4) <= 0;
+        rows_reference(1) <= 0;
+        rows_reference(2) <= 0;
+        rows_reference(3) <= 0;
+        rows_reference(4) <= 0;
       end if;
       if rows_ready_inside_5 then
-        rows_search_5 <= rows_search_rows_ready_newest_0;
-        rows_reference_5 <= rows_reference_rows_ready_newest_0;
+        rows_search(5) <= rows_search_rows_ready_newest(0);
+        rows_reference(5) <= rows_reference_rows_ready_newest(0);
       else
-        rows_search_5 <= 0;
-        rows_reference_5 <= 0;
+        rows_search(5) <= 0;
+        rows_reference(5) <= 0;
       end if;
       if rows_ready_tag_valid then
-        rows_search_rows_write_words_0 <= to_unsigned(rows_search_rows_ready_newest_2, 8) &
-          to_unsigned(rows_search_rows_ready_newest_1, 8) & to_unsigned(rows_search_rows_ready_newest_0, 8) &
+        rows_search_rows_write_words_0 <= to_unsigned(rows_search_rows_ready_newest(2), 8) &
+          to_unsigned(rows_search_rows_ready_newest(1), 8) & to_unsigned(rows_search_rows_ready_newest(0), 8) &
           to_unsigned(rows_search_rows_ready_words_1, 8);
-        rows_search_rows_write_words_1 <= rows_search_rows_ready_newest_3;
-        rows_reference_rows_write_words_0 <= to_unsigned(rows_reference_rows_ready_newest_2, 8) &
-          to_unsigned(rows_reference_rows_ready_newest_1, 8) & to_unsigned(rows_reference_rows_ready_newest_0, 8) &
+        rows_search_rows_write_words_1 <= rows_search_rows_ready_newest(3);
+        rows_reference_rows_write_words_0 <= to_unsigned(rows_reference_rows_ready_newest(2), 8) &
+          to_unsigned(rows_reference_rows_ready_newest(1), 8) & to_unsigned(rows_reference_rows_ready_newest(0), 8) &
           to_unsigned(rows_reference_rows_ready_words_1, 8);
-        rows_reference_rows_write_words_1 <= rows_reference_rows_ready_newest_3;
+        rows_reference_rows_write_words_1 <= rows_reference_rows_ready_newest(3);
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
       if rows_tag_valid then
-        slice0shift_search_0_0 <= slice0shift_search_0_1;
-        slice0shift_search_0_1 <= slice0shift_search_0_2;
-        slice0shift_search_0_2 <= rows_search_0;
-        slice0shift_search_1_0 <= slice0shift_search_1_1;
-        slice0shift_search_1_1 <= slice0shift_search_1_2;
-        slice0shift_search_1_2 <= rows_search_1;
-        slice0shift_search_2_0 <= slice0shift_search_2_1;
-        slice0shift_search_2_1 <= slice0shift_search_2_2;
-        slice0shift_search_2_2 <= rows_search_2;
-        slice0shift_search_3_0 <= slice0shift_search_3_1;
-        slice0shift_search_3_1 <= slice0shift_search_3_2;
-        slice0shift_search_3_2 <= rows_search_3;
-        slice0shift_search_4_0 <= slice0shift_search_4_1;
-        slice0shift_search_4_1 <= slice0shift_search_4_2;
-        slice0shift_search_4_2 <= rows_search_4;
-        slice0shift_search_5_0 <= slice0shift_search_5_1;
-        slice0shift_search_5_1 <= slice0shift_search_5_2;
-        slice0shift_search_5_2 <= rows_search_5;
+        for i in 0 to 5 loop
+          slice0shift_search(i, 0) <= slice0shift_search(i, 1);
+          slice0shift_search(i, 1) <= slice0shift_search(i, 2);
+          slice0shift_search(i, 2) <= rows_search(i);
+        end loop;
       end if;
-      slice0shift_reference_0 <= rows_reference_0;
-      slice0shift_reference_1 <= rows_reference_1;
-      slice0shift_reference_2 <= rows_reference_2;
-      slice0shift_reference_3 <= rows_reference_3;
-      slice0shift_reference_4 <= rows_reference_4;
-      slice0shift_reference_5 <= rows_reference_5;
-      slice0shift_search_out_0 <= slice0shift_search_0_0;
-      slice0shift_search_out_1 <= slice0shift_search_1_0;
-      slice0shift_search_out_2 <= slice0shift_search_2_0;
-      slice0shift_search_out_3 <= slice0shift_search_3_0;
-      slice0shift_search_out_4 <= slice0shift_search_4_0;
-      slice0shift_search_out_5 <= slice0shift_search_5_0;
+      for i in 0 to 5 loop
+        slice0shift_reference(i) <= rows_reference(i);
+      end loop;
+      for i in 0 to 5 loop
+        slice0shift_search_out(i) <= slice0shift_search(i, 0);
+      end loop;
       slice0shift_tag_valid <= rows_tag_valid;
       slice0shift_tag_border_column <= rows_tag_border_column;
       slice0shift_tag_output_column <= rows_tag_output_column;
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_folded_value := folded(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_folded_value := folded(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_folded_value := folded(slice0cost_difference_2_2);
-      slice0cost_pair_1_0_folded_value := folded(slice0cost_difference_3_0);
-      slice0cost_pair_1_0_is_less := slice0cost_difference_3_0 < 0;
-      slice0cost_pair_1_1_folded_value := folded(slice0cost_difference_3_1);
-      slice0cost_pair_1_1_is_less := slice0cost_difference_3_1 < 0;
-      slice0cost_pair_1_2_folded_value := folded(slice0cost_difference_3_2);
-      slice0cost_pair_1_2_is_less := slice0cost_difference_3_2 < 0;
-      slice0cost_negative_0_0_is_less := slice0cost_difference_2_0 < 0;
-      slice0cost_negative_0_1_is_less := slice0cost_difference_2_1 < 0;
-      slice0cost_negative_0_2_is_less := slice0cost_difference_2_2 < 0;
-      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
-      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
-      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
-      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
-      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
-      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
-      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
-      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
-      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
-      slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
-      slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
-      slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
-      slice0cost_difference_4_0 <= slice0shift_search_4_0 - slice0shift_reference_4;
-      slice0cost_difference_4_1 <= slice0shift_search_4_1 - slice0shift_reference_4;
-      slice0cost_difference_4_2 <= slice0shift_search_4_2 - slice0shift_reference_4;
-      slice0cost_difference_5_0 <= slice0shift_search_5_0 - slice0shift_reference_5;
-      slice0cost_difference_5_1 <= slice0shift_search_5_1 - slice0shift_reference_5;
-      slice0cost_difference_5_2 <= slice0shift_search_5_2 - slice0shift_reference_5;
+      slice0cost_pair_folded_value(0, 0) := folded(slice0cost_difference(2, 0));
+      slice0cost_pair_folded_value(0, 1) := folded(slice0cost_difference(2, 1));
+      slice0cost_pair_folded_value(0, 2) := folded(slice0cost_difference(2, 2));
+      for i in 0 to 2 loop
+        slice0cost_pair_folded_value(1, i) := folded(slice0cost_difference(3, i));
+        slice0cost_pair_1_is_less(i) := slice0cost_difference(3, i) < 0;
+      end loop;
+      slice0cost_negative_0_is_less(0) := slice0cost_difference(2, 0) < 0;
+      slice0cost_negative_0_is_less(1) := slice0cost_difference(2, 1) < 0;
+      slice0cost_negative_0_is_less(2) := slice0cost_difference(2, 2) < 0;
+      for i in 0 to 5 loop
+        slice0cost_difference(i, 0) <= slice0shift_search(i, 0) - slice0shift_reference(i);
+        slice0cost_difference(i, 1) <= slice0shift_search(i, 1) - slice0shift_reference(i);
+        slice0cost_difference(i, 2) <= slice0shift_search(i, 2) - slice0shift_reference(i);
+      end loop;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_folded_value + folded(slice0cost_difference_1_0) +
-        as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_folded_value + folded(slice0cost_difference_1_1) +
-        as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_folded_value + folded(slice0cost_difference_1_2) +
-        as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_1_0 <= folded(slice0cost_difference_4_0) + slice0cost_pair_1_0_folded_value +
-        as_number(slice0cost_pair_1_0_is_less);
-      slice0cost_pair_1_1 <= folded(slice0cost_difference_4_1) + slice0cost_pair_1_1_folded_value +
-        as_number(slice0cost_pair_1_1_is_less);
-      slice0cost_pair_1_2 <= folded(slice0cost_difference_4_2) + slice0cost_pair_1_2_folded_value +
-        as_number(slice0cost_pair_1_2_is_less);
-      slice0cost_negative_0_0 <= slice0cost_negative_0_0_is_less;
-      slice0cost_negative_0_1 <= slice0cost_negative_0_1_is_less;
-      slice0cost_negative_0_2 <= slice0cost_negative_0_2_is_less;
-      slice0cost_negative_1_0 <= slice0cost_difference_4_0 < 0;
-      slice0cost_negative_1_1 <= slice0cost_difference_4_1 < 0;
-      slice0cost_negative_1_2 <= slice0cost_difference_4_2 < 0;
-      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
-      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
-      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
-      slice0cost_single_2_0 <= (slice0cost_pair_0_0_folded_value + as_number(slice0cost_negative_0_0_is_less)) mod 256;
-      slice0cost_single_2_1 <= (slice0cost_pair_0_1_folded_value + as_number(slice0cost_negative_0_1_is_less)) mod 256;
-      slice0cost_single_2_2 <= (slice0cost_pair_0_2_folded_value + as_number(slice0cost_negative_0_2_is_less)) mod 256;
-      slice0cost_single_3_0 <= (slice0cost_pair_1_0_folded_value + as_number(slice0cost_pair_1_0_is_less)) mod 256;
-      slice0cost_single_3_1 <= (slice0cost_pair_1_1_folded_value + as_number(slice0cost_pair_1_1_is_less)) mod 256;
-      slice0cost_single_3_2 <= (slice0cost_pair_1_2_folded_value + as_number(slice0cost_pair_1_2_is_less)) mod 256;
-      slice0cost_single_5_0 <= (folded(slice0cost_difference_5_0) + as_number((slice0cost_difference_5_0 < 0))) mod 256;
-      slice0cost_single_5_1 <= (folded(slice0cost_difference_5_1) + as_number((slice0cost_difference_5_1 < 0))) mod 256;
-      slice0cost_single_5_2 <= (folded(slice0cost_difference_5_2) + as_number((slice0cost_difference_5_2 < 0))) mod 256;
+      for i in 0 to 2 loop
+        slice0cost_pair(0, i) <= slice0cost_pair_folded_value(0, i) + folded(slice0cost_difference(1, i)) +
+          as_number((slice0cost_difference(1, i) < 0));
+      end loop;
+      for i in 0 to 2 loop
+        slice0cost_pair(1, i) <= folded(slice0cost_difference(4, i)) + slice0cost_pair_folded_value(1, i) +
+          as_number(slice0cost_pair_1_is_less(i));
+      end loop;
+      slice0cost_negative(0, 0) <= slice0cost_negative_0_is_less(0);
+      slice0cost_negative(0, 1) <= slice0cost_negative_0_is_less(1);
+      slice0cost_negative(0, 2) <= slice0cost_negative_0_is_less(2);
+      slice0cost_negative(1, 0) <= slice0cost_difference(4, 0) < 0;
+      slice0cost_negative(1, 1) <= slice0cost_difference(4, 1) < 0;
+      slice0cost_negative(1, 2) <= slice0cost_difference(4, 2) < 0;
+      for i in 0 to 2 loop
+        slice0cost_single_0(i) <= (folded(slice0cost_difference(0, i)) + as_number((slice0cost_difference(0, i) < 0)))
+          mod 256;
+      end loop;
+      for i in 0 to 2 loop
+        slice0cost_single(2, i) <= (slice0cost_pair_folded_value(0, i) + as_number(slice0cost_negative_0_is_less(i)))
+          mod 256;
+      end loop;
+      for i in 0 to 2 loop
+        slice0cost_single(3, i) <= (slice0cost_pair_folded_value(1, i) + as_number(slice0cost_pair_1_is_less(i))) mod
+          256;
+      end loop;
+      for i in 0 to 2 loop
+        slice0cost_single_5(i) <= (folded(slice0cost_difference(5, i)) + as_number((slice0cost_difference(5, i) < 0)))
+          mod 256;
+      end loop;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
@@ -722,603 +606,378 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       if slice0cost_pair_tag_border_column then
-        slice0cost_column_0_0 <= 0;
-        slice0cost_column_0_1 <= 0;
-        slice0cost_column_0_2 <= 0;
-        slice0cost_column_1_0 <= 0;
-        slice0cost_column_1_1 <= 0;
-        slice0cost_column_1_2 <= 0;
-        slice0cost_column_2_0 <= 0;
-        slice0cost_column_2_1 <= 0;
-        slice0cost_column_2_2 <= 0;
-        slice0cost_column_3_0 <= 0;
-        slice0cost_column_3_1 <= 0;
-        slice0cost_column_3_2 <= 0;
+        for i in 0 to 3 loop
+          slice0cost_column(i, 0) <= 0;
+          slice0cost_column(i, 1) <= 0;
+          slice0cost_column(i, 2) <= 0;
+        end loop;
       else
-        slice0cost_column_0_0 <= slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
-        slice0cost_column_0_1 <= slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
-        slice0cost_column_0_2 <= slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
-        slice0cost_column_1_0 <= slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
-        slice0cost_column_1_1 <= slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
-        slice0cost_column_1_2 <= slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
-        slice0cost_column_2_0 <= slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0) + slice0cost_single_2_0;
-        slice0cost_column_2_1 <= slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1) + slice0cost_single_2_1;
-        slice0cost_column_2_2 <= slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2) + slice0cost_single_2_2;
-        slice0cost_column_3_0 <= slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0) + slice0cost_single_5_0;
-        slice0cost_column_3_1 <= slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1) + slice0cost_single_5_1;
-        slice0cost_column_3_2 <= slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2) + slice0cost_single_5_2;
+        for i in 0 to 2 loop
+          slice0cost_column(0, i) <= slice0cost_pair(0, i) + as_number(slice0cost_negative(0, i)) +
+            slice0cost_single_0(i);
+        end loop;
+        for i in 1 to 2 loop
+          for j in 0 to 2 loop
+            slice0cost_column(i, j) <= slice0cost_pair(i - 1, j) + as_number(slice0cost_negative(i - 1, j)) +
+              slice0cost_single(4 - i, j);
+          end loop;
+        end loop;
+        for i in 0 to 2 loop
+          slice0cost_column(3, i) <= slice0cost_pair(1, i) + as_number(slice0cost_negative(1, i)) +
+            slice0cost_single_5(i);
+        end loop;
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
-        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
-        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
-        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
-        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
-        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
-        slice0window_partial_1_0_0 <= slice0cost_column_1_0;
-        slice0window_partial_1_0_1 <= slice0cost_column_1_1;
-        slice0window_partial_1_0_2 <= slice0cost_column_1_2;
-        slice0window_partial_1_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_0_0;
-        slice0window_partial_1_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_0_1;
-        slice0window_partial_1_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_0_2;
-        slice0window_partial_2_0_0 <= slice0cost_column_2_0;
-        slice0window_partial_2_0_1 <= slice0cost_column_2_1;
-        slice0window_partial_2_0_2 <= slice0cost_column_2_2;
-        slice0window_partial_2_1_0 <= slice0cost_column_2_0 + slice0window_partial_2_0_0;
-        slice0window_partial_2_1_1 <= slice0cost_column_2_1 + slice0window_partial_2_0_1;
-        slice0window_partial_2_1_2 <= slice0cost_column_2_2 + slice0window_partial_2_0_2;
-        slice0window_partial_3_0_0 <= slice0cost_column_3_0;
-        slice0window_partial_3_0_1 <= slice0cost_column_3_1;
-        slice0window_partial_3_0_2 <= slice0cost_column_3_2;
-        slice0window_partial_3_1_0 <= slice0cost_column_3_0 + slice0window_partial_3_0_0;
-        slice0window_partial_3_1_1 <= slice0cost_column_3_1 + slice0window_partial_3_0_1;
-        slice0window_partial_3_1_2 <= slice0cost_column_3_2 + slice0window_partial_3_0_2;
+        for i in 0 to 3 loop
+          slice0window_partial_0(i, 0) <= slice0cost_column(i, 0);
+          slice0window_partial_0(i, 1) <= slice0cost_column(i, 1);
+          slice0window_partial_0(i, 2) <= slice0cost_column(i, 2);
+          slice0window_partial_1(i, 0) <= slice0cost_column(i, 0) + slice0window_partial_0(i, 0);
+          slice0window_partial_1(i, 1) <= slice0cost_column(i, 1) + slice0window_partial_0(i, 1);
+          slice0window_partial_1(i, 2) <= slice0cost_column(i, 2) + slice0window_partial_0(i, 2);
+        end loop;
       end if;
       slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
       slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
       slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
-      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
-      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
-      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
-      slice0window_sum_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_1_0;
-      slice0window_sum_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_1_1;
-      slice0window_sum_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_1_2;
-      slice0window_sum_2_0 <= slice0cost_column_2_0 + slice0window_partial_2_1_0;
-      slice0window_sum_2_1 <= slice0cost_column_2_1 + slice0window_partial_2_1_1;
-      slice0window_sum_2_2 <= slice0cost_column_2_2 + slice0window_partial_2_1_2;
-      slice0window_sum_3_0 <= slice0cost_column_3_0 + slice0window_partial_3_1_0;
-      slice0window_sum_3_1 <= slice0cost_column_3_1 + slice0window_partial_3_1_1;
-      slice0window_sum_3_2 <= slice0cost_column_3_2 + slice0window_partial_3_1_2;
+      for i in 0 to 3 loop
+        slice0window_sum(i, 0) <= slice0cost_column(i, 0) + slice0window_partial_1(i, 0);
+        slice0window_sum(i, 1) <= slice0cost_column(i, 1) + slice0window_partial_1(i, 1);
+        slice0window_sum(i, 2) <= slice0cost_column(i, 2) + slice0window_partial_1(i, 2);
+      end loop;
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_output_column <= slice0window_centre_output_column_0;
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
-      slice0winner1_best_cost_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
-      slice0winner1_best_cost_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-      slice0winner1_best_cost_2_1 <= slice0window_sum_2_2;
-      slice0winner1_best_cost_3_1 <= slice0window_sum_3_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_cost_0_is_less(0) := (slice0window_sum(0, 1) - slice0window_sum(0, 0)) < 0;
+      slice0winner1_best_cost_0_is_less(1) := (slice0window_sum(1, 1) - slice0window_sum(1, 0)) < 0;
+      slice0winner1_best_cost_0_is_less(2) := (slice0window_sum(2, 1) - slice0window_sum(2, 0)) < 0;
+      slice0winner1_best_cost_0_is_less(3) := (slice0window_sum(3, 1) - slice0window_sum(3, 0)) < 0;
+      slice0winner1_best_cost(0, 1) <= slice0window_sum(0, 2);
+      slice0winner1_best_cost(1, 1) <= slice0window_sum(1, 2);
+      slice0winner1_best_cost(2, 1) <= slice0window_sum(2, 2);
+      slice0winner1_best_cost(3, 1) <= slice0window_sum(3, 2);
+      slice0winner1_best_index_0(0) <= slice0winner1_best_cost_0_is_less(0);
       slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
-      slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
+      slice0winner1_best_index_0(1) <= slice0winner1_best_cost_0_is_less(1);
+      slice0winner1_best_index_0(2) <= slice0winner1_best_cost_0_is_less(2);
+      slice0winner1_best_index_0(3) <= slice0winner1_best_cost_0_is_less(3);
       slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_best_cost_0_0_is_less then
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
-      else
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
-      end if;
-      if slice0winner1_best_cost_1_0_is_less then
-        slice0winner1_best_cost_1_0 <= slice0window_sum_1_1;
-      else
-        slice0winner1_best_cost_1_0 <= slice0window_sum_1_0;
-      end if;
-      if slice0winner1_best_cost_2_0_is_less then
-        slice0winner1_best_cost_2_0 <= slice0window_sum_2_1;
-      else
-        slice0winner1_best_cost_2_0 <= slice0window_sum_2_0;
-      end if;
-      if slice0winner1_best_cost_3_0_is_less then
-        slice0winner1_best_cost_3_0 <= slice0window_sum_3_1;
-      else
-        slice0winner1_best_cost_3_0 <= slice0window_sum_3_0;
-      end if;
+      for i in 0 to 3 loop
+        if slice0winner1_best_cost_0_is_less(i) then
+          slice0winner1_best_cost(i, 0) <= slice0window_sum(i, 1);
+        else
+          slice0winner1_best_cost(i, 0) <= slice0window_sum(i, 0);
+        end if;
+      end loop;
       if slice0winner1_tag_valid then
         slice0winner1_tag_output_column <= slice0window_tag_output_column;
         slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
         slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
-      slice0winner2_best_cost_2_0_is_less := (slice0winner1_best_cost_2_1 - slice0winner1_best_cost_2_0) < 0;
-      slice0winner2_best_cost_3_0_is_less := (slice0winner1_best_cost_3_1 - slice0winner1_best_cost_3_0) < 0;
+      for i in 0 to 3 loop
+        slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost(i, 1) - slice0winner1_best_cost(i, 0)) < 0;
+      end loop;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      if slice0winner2_best_cost_0_0_is_less then
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
-        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-      else
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
-        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-      end if;
-      if slice0winner2_best_cost_1_0_is_less then
-        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1;
-        slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
-      else
-        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_0;
-        slice0winner2_best_index_1_0 <= as_number(slice0winner1_best_index_1_0);
-      end if;
-      if slice0winner2_best_cost_2_0_is_less then
-        slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1;
-        slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1;
-      else
-        slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_0;
-        slice0winner2_best_index_2_0 <= as_number(slice0winner1_best_index_2_0);
-      end if;
-      if slice0winner2_best_cost_3_0_is_less then
-        slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1;
-        slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1;
-      else
-        slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_0;
-        slice0winner2_best_index_3_0 <= as_number(slice0winner1_best_index_3_0);
-      end if;
+      for i in 0 to 3 loop
+        if slice0winner2_best_cost_0_is_less(i) then
+          slice0winner2_best_cost_0(i) <= slice0winner1_best_cost(i, 1);
+          slice0winner2_best_index_0(i) <= slice0winner1_best_index_0_1;
+        else
+          slice0winner2_best_cost_0(i) <= slice0winner1_best_cost(i, 0);
+          slice0winner2_best_index_0(i) <= as_number(slice0winner1_best_index_0(i));
+        end if;
+      end loop;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
-      slice0_best_cost_2_0 <= slice0winner2_best_cost_2_0;
-      slice0_best_cost_3_0 <= slice0winner2_best_cost_3_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
-      slice0_best_index_2_0 <= slice0winner2_best_index_2_0 + 5;
-      slice0_best_index_3_0 <= slice0winner2_best_index_3_0 + 5;
+      slice0_best_cost_0(0) <= slice0winner2_best_cost_0(0);
+      slice0_best_cost_0(1) <= slice0winner2_best_cost_0(1);
+      slice0_best_cost_0(2) <= slice0winner2_best_cost_0(2);
+      slice0_best_cost_0(3) <= slice0winner2_best_cost_0(3);
+      slice0_best_index_0(0) <= slice0winner2_best_index_0(0) + 5;
+      slice0_best_index_0(1) <= slice0winner2_best_index_0(1) + 5;
+      slice0_best_index_0(2) <= slice0winner2_best_index_0(2) + 5;
+      slice0_best_index_0(3) <= slice0winner2_best_index_0(3) + 5;
       slice0_best_tag_valid <= slice0winner2_tag_valid;
       slice0_best_tag_output_column <= slice0winner2_tag_output_column;
       slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
-        slice1shift_search_0_0 <= slice1shift_search_0_1;
-        slice1shift_search_0_1 <= slice1shift_search_0_2;
-        slice1shift_search_0_2 <= slice0shift_search_out_0;
-        slice1shift_search_1_0 <= slice1shift_search_1_1;
-        slice1shift_search_1_1 <= slice1shift_search_1_2;
-        slice1shift_search_1_2 <= slice0shift_search_out_1;
-        slice1shift_search_2_0 <= slice1shift_search_2_1;
-        slice1shift_search_2_1 <= slice1shift_search_2_2;
-        slice1shift_search_2_2 <= slice0shift_search_out_2;
-        slice1shift_search_3_0 <= slice1shift_search_3_1;
-        slice1shift_search_3_1 <= slice1shift_search_3_2;
-        slice1shift_search_3_2 <= slice0shift_search_out_3;
-        slice1shift_search_4_0 <= slice1shift_search_4_1;
-        slice1shift_search_4_1 <= slice1shift_search_4_2;
-        slice1shift_search_4_2 <= slice0shift_search_out_4;
-        slice1shift_search_5_0 <= slice1shift_search_5_1;
-        slice1shift_search_5_1 <= slice1shift_search_5_2;
-        slice1shift_search_5_2 <= slice0shift_search_out_5;
+        for i in 0 to 5 loop
+          slice1shift_search(i, 0) <= slice1shift_search(i, 1);
+          slice1shift_search(i, 1) <= slice1shift_search(i, 2);
+          slice1shift_search(i, 2) <= slice0shift_search_out(i);
+        end loop;
       end if;
-      slice1shift_reference_0 <= slice0shift_reference_0;
-      slice1shift_reference_1 <= slice0shift_reference_1;
-      slice1shift_reference_2 <= slice0shift_reference_2;
-      slice1shift_reference_3 <= slice0shift_reference_3;
-      slice1shift_reference_4 <= slice0shift_reference_4;
-      slice1shift_reference_5 <= slice0shift_reference_5;
-      slice1shift_search_out_0 <= slice1shift_search_0_0;
-      slice1shift_search_out_1 <= slice1shift_search_1_0;
-      slice1shift_search_out_2 <= slice1shift_search_2_0;
-      slice1shift_search_out_3 <= slice1shift_search_3_0;
-      slice1shift_search_out_4 <= slice1shift_search_4_0;
-      slice1shift_search_out_5 <= slice1shift_search_5_0;
+      for i in 0 to 5 loop
+        slice1shift_reference(i) <= slice0shift_reference(i);
+      end loop;
+      for i in 0 to 5 loop
+        slice1shift_search_out(i) <= slice1shift_search(i, 0);
+      end loop;
       -- slice1cost
-      slice1cost_pair_0_0_folded_value := folded(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_folded_value := folded(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_folded_value := folded(slice1cost_difference_2_2);
-      slice1cost_pair_1_0_folded_value := folded(slice1cost_difference_3_0);
-      slice1cost_pair_1_0_is_less := slice1cost_difference_3_0 < 0;
-      slice1cost_pair_1_1_folded_value := folded(slice1cost_difference_3_1);
-      slice1cost_pair_1_1_is_less := slice1cost_difference_3_1 < 0;
-      slice1cost_pair_1_2_folded_value := folded(slice1cost_difference_3_2);
-      slice1cost_pair_1_2_is_less := slice1cost_difference_3_2 < 0;
-      slice1cost_negative_0_0_is_less := slice1cost_difference_2_0 < 0;
-      slice1cost_negative_0_1_is_less := slice1cost_difference_2_1 < 0;
-      slice1cost_negative_0_2_is_less := slice1cost_difference_2_2 < 0;
-      slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
-      slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
-      slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
-      slice1cost_difference_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
-      slice1cost_difference_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
-      slice1cost_difference_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
-      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
-      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
-      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
-      slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
-      slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
-      slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
-      slice1cost_difference_4_0 <= slice1shift_search_4_0 - slice1shift_reference_4;
-      slice1cost_difference_4_1 <= slice1shift_search_4_1 - slice1shift_reference_4;
-      slice1cost_difference_4_2 <= slice1shift_search_4_2 - slice1shift_reference_4;
-      slice1cost_difference_5_0 <= slice1shift_search_5_0 - slice1shift_reference_5;
-      slice1cost_difference_5_1 <= slice1shift_search_5_1 - slice1shift_reference_5;
-      slice1cost_difference_5_2 <= slice1shift_search_5_2 - slice1shift_reference_5;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_folded_value + folded(slice1cost_difference_1_0) +
-        as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_folded_value + folded(slice1cost_difference_1_1) +
-        as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_folded_value + folded(slice1cost_difference_1_2) +
-        as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_pair_1_0 <= folded(slice1cost_difference_4_0) + slice1cost_pair_1_0_folded_value +
-        as_number(slice1cost_pair_1_0_is_less);
-      slice1cost_pair_1_1 <= folded(slice1cost_difference_4_1) + slice1cost_pair_1_1_folded_value +
-        as_number(slice1cost_pair_1_1_is_less);
-      slice1cost_pair_1_2 <= folded(slice1cost_difference_4_2) + slice1cost_pair_1_2_folded_value +
-        as_number(slice1cost_pair_1_2_is_less);
-      slice1cost_negative_0_0 <= slice1cost_negative_0_0_is_less;
-      slice1cost_negative_0_1 <= slice1cost_negative_0_1_is_less;
-      slice1cost_negative_0_2 <= slice1cost_negative_0_2_is_less;
-      slice1cost_negative_1_0 <= slice1cost_difference_4_0 < 0;
-      slice1cost_negative_1_1 <= slice1cost_difference_4_1 < 0;
-      slice1cost_negative_1_2 <= slice1cost_difference_4_2 < 0;
-      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
-      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
-      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
-      slice1cost_single_2_0 <= (slice1cost_pair_0_0_folded_value + as_number(slice1cost_negative_0_0_is_less)) mod 256;
-      slice1cost_single_2_1 <= (slice1cost_pair_0_1_folded_value + as_number(slice1cost_negative_0_1_is_less)) mod 256;
-      slice1cost_single_2_2 <= (slice1cost_pair_0_2_folded_value + as_number(slice1cost_negative_0_2_is_less)) mod 256;
-      slice1cost_single_3_0 <= (slice1cost_pair_1_0_folded_value + as_number(slice1cost_pair_1_0_is_less)) mod 256;
-      slice1cost_single_3_1 <= (slice1cost_pair_1_1_folded_value + as_number(slice1cost_pair_1_1_is_less)) mod 256;
-      slice1cost_single_3_2 <= (slice1cost_pair_1_2_folded_value + as_number(slice1cost_pair_1_2_is_less)) mod 256;
-      slice1cost_single_5_0 <= (folded(slice1cost_difference_5_0) + as_number((slice1cost_difference_5_0 < 0))) mod 256;
-      slice1cost_single_5_1 <= (folded(slice1cost_difference_5_1) + as_number((slice1cost_difference_5_1 < 0))) mod 256;
-      slice1cost_single_5_2 <= (folded(slice1cost_difference_5_2) + as_number((slice1cost_difference_5_2 < 0))) mod 256;
+      slice1cost_pair_folded_value(0, 0) := folded(slice1cost_difference(2, 0));
+      slice1cost_pair_folded_value(0, 1) := folded(slice1cost_difference(2, 1));
+      slice1cost_pair_folded_value(0, 2) := folded(slice1cost_difference(2, 2));
+      for i in 0 to 2 loop
+        slice1cost_pair_folded_value(1, i) := folded(slice1cost_difference(3, i));
+        slice1cost_pair_1_is_less(i) := slice1cost_difference(3, i) < 0;
+      end loop;
+      slice1cost_negative_0_is_less(0) := slice1cost_difference(2, 0) < 0;
+      slice1cost_negative_0_is_less(1) := slice1cost_difference(2, 1) < 0;
+      slice1cost_negative_0_is_less(2) := slice1cost_difference(2, 2) < 0;
+      for i in 0 to 5 loop
+        slice1cost_difference(i, 0) <= slice1shift_search(i, 0) - slice1shift_reference(i);
+        slice1cost_difference(i, 1) <= slice1shift_search(i, 1) - slice1shift_reference(i);
+        slice1cost_difference(i, 2) <= slice1shift_search(i, 2) - slice1shift_reference(i);
+      end loop;
+      for i in 0 to 2 loop
+        slice1cost_pair(0, i) <= slice1cost_pair_folded_value(0, i) + folded(slice1cost_difference(1, i)) +
+          as_number((slice1cost_difference(1, i) < 0));
+      end loop;
+      for i in 0 to 2 loop
+        slice1cost_pair(1, i) <= folded(slice1cost_difference(4, i)) + slice1cost_pair_folded_value(1, i) +
+          as_number(slice1cost_pair_1_is_less(i));
+      end loop;
+      slice1cost_negative(0, 0) <= slice1cost_negative_0_is_less(0);
+      slice1cost_negative(0, 1) <= slice1cost_negative_0_is_less(1);
+      slice1cost_negative(0, 2) <= slice1cost_negative_0_is_less(2);
+      slice1cost_negative(1, 0) <= slice1cost_difference(4, 0) < 0;
+      slice1cost_negative(1, 1) <= slice1cost_difference(4, 1) < 0;
+      slice1cost_negative(1, 2) <= slice1cost_difference(4, 2) < 0;
+      for i in 0 to 2 loop
+        slice1cost_single_0(i) <= (folded(slice1cost_difference(0, i)) + as_number((slice1cost_difference(0, i) < 0)))
+          mod 256;
+      end loop;
+      for i in 0 to 2 loop
+        slice1cost_single(2, i) <= (slice1cost_pair_folded_value(0, i) + as_number(slice1cost_negative_0_is_less(i)))
+          mod 256;
+      end loop;
+      for i in 0 to 2 loop
+        slice1cost_single(3, i) <= (slice1cost_pair_folded_value(1, i) + as_number(slice1cost_pair_1_is_less(i))) mod
+          256;
+      end loop;
+      for i in 0 to 2 loop
+        slice1cost_single_5(i) <= (folded(slice1cost_difference(5, i)) + as_number((slice1cost_difference(5, i) < 0)))
+          mod 256;
+      end loop;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       if slice0cost_tag_border_column then
-        slice1cost_column_0_0 <= 0;
-        slice1cost_column_0_1 <= 0;
-        slice1cost_column_0_2 <= 0;
-        slice1cost_column_1_0 <= 0;
-        slice1cost_column_1_1 <= 0;
-        slice1cost_column_1_2 <= 0;
-        slice1cost_column_2_0 <= 0;
-        slice1cost_column_2_1 <= 0;
-        slice1cost_column_2_2 <= 0;
-        slice1cost_column_3_0 <= 0;
-        slice1cost_column_3_1 <= 0;
-        slice1cost_column_3_2 <= 0;
+        for i in 0 to 3 loop
+          slice1cost_column(i, 0) <= 0;
+          slice1cost_column(i, 1) <= 0;
+          slice1cost_column(i, 2) <= 0;
+        end loop;
       else
-        slice1cost_column_0_0 <= slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
-        slice1cost_column_0_1 <= slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
-        slice1cost_column_0_2 <= slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
-        slice1cost_column_1_0 <= slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
-        slice1cost_column_1_1 <= slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
-        slice1cost_column_1_2 <= slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
-        slice1cost_column_2_0 <= slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0) + slice1cost_single_2_0;
-        slice1cost_column_2_1 <= slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1) + slice1cost_single_2_1;
-        slice1cost_column_2_2 <= slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2) + slice1cost_single_2_2;
-        slice1cost_column_3_0 <= slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0) + slice1cost_single_5_0;
-        slice1cost_column_3_1 <= slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1) + slice1cost_single_5_1;
-        slice1cost_column_3_2 <= slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2) + slice1cost_single_5_2;
+        for i in 0 to 2 loop
+          slice1cost_column(0, i) <= slice1cost_pair(0, i) + as_number(slice1cost_negative(0, i)) +
+            slice1cost_single_0(i);
+        end loop;
+        for i in 1 to 2 loop
+          for j in 0 to 2 loop
+            slice1cost_column(i, j) <= slice1cost_pair(i - 1, j) + as_number(slice1cost_negative(i - 1, j)) +
+              slice1cost_single(4 - i, j);
+          end loop;
+        end loop;
+        for i in 0 to 2 loop
+          slice1cost_column(3, i) <= slice1cost_pair(1, i) + as_number(slice1cost_negative(1, i)) +
+            slice1cost_single_5(i);
+        end loop;
       end if;
       -- slice1window
       if slice0window_tag_valid then
-        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
-        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
-        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
-        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
-        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
-        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
-        slice1window_partial_1_0_0 <= slice1cost_column_1_0;
-        slice1window_partial_1_0_1 <= slice1cost_column_1_1;
-        slice1window_partial_1_0_2 <= slice1cost_column_1_2;
-        slice1window_partial_1_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_0_0;
-        slice1window_partial_1_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_0_1;
-        slice1window_partial_1_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_0_2;
-        slice1window_partial_2_0_0 <= slice1cost_column_2_0;
-        slice1window_partial_2_0_1 <= slice1cost_column_2_1;
-        slice1window_partial_2_0_2 <= slice1cost_column_2_2;
-        slice1window_partial_2_1_0 <= slice1cost_column_2_0 + slice1window_partial_2_0_0;
-        slice1window_partial_2_1_1 <= slice1cost_column_2_1 + slice1window_partial_2_0_1;
-        slice1window_partial_2_1_2 <= slice1cost_column_2_2 + slice1window_partial_2_0_2;
-        slice1window_partial_3_0_0 <= slice1cost_column_3_0;
-        slice1window_partial_3_0_1 <= slice1cost_column_3_1;
-        slice1window_partial_3_0_2 <= slice1cost_column_3_2;
-        slice1window_partial_3_1_0 <= slice1cost_column_3_0 + slice1window_partial_3_0_0;
-        slice1window_partial_3_1_1 <= slice1cost_column_3_1 + slice1window_partial_3_0_1;
-        slice1window_partial_3_1_2 <= slice1cost_column_3_2 + slice1window_partial_3_0_2;
+        for i in 0 to 3 loop
+          slice1window_partial_0(i, 0) <= slice1cost_column(i, 0);
+          slice1window_partial_0(i, 1) <= slice1cost_column(i, 1);
+          slice1window_partial_0(i, 2) <= slice1cost_column(i, 2);
+          slice1window_partial_1(i, 0) <= slice1cost_column(i, 0) + slice1window_partial_0(i, 0);
+          slice1window_partial_1(i, 1) <= slice1cost_column(i, 1) + slice1window_partial_0(i, 1);
+          slice1window_partial_1(i, 2) <= slice1cost_column(i, 2) + slice1window_partial_0(i, 2);
+        end loop;
       end if;
-      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
-      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
-      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
-      slice1window_sum_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_1_0;
-      slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
-      slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
-      slice1window_sum_2_0 <= slice1cost_column_2_0 + slice1window_partial_2_1_0;
-      slice1window_sum_2_1 <= slice1cost_column_2_1 + slice1window_partial_2_1_1;
-      slice1window_sum_2_2 <= slice1cost_column_2_2 + slice1window_partial_2_1_2;
-      slice1window_sum_3_0 <= slice1cost_column_3_0 + slice1window_partial_3_1_0;
-      slice1window_sum_3_1 <= slice1cost_column_3_1 + slice1window_partial_3_1_1;
-      slice1window_sum_3_2 <= slice1cost_column_3_2 + slice1window_partial_3_1_2;
+      for i in 0 to 3 loop
+        slice1window_sum(i, 0) <= slice1cost_column(i, 0) + slice1window_partial_1(i, 0);
+        slice1window_sum(i, 1) <= slice1cost_column(i, 1) + slice1window_partial_1(i, 1);
+        slice1window_sum(i, 2) <= slice1cost_column(i, 2) + slice1window_partial_1(i, 2);
+      end loop;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
-      slice1winner1_best_cost_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
-      slice1winner1_best_cost_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_cost_2_1 <= slice1window_sum_2_2;
-      slice1winner1_best_cost_3_1 <= slice1window_sum_3_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
-      slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
-      if slice1winner1_best_cost_0_0_is_less then
-        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
-      else
-        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
-      end if;
-      if slice1winner1_best_cost_1_0_is_less then
-        slice1winner1_best_cost_1_0 <= slice1window_sum_1_1;
-      else
-        slice1winner1_best_cost_1_0 <= slice1window_sum_1_0;
-      end if;
-      if slice1winner1_best_cost_2_0_is_less then
-        slice1winner1_best_cost_2_0 <= slice1window_sum_2_1;
-      else
-        slice1winner1_best_cost_2_0 <= slice1window_sum_2_0;
-      end if;
-      if slice1winner1_best_cost_3_0_is_less then
-        slice1winner1_best_cost_3_0 <= slice1window_sum_3_1;
-      else
-        slice1winner1_best_cost_3_0 <= slice1window_sum_3_0;
-      end if;
+      slice1winner1_best_cost_0_is_less(0) := (slice1window_sum(0, 1) - slice1window_sum(0, 0)) < 0;
+      slice1winner1_best_cost_0_is_less(1) := (slice1window_sum(1, 1) - slice1window_sum(1, 0)) < 0;
+      slice1winner1_best_cost_0_is_less(2) := (slice1window_sum(2, 1) - slice1window_sum(2, 0)) < 0;
+      slice1winner1_best_cost_0_is_less(3) := (slice1window_sum(3, 1) - slice1window_sum(3, 0)) < 0;
+      slice1winner1_best_cost(0, 1) <= slice1window_sum(0, 2);
+      slice1winner1_best_cost(1, 1) <= slice1window_sum(1, 2);
+      slice1winner1_best_cost(2, 1) <= slice1window_sum(2, 2);
+      slice1winner1_best_cost(3, 1) <= slice1window_sum(3, 2);
+      slice1winner1_best_index_0(0) <= slice1winner1_best_cost_0_is_less(0);
+      slice1winner1_best_index_0(1) <= slice1winner1_best_cost_0_is_less(1);
+      slice1winner1_best_index_0(2) <= slice1winner1_best_cost_0_is_less(2);
+      slice1winner1_best_index_0(3) <= slice1winner1_best_cost_0_is_less(3);
+      for i in 0 to 3 loop
+        if slice1winner1_best_cost_0_is_less(i) then
+          slice1winner1_best_cost(i, 0) <= slice1window_sum(i, 1);
+        else
+          slice1winner1_best_cost(i, 0) <= slice1window_sum(i, 0);
+        end if;
+      end loop;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
-      slice1winner2_best_cost_2_0_is_less := (slice1winner1_best_cost_2_1 - slice1winner1_best_cost_2_0) < 0;
-      slice1winner2_best_cost_3_0_is_less := (slice1winner1_best_cost_3_1 - slice1winner1_best_cost_3_0) < 0;
-      if slice1winner2_best_cost_0_0_is_less then
-        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
-        slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-      else
-        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
-        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
-      end if;
-      if slice1winner2_best_cost_1_0_is_less then
-        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1;
-        slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
-      else
-        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_0;
-        slice1winner2_best_index_1_0 <= as_number(slice1winner1_best_index_1_0);
-      end if;
-      if slice1winner2_best_cost_2_0_is_less then
-        slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1;
-        slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1;
-      else
-        slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_0;
-        slice1winner2_best_index_2_0 <= as_number(slice1winner1_best_index_2_0);
-      end if;
-      if slice1winner2_best_cost_3_0_is_less then
-        slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1;
-        slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1;
-      else
-        slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_0;
-        slice1winner2_best_index_3_0 <= as_number(slice1winner1_best_index_3_0);
-      end if;
+      for i in 0 to 3 loop
+        slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost(i, 1) - slice1winner1_best_cost(i, 0)) < 0;
+      end loop;
+      for i in 0 to 3 loop
+        if slice1winner2_best_cost_0_is_less(i) then
+          slice1winner2_best_cost_0(i) <= slice1winner1_best_cost(i, 1);
+          slice1winner2_best_index_0(i) <= slice0winner1_best_index_0_1;
+        else
+          slice1winner2_best_cost_0(i) <= slice1winner1_best_cost(i, 0);
+          slice1winner2_best_index_0(i) <= as_number(slice1winner1_best_index_0(i));
+        end if;
+      end loop;
       -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
-      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner2_best_cost_1_0) < 0;
-      slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner2_best_cost_2_0) < 0;
-      slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner2_best_cost_3_0) < 0;
+      slice1_best_cost_0_is_less(0) := (slice0_best_cost_0(0) - slice1winner2_best_cost_0(0)) < 0;
+      slice1_best_cost_0_is_less(1) := (slice0_best_cost_0(1) - slice1winner2_best_cost_0(1)) < 0;
+      slice1_best_cost_0_is_less(2) := (slice0_best_cost_0(2) - slice1winner2_best_cost_0(2)) < 0;
+      slice1_best_cost_0_is_less(3) := (slice0_best_cost_0(3) - slice1winner2_best_cost_0(3)) < 0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
-      if slice1_best_cost_0_0_is_less then
-        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
-        slice1_best_index_0_0 <= slice0_best_index_0_0;
-      else
-        slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0;
-        slice1_best_index_0_0 <= (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
-      end if;
-      if slice1_best_cost_1_0_is_less then
-        slice1_best_cost_1_0 <= slice0_best_cost_1_0;
-        slice1_best_index_1_0 <= slice0_best_index_1_0;
-      else
-        slice1_best_cost_1_0 <= slice1winner2_best_cost_1_0;
-        slice1_best_index_1_0 <= (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
-      end if;
-      if slice1_best_cost_2_0_is_less then
-        slice1_best_cost_2_0 <= slice0_best_cost_2_0;
-        slice1_best_index_2_0 <= slice0_best_index_2_0;
-      else
-        slice1_best_cost_2_0 <= slice1winner2_best_cost_2_0;
-        slice1_best_index_2_0 <= (((slice1winner2_best_index_2_0 / 2) + 1) * 2) + (slice1winner2_best_index_2_0 mod 2);
-      end if;
-      if slice1_best_cost_3_0_is_less then
-        slice1_best_cost_3_0 <= slice0_best_cost_3_0;
-        slice1_best_index_3_0 <= slice0_best_index_3_0;
-      else
-        slice1_best_cost_3_0 <= slice1winner2_best_cost_3_0;
-        slice1_best_index_3_0 <= (((slice1winner2_best_index_3_0 / 2) + 1) * 2) + (slice1winner2_best_index_3_0 mod 2);
-      end if;
+      for i in 0 to 3 loop
+        if slice1_best_cost_0_is_less(i) then
+          slice1_best_cost_0(i) <= slice0_best_cost_0(i);
+          slice1_best_index_0(i) <= slice0_best_index_0(i);
+        else
+          slice1_best_cost_0(i) <= slice1winner2_best_cost_0(i);
+          slice1_best_index_0(i) <= (((slice1winner2_best_index_0(i) / 2) + 1) * 2) + (slice1winner2_best_index_0(i)
+            mod 2);
+        end if;
+      end loop;
       -- slice2shift
       if slice0cost_difference_tag_valid then
-        slice2shift_search_0_0 <= slice2shift_search_0_1;
-        slice2shift_search_0_1 <= slice1shift_search_out_0;
-        slice2shift_search_1_0 <= slice2shift_search_1_1;
-        slice2shift_search_1_1 <= slice1shift_search_out_1;
-        slice2shift_search_2_0 <= slice2shift_search_2_1;
-        slice2shift_search_2_1 <= slice1shift_search_out_2;
-        slice2shift_search_3_0 <= slice2shift_search_3_1;
-        slice2shift_search_3_1 <= slice1shift_search_out_3;
-        slice2shift_search_4_0 <= slice2shift_search_4_1;
-        slice2shift_search_4_1 <= slice1shift_search_out_4;
-        slice2shift_search_5_0 <= slice2shift_search_5_1;
-        slice2shift_search_5_1 <= slice1shift_search_out_5;
+        for i in 0 to 5 loop
+          slice2shift_search(i, 0) <= slice2shift_search(i, 1);
+          slice2shift_search(i, 1) <= slice1shift_search_out(i);
+        end loop;
       end if;
-      slice2shift_reference_0 <= slice1shift_reference_0;
-      slice2shift_reference_1 <= slice1shift_reference_1;
-      slice2shift_reference_2 <= slice1shift_reference_2;
-      slice2shift_reference_3 <= slice1shift_reference_3;
-      slice2shift_reference_4 <= slice1shift_reference_4;
-      slice2shift_reference_5 <= slice1shift_reference_5;
+      for i in 0 to 5 loop
+        slice2shift_reference(i) <= slice1shift_reference(i);
+      end loop;
       -- slice2cost
-      slice2cost_pair_0_0_folded_value := folded(slice2cost_difference_2_0);
-      slice2cost_pair_0_1_folded_value := folded(slice2cost_difference_2_1);
-      slice2cost_pair_1_0_is_less := slice2cost_difference_3_0 < 0;
-      slice2cost_pair_1_0_folded_value := folded(slice2cost_difference_3_0);
-      slice2cost_pair_1_1_is_less := slice2cost_difference_3_1 < 0;
-      slice2cost_pair_1_1_folded_value := folded(slice2cost_difference_3_1);
-      slice2cost_negative_0_0_is_less := slice2cost_difference_2_0 < 0;
-      slice2cost_negative_0_1_is_less := slice2cost_difference_2_1 < 0;
-      slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
-      slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
-      slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
-      slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
-      slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
-      slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
-      slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3;
-      slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
-      slice2cost_difference_4_0 <= slice2shift_search_4_0 - slice2shift_reference_4;
-      slice2cost_difference_4_1 <= slice2shift_search_4_1 - slice2shift_reference_4;
-      slice2cost_difference_5_0 <= slice2shift_search_5_0 - slice2shift_reference_5;
-      slice2cost_difference_5_1 <= slice2shift_search_5_1 - slice2shift_reference_5;
-      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
-        slice2cost_pair_0_0_folded_value;
-      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
-        slice2cost_pair_0_1_folded_value;
-      slice2cost_pair_1_0 <= as_number(slice2cost_pair_1_0_is_less) + slice2cost_pair_1_0_folded_value +
-        folded(slice2cost_difference_4_0);
-      slice2cost_pair_1_1 <= as_number(slice2cost_pair_1_1_is_less) + slice2cost_pair_1_1_folded_value +
-        folded(slice2cost_difference_4_1);
-      slice2cost_negative_0_0 <= slice2cost_negative_0_0_is_less;
-      slice2cost_negative_0_1 <= slice2cost_negative_0_1_is_less;
-      slice2cost_negative_1_0 <= slice2cost_difference_4_0 < 0;
-      slice2cost_negative_1_1 <= slice2cost_difference_4_1 < 0;
-      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
-      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
-      slice2cost_single_2_0 <= (slice2cost_pair_0_0_folded_value + as_number(slice2cost_negative_0_0_is_less)) mod 256;
-      slice2cost_single_2_1 <= (slice2cost_pair_0_1_folded_value + as_number(slice2cost_negative_0_1_is_less)) mod 256;
-      slice2cost_single_3_0 <= (slice2cost_pair_1_0_folded_value + as_number(slice2cost_pair_1_0_is_less)) mod 256;
-      slice2cost_single_3_1 <= (slice2cost_pair_1_1_folded_value + as_number(slice2cost_pair_1_1_is_less)) mod 256;
-      slice2cost_single_5_0 <= (folded(slice2cost_difference_5_0) + as_number((slice2cost_difference_5_0 < 0))) mod 256;
-      slice2cost_single_5_1 <= (folded(slice2cost_difference_5_1) + as_number((slice2cost_difference_5_1 < 0))) mod 256;
+      slice2cost_pair_folded_value(0, 0) := folded(slice2cost_difference(2, 0));
+      slice2cost_pair_folded_value(0, 1) := folded(slice2cost_difference(2, 1));
+      slice2cost_pair_1_is_less(0) := slice2cost_difference(3, 0) < 0;
+      slice2cost_pair_folded_value(1, 0) := folded(slice2cost_difference(3, 0));
+      slice2cost_pair_1_is_less(1) := slice2cost_difference(3, 1) < 0;
+      slice2cost_pair_folded_value(1, 1) := folded(slice2cost_difference(3, 1));
+      slice2cost_negative_0_is_less(0) := slice2cost_difference(2, 0) < 0;
+      slice2cost_negative_0_is_less(1) := slice2cost_difference(2, 1) < 0;
+      for i in 0 to 5 loop
+        slice2cost_difference(i, 0) <= slice2shift_search(i, 0) - slice2shift_reference(i);
+        slice2cost_difference(i, 1) <= slice2shift_search(i, 1) - slice2shift_reference(i);
+      end loop;
+      slice2cost_pair(0, 0) <= as_number((slice2cost_difference(1, 0) < 0)) + folded(slice2cost_difference(1, 0)) +
+        slice2cost_pair_folded_value(0, 0);
+      slice2cost_pair(0, 1) <= as_number((slice2cost_difference(1, 1) < 0)) + folded(slice2cost_difference(1, 1)) +
+        slice2cost_pair_folded_value(0, 1);
+      slice2cost_pair(1, 0) <= as_number(slice2cost_pair_1_is_less(0)) + slice2cost_pair_folded_value(1, 0) +
+        folded(slice2cost_difference(4, 0));
+      slice2cost_pair(1, 1) <= as_number(slice2cost_pair_1_is_less(1)) + slice2cost_pair_folded_value(1, 1) +
+        folded(slice2cost_difference(4, 1));
+      slice2cost_negative(0, 0) <= slice2cost_negative_0_is_less(0);
+      slice2cost_negative(0, 1) <= slice2cost_negative_0_is_less(1);
+      slice2cost_negative(1, 0) <= slice2cost_difference(4, 0) < 0;
+      slice2cost_negative(1, 1) <= slice2cost_difference(4, 1) < 0;
+      slice2cost_single_0(0) <= (folded(slice2cost_difference(0, 0)) + as_number((slice2cost_difference(0, 0) < 0)))
+        mod 256;
+      slice2cost_single_0(1) <= (folded(slice2cost_difference(0, 1)) + as_number((slice2cost_difference(0, 1) < 0)))
+        mod 256;
+      slice2cost_single(2, 0) <= (slice2cost_pair_folded_value(0, 0) + as_number(slice2cost_negative_0_is_less(0))) mod
+        256;
+      slice2cost_single(2, 1) <= (slice2cost_pair_folded_value(0, 1) + as_number(slice2cost_negative_0_is_less(1))) mod
+        256;
+      slice2cost_single(3, 0) <= (slice2cost_pair_folded_value(1, 0) + as_number(slice2cost_pair_1_is_less(0))) mod 256;
+      slice2cost_single(3, 1) <= (slice2cost_pair_folded_value(1, 1) + as_number(slice2cost_pair_1_is_less(1))) mod 256;
+      slice2cost_single_5(0) <= (folded(slice2cost_difference(5, 0)) + as_number((slice2cost_difference(5, 0) < 0)))
+        mod 256;
+      slice2cost_single_5(1) <= (folded(slice2cost_difference(5, 1)) + as_number((slice2cost_difference(5, 1) < 0)))
+        mod 256;
       if slice1cost_tag_border_column then
-        slice2cost_column_0_0 <= 0;
-        slice2cost_column_0_1 <= 0;
-        slice2cost_column_1_0 <= 0;
-        slice2cost_column_1_1 <= 0;
-        slice2cost_column_2_0 <= 0;
-        slice2cost_column_2_1 <= 0;
-        slice2cost_column_3_0 <= 0;
-        slice2cost_column_3_1 <= 0;
+        for i in 0 to 3 loop
+          slice2cost_column(i, 0) <= 0;
+          slice2cost_column(i, 1) <= 0;
+        end loop;
       else
-        slice2cost_column_0_0 <= slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
-        slice2cost_column_0_1 <= slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
-        slice2cost_column_1_0 <= slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
-        slice2cost_column_1_1 <= slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
-        slice2cost_column_2_0 <= slice2cost_pair_1_0 + as_number(slice2cost_negative_1_0) + slice2cost_single_2_0;
-        slice2cost_column_2_1 <= slice2cost_pair_1_1 + as_number(slice2cost_negative_1_1) + slice2cost_single_2_1;
-        slice2cost_column_3_0 <= slice2cost_pair_1_0 + as_number(slice2cost_negative_1_0) + slice2cost_single_5_0;
-        slice2cost_column_3_1 <= slice2cost_pair_1_1 + as_number(slice2cost_negative_1_1) + slice2cost_single_5_1;
+        slice2cost_column(0, 0) <= slice2cost_pair(0, 0) + as_number(slice2cost_negative(0, 0)) +
+          slice2cost_single_0(0);
+        slice2cost_column(0, 1) <= slice2cost_pair(0, 1) + as_number(slice2cost_negative(0, 1)) +
+          slice2cost_single_0(1);
+        for i in 1 to 2 loop
+          slice2cost_column(i, 0) <= slice2cost_pair(i - 1, 0) + as_number(slice2cost_negative(i - 1, 0)) +
+            slice2cost_single(4 - i, 0);
+          slice2cost_column(i, 1) <= slice2cost_pair(i - 1, 1) + as_number(slice2cost_negative(i - 1, 1)) +
+            slice2cost_single(4 - i, 1);
+        end loop;
+        slice2cost_column(3, 0) <= slice2cost_pair(1, 0) + as_number(slice2cost_negative(1, 0)) +
+          slice2cost_single_5(0);
+        slice2cost_column(3, 1) <= slice2cost_pair(1, 1) + as_number(slice2cost_negative(1, 1)) +
+          slice2cost_single_5(1);
       end if;
       -- slice2window
       if slice0winner1_tag_valid then
-        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
-        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
-        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
-        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
-        slice2window_partial_1_0_0 <= slice2cost_column_1_0;
-        slice2window_partial_1_0_1 <= slice2cost_column_1_1;
-        slice2window_partial_1_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_0_0;
-        slice2window_partial_1_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_0_1;
-        slice2window_partial_2_0_0 <= slice2cost_column_2_0;
-        slice2window_partial_2_0_1 <= slice2cost_column_2_1;
-        slice2window_partial_2_1_0 <= slice2cost_column_2_0 + slice2window_partial_2_0_0;
-        slice2window_partial_2_1_1 <= slice2cost_column_2_1 + slice2window_partial_2_0_1;
-        slice2window_partial_3_0_0 <= slice2cost_column_3_0;
-        slice2window_partial_3_0_1 <= slice2cost_column_3_1;
-        slice2window_partial_3_1_0 <= slice2cost_column_3_0 + slice2window_partial_3_0_0;
-        slice2window_partial_3_1_1 <= slice2cost_column_3_1 + slice2window_partial_3_0_1;
+        for i in 0 to 3 loop
+          slice2window_partial_0(i, 0) <= slice2cost_column(i, 0);
+          slice2window_partial_0(i, 1) <= slice2cost_column(i, 1);
+          slice2window_partial_1(i, 0) <= slice2cost_column(i, 0) + slice2window_partial_0(i, 0);
+          slice2window_partial_1(i, 1) <= slice2cost_column(i, 1) + slice2window_partial_0(i, 1);
+        end loop;
       end if;
-      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
-      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
-      slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
-      slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
-      slice2window_sum_2_0 <= slice2cost_column_2_0 + slice2window_partial_2_1_0;
-      slice2window_sum_2_1 <= slice2cost_column_2_1 + slice2window_partial_2_1_1;
-      slice2window_sum_3_0 <= slice2cost_column_3_0 + slice2window_partial_3_1_0;
-      slice2window_sum_3_1 <= slice2cost_column_3_1 + slice2window_partial_3_1_1;
+      for i in 0 to 3 loop
+        slice2window_sum(i, 0) <= slice2cost_column(i, 0) + slice2window_partial_1(i, 0);
+        slice2window_sum(i, 1) <= slice2cost_column(i, 1) + slice2window_partial_1(i, 1);
+      end loop;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
-      slice2winner1_best_cost_2_0_is_less := (slice2window_sum_2_1 - slice2window_sum_2_0) < 0;
-      slice2winner1_best_cost_3_0_is_less := (slice2window_sum_3_1 - slice2window_sum_3_0) < 0;
-      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
-      slice2winner1_best_index_2_0 <= slice2winner1_best_cost_2_0_is_less;
-      slice2winner1_best_index_3_0 <= slice2winner1_best_cost_3_0_is_less;
-      if slice2winner1_best_cost_0_0_is_less then
-        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
-      else
-        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
-      end if;
-      if slice2winner1_best_cost_1_0_is_less then
-        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
-      else
-        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
-      end if;
-      if slice2winner1_best_cost_2_0_is_less then
-        slice2winner1_best_cost_2_0 <= slice2window_sum_2_1;
-      else
-        slice2winner1_best_cost_2_0 <= slice2window_sum_2_0;
-      end if;
-      if slice2winner1_best_cost_3_0_is_less then
-        slice2winner1_best_cost_3_0 <= slice2window_sum_3_1;
-      else
-        slice2winner1_best_cost_3_0 <= slice2window_sum_3_0;
-      end if;
+      slice2winner1_best_cost_0_is_less(0) := (slice2window_sum(0, 1) - slice2window_sum(0, 0)) < 0;
+      slice2winner1_best_cost_0_is_less(1) := (slice2window_sum(1, 1) - slice2window_sum(1, 0)) < 0;
+      slice2winner1_best_cost_0_is_less(2) := (slice2window_sum(2, 1) - slice2window_sum(2, 0)) < 0;
+      slice2winner1_best_cost_0_is_less(3) := (slice2window_sum(3, 1) - slice2window_sum(3, 0)) < 0;
+      slice2winner1_best_index_0(0) <= slice2winner1_best_cost_0_is_less(0);
+      slice2winner1_best_index_0(1) <= slice2winner1_best_cost_0_is_less(1);
+      slice2winner1_best_index_0(2) <= slice2winner1_best_cost_0_is_less(2);
+      slice2winner1_best_index_0(3) <= slice2winner1_best_cost_0_is_less(3);
+      for i in 0 to 3 loop
+        if slice2winner1_best_cost_0_is_less(i) then
+          slice2winner1_best_cost_0(i) <= slice2window_sum(i, 1);
+        else
+          slice2winner1_best_cost_0(i) <= slice2window_sum(i, 0);
+        end if;
+      end loop;
       -- slice2winner2
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
-      slice2winner2_best_cost_2_0 <= slice2winner1_best_cost_2_0;
-      slice2winner2_best_cost_3_0 <= slice2winner1_best_cost_3_0;
-      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
-      slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
-      slice2winner2_best_index_2_0 <= slice2winner1_best_index_2_0;
-      slice2winner2_best_index_3_0 <= slice2winner1_best_index_3_0;
+      slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(0);
+      slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(1);
+      slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(2);
+      slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(3);
+      slice2winner2_best_index_0(0) <= slice2winner1_best_index_0(0);
+      slice2winner2_best_index_0(1) <= slice2winner1_best_index_0(1);
+      slice2winner2_best_index_0(2) <= slice2winner1_best_index_0(2);
+      slice2winner2_best_index_0(3) <= slice2winner1_best_index_0(3);
       -- slice2
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
-      if (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0 then
-        slice2_best_index_0_0 <= slice1_best_index_0_0;
-      else
-        slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0);
-      end if;
-      if (slice1_best_cost_1_0 - slice2winner2_best_cost_1_0) < 0 then
-        slice2_best_index_1_0 <= slice1_best_index_1_0;
-      else
-        slice2_best_index_1_0 <= as_number(slice2winner2_best_index_1_0);
-      end if;
-      if (slice1_best_cost_2_0 - slice2winner2_best_cost_2_0) < 0 then
-        slice2_best_index_2_0 <= slice1_best_index_2_0;
-      else
-        slice2_best_index_2_0 <= as_number(slice2winner2_best_index_2_0);
-      end if;
-      if (slice1_best_cost_3_0 - slice2winner2_best_cost_3_0) < 0 then
-        slice2_best_index_3_0 <= slice1_best_index_3_0;
-      else
-        slice2_best_index_3_0 <= as_number(slice2winner2_best_index_3_0);
-      end if;
+      for i in 0 to 3 loop
+        if (slice1_best_cost_0(i) - slice2winner2_best_cost_0(i)) < 0 then
+          slice2_best_index_0(i) <= slice1_best_index_0(i);
+        else
+          slice2_best_index_0(i) <= as_number(slice2winner2_best_index_0(i));
+        end if;
+      end loop;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

@@ -4,6 +4,7 @@
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_phase
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+-- Where a comment behind a declaration has #, the C++ has the indices.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -86,160 +87,155 @@ architecture rtl of stereo_core_tiny_phase is
     return '0';
   end function;
 
-  signal in_start_of_frame : boolean;
-  signal in_valid : boolean;
-  signal in_right_pixel : natural range 0 to 255;
-  signal in_left_pixel : natural range 0 to 255;
+  -- whether the bit of this place is 1
+  function is_set(value : natural; place : natural) return boolean is
+  begin
+    return (value / 2 ** place) mod 2 = 1;
+  end function;
+
+  type boolean_1d is array (natural range <>) of boolean;
+  type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type natural_1021_1d is array (natural range <>) of natural range 0 to 1021;
+  type natural_1021_2d is array (natural range <>, natural range <>) of natural range 0 to 1021;
+  type natural_11_1d is array (natural range <>) of natural range 0 to 11;
+  type natural_12247_1d is array (natural range <>) of natural range 0 to 12247;
+  type natural_1530_1d is array (natural range <>) of natural range 0 to 1530;
+  type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
+  type natural_16777215_1d is array (natural range <>) of natural range 0 to 16777215;
+  type natural_190_1d is array (natural range <>) of natural range 0 to 190;
+  type natural_19_1d is array (natural range <>) of natural range 0 to 19;
+  type natural_19_2d is array (natural range <>, natural range <>) of natural range 0 to 19;
+  type natural_2041_1d is array (natural range <>) of natural range 0 to 2041;
+  type natural_255_1d is array (natural range <>) of natural range 0 to 255;
+  type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
+  type natural_257_1d is array (natural range <>) of natural range 0 to 257;
+  type natural_285_1d is array (natural range <>) of natural range 0 to 285;
+  type natural_3063_1d is array (natural range <>) of natural range 0 to 3063;
+  type natural_31_1d is array (natural range <>) of natural range 0 to 31;
+  type natural_380_1d is array (natural range <>) of natural range 0 to 380;
+  type natural_38_2d is array (natural range <>, natural range <>) of natural range 0 to 38;
+  type natural_4082_1d is array (natural range <>) of natural range 0 to 4082;
+  type natural_4082_2d is array (natural range <>, natural range <>) of natural range 0 to 4082;
+  type natural_4095_1d is array (natural range <>) of natural range 0 to 4095;
+  type natural_4095_2d is array (natural range <>, natural range <>) of natural range 0 to 4095;
+  type natural_475_1d is array (natural range <>) of natural range 0 to 475;
+  type natural_510_1d is array (natural range <>) of natural range 0 to 510;
+  type natural_511_1d is array (natural range <>) of natural range 0 to 511;
+  type natural_513_to_2046_1d is array (natural range <>) of natural range 513 to 2046;
+  type natural_63_1d is array (natural range <>) of natural range 0 to 63;
+  type natural_65535_1d is array (natural range <>) of natural range 0 to 65535;
+  type natural_8164_1d is array (natural range <>) of natural range 0 to 8164;
+  type natural_8192_1d is array (natural range <>) of natural range 0 to 8192;
+  type natural_95_1d is array (natural range <>) of natural range 0 to 95;
+  type unsigned_24_1d is array (natural range <>) of unsigned(23 downto 0);
+  type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
+  signal in_start_of_frame, in_valid : boolean;
+  signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_words_2, transform_left_rows_ready_newest_0 : natural range 0 to 255;
   signal transform_left_rows_write_words_2, transform_right_rows_read_newest_0 : natural range 0 to 255;
   signal transform_right_rows_ready_words_2, transform_right_rows_ready_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_write_words_2, transform_left_column_0, transform_left_column_1 : natural range 0 to 255;
-  signal transform_left_column_2, transform_left_column_3, transform_left_column_4 : natural range 0 to 255;
-  signal transform_left_column_5, transform_left_column_6, transform_left_column_7 : natural range 0 to 255;
-  signal transform_left_column_8, transform_left_column_9, transform_right_column_0 : natural range 0 to 255;
-  signal transform_right_column_1, transform_right_column_2, transform_right_column_3 : natural range 0 to 255;
-  signal transform_right_column_4, transform_right_column_5, transform_right_column_6 : natural range 0 to 255;
-  signal transform_right_column_7, transform_right_column_8, transform_right_column_9 : natural range 0 to 255;
-  signal transform_left_code_column_box_0_0_0, transform_left_code_column_box_0_1_0 : natural range 0 to 255;
-  signal transform_left_code_column_box_0_2_0, transform_left_code_column_box_0_3_0 : natural range 0 to 255;
-  signal transform_left_code_column_box_0_4_0, transform_left_code_column_centre : natural range 0 to 255;
-  signal transform_right_code_column_box_0_0_0, transform_right_code_column_box_0_1_0 : natural range 0 to 255;
-  signal transform_right_code_column_box_0_2_0, transform_right_code_column_box_0_3_0 : natural range 0 to 255;
-  signal transform_right_code_column_box_0_4_0, transform_right_code_column_centre : natural range 0 to 255;
-  signal transform_valid, transform_counter_next_frame, transform_from_first_0, transform_from_first_1 : boolean;
-  signal transform_up_to_last_0, transform_up_to_last_1, transform_columns_inside_0 : boolean;
-  signal transform_columns_inside_1, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_0_inside_0, transform_filtering_0_inside_1, transform_filtering_0_start_of_frame : boolean;
-  signal transform_filtering_0_valid, transform_filtering_1_inside_0, transform_filtering_1_inside_1 : boolean;
-  signal transform_filtering_1_start_of_frame, transform_filtering_1_valid, transform_filtering_2_inside_0 : boolean;
-  signal transform_filtering_2_inside_1, transform_filtering_2_start_of_frame, transform_filtering_2_valid : boolean;
-  signal transform_filtering_3_inside_0, transform_filtering_3_inside_1, transform_filtering_3_start_of_frame : boolean;
-  signal transform_filtering_3_valid, transform_filtering_4_inside_0, transform_filtering_4_inside_1 : boolean;
-  signal transform_filtering_4_start_of_frame, transform_filtering_4_valid, transform_filtering_5_inside_0 : boolean;
-  signal transform_filtering_5_inside_1, transform_filtering_5_start_of_frame, transform_filtering_5_valid : boolean;
-  signal transform_filtering_6_inside_0, transform_filtering_6_inside_1, transform_filtering_6_start_of_frame : boolean;
-  signal transform_filtering_6_valid, transform_filtering_7_start_of_frame, transform_filtering_7_valid : boolean;
+  signal transform_right_rows_write_words_2 : natural range 0 to 255;
+  signal transform_left_column : natural_255_1d(0 to 9);
+  signal transform_right_column : natural_255_1d(0 to 9);
+  signal transform_left_code_column_box_0_0 : natural_255_1d(0 to 4);  -- transform_left_code_column_box_0_#_0
+  signal transform_left_code_column_centre : natural range 0 to 255;
+  signal transform_right_code_column_box_0_0 : natural_255_1d(0 to 4);  -- transform_right_code_column_box_0_#_0
+  signal transform_right_code_column_centre : natural range 0 to 255;
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_from_first : boolean_1d(0 to 1);
+  signal transform_up_to_last : boolean_1d(0 to 1);
+  signal transform_columns_inside : boolean_1d(0 to 1);
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_inside : boolean_2d(0 to 6, 0 to 1);  -- transform_filtering_#_inside_#
+  signal transform_filtering_start_of_frame : boolean_1d(0 to 7);  -- transform_filtering_#_start_of_frame
+  signal transform_filtering_valid : boolean_1d(0 to 7);  -- transform_filtering_#_valid
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
   signal transform_write_column, transform_centre_column, transform_left_code_row_signs : natural range 0 to 63;
-  signal transform_left_code_earlier_0, transform_left_code_earlier_1, transform_left_code_bits : natural range 0 to 63;
-  signal transform_left_code_next_row_signs, transform_left_code_next_bits : natural range 0 to 63;
-  signal transform_right_code_row_signs, transform_right_code_earlier_0 : natural range 0 to 63;
-  signal transform_right_code_earlier_1, transform_right_code_bits : natural range 0 to 63;
-  signal transform_right_code_next_row_signs, transform_right_code_next_bits : natural range 0 to 63;
+  signal transform_left_code_earlier : natural_63_1d(0 to 1);
+  signal transform_left_code_bits, transform_left_code_next_row_signs : natural range 0 to 63;
+  signal transform_left_code_next_bits, transform_right_code_row_signs : natural range 0 to 63;
+  signal transform_right_code_earlier : natural_63_1d(0 to 1);
+  signal transform_right_code_bits, transform_right_code_next_row_signs : natural range 0 to 63;
+  signal transform_right_code_next_bits : natural range 0 to 63;
   signal transform_counter_group : natural range 0 to 31;
-  signal transform_left_rows_read_words_0, transform_left_rows_read_words_1 : unsigned(31 downto 0);
-  signal transform_left_rows_ready_words_0, transform_left_rows_ready_words_1 : unsigned(31 downto 0);
-  signal transform_left_rows_write_words_0, transform_left_rows_write_words_1 : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0, transform_right_rows_read_words_1 : unsigned(31 downto 0);
-  signal transform_right_rows_ready_words_0, transform_right_rows_ready_words_1 : unsigned(31 downto 0);
-  signal transform_right_rows_write_words_0, transform_right_rows_write_words_1 : unsigned(31 downto 0);
+  signal transform_left_rows_read_words : unsigned_32_1d(0 to 1);
+  signal transform_left_rows_ready_words : unsigned_32_1d(0 to 1);
+  signal transform_left_rows_write_words : unsigned_32_1d(0 to 1);
+  signal transform_right_rows_read_words : unsigned_32_1d(0 to 1);
+  signal transform_right_rows_ready_words : unsigned_32_1d(0 to 1);
+  signal transform_right_rows_write_words : unsigned_32_1d(0 to 1);
   signal transform_left_rows_read_words_2, transform_right_rows_read_words_2 : unsigned(7 downto 0);
   signal transform_centre_group : natural range 0 to 32;
   signal transform_left_code_column_near, transform_left_code_column_outer : natural range 0 to 510;
-  signal transform_left_code_next_column_box_0_0_0, transform_left_code_next_column_box_0_1_0 : natural range 0 to 510;
-  signal transform_left_code_next_column_box_0_2_0, transform_left_code_next_column_box_0_3_0 : natural range 0 to 510;
-  signal transform_left_code_next_column_box_0_4_0, transform_left_code_next_column_centre : natural range 0 to 510;
-  signal transform_right_code_column_near, transform_right_code_column_outer : natural range 0 to 510;
-  signal transform_right_code_next_column_box_0_0_0 : natural range 0 to 510;
-  signal transform_right_code_next_column_box_0_1_0 : natural range 0 to 510;
-  signal transform_right_code_next_column_box_0_2_0 : natural range 0 to 510;
-  signal transform_right_code_next_column_box_0_3_0 : natural range 0 to 510;
-  signal transform_right_code_next_column_box_0_4_0, transform_right_code_next_column_centre : natural range 0 to 510;
+  signal transform_left_code_next_column_box_0_0 : natural_510_1d(0 to 4);  -- transform_left_code_next_column_box_0_#_0
+  signal transform_left_code_next_column_centre, transform_right_code_column_near : natural range 0 to 510;
+  signal transform_right_code_column_outer : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_0 : natural_510_1d(0 to 4);  -- transform_right_code_next_column_box_0_#_0
+  signal transform_right_code_next_column_centre : natural range 0 to 510;
   signal transform_left_code_column_upper, transform_left_code_column_lower : natural range 0 to 765;
   signal transform_right_code_column_upper, transform_right_code_column_lower : natural range 0 to 765;
-  signal transform_left_code_column_response_0, transform_left_code_column_response_1 : natural range 0 to 1021;
-  signal transform_left_code_row_box_0_0, transform_left_code_row_box_0_1 : natural range 0 to 1021;
-  signal transform_left_code_row_column_0_0, transform_left_code_row_column_0_1 : natural range 0 to 1021;
-  signal transform_left_code_row_column_0_2, transform_left_code_row_column_0_3 : natural range 0 to 1021;
-  signal transform_left_code_row_column_1_0, transform_left_code_row_column_1_1 : natural range 0 to 1021;
-  signal transform_left_code_row_column_1_2, transform_left_code_row_column_1_3 : natural range 0 to 1021;
-  signal transform_left_code_row_centre_0, transform_left_code_row_centre_1 : natural range 0 to 1021;
-  signal transform_right_code_column_response_0, transform_right_code_column_response_1 : natural range 0 to 1021;
-  signal transform_right_code_row_box_0_0, transform_right_code_row_box_0_1 : natural range 0 to 1021;
-  signal transform_right_code_row_column_0_0, transform_right_code_row_column_0_1 : natural range 0 to 1021;
-  signal transform_right_code_row_column_0_2, transform_right_code_row_column_0_3 : natural range 0 to 1021;
-  signal transform_right_code_row_column_1_0, transform_right_code_row_column_1_1 : natural range 0 to 1021;
-  signal transform_right_code_row_column_1_2, transform_right_code_row_column_1_3 : natural range 0 to 1021;
-  signal transform_right_code_row_centre_0, transform_right_code_row_centre_1 : natural range 0 to 1021;
+  signal transform_left_code_column_response : natural_1021_1d(0 to 1);
+  signal transform_left_code_row_box_0 : natural_1021_1d(0 to 1);
+  signal transform_left_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
+  signal transform_left_code_row_centre : natural_1021_1d(0 to 1);
+  signal transform_right_code_column_response : natural_1021_1d(0 to 1);
+  signal transform_right_code_row_box_0 : natural_1021_1d(0 to 1);
+  signal transform_right_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
+  signal transform_right_code_row_centre : natural_1021_1d(0 to 1);
   signal transform_left_code_column_response_2, transform_left_code_row_box_0_2 : natural range 0 to 1530;
-  signal transform_left_code_row_column_2_0, transform_left_code_row_column_2_1 : natural range 0 to 1530;
-  signal transform_left_code_row_column_2_2, transform_left_code_row_column_2_3 : natural range 0 to 1530;
+  signal transform_left_code_row_column_2 : natural_1530_1d(0 to 3);
   signal transform_left_code_row_centre_2, transform_right_code_column_response_2 : natural range 0 to 1530;
-  signal transform_right_code_row_box_0_2, transform_right_code_row_column_2_0 : natural range 0 to 1530;
-  signal transform_right_code_row_column_2_1, transform_right_code_row_column_2_2 : natural range 0 to 1530;
-  signal transform_right_code_row_column_2_3, transform_right_code_row_centre_2 : natural range 0 to 1530;
+  signal transform_right_code_row_box_0_2 : natural range 0 to 1530;
+  signal transform_right_code_row_column_2 : natural_1530_1d(0 to 3);
+  signal transform_right_code_row_centre_2 : natural range 0 to 1530;
   signal transform_left_code_row_outer_1, transform_right_code_row_outer_1 : natural range 0 to 2042;
   signal transform_left_code_row_outer_2, transform_right_code_row_outer_2 : natural range 0 to 3060;
-  signal transform_left_code_row_before_0, transform_left_code_row_before_1 : natural range 0 to 3063;
-  signal transform_left_code_row_after_0, transform_left_code_row_after_1 : natural range 0 to 3063;
-  signal transform_right_code_row_before_0, transform_right_code_row_before_1 : natural range 0 to 3063;
-  signal transform_right_code_row_after_0, transform_right_code_row_after_1 : natural range 0 to 3063;
+  signal transform_left_code_row_before : natural_3063_1d(0 to 1);
+  signal transform_left_code_row_after : natural_3063_1d(0 to 1);
+  signal transform_right_code_row_before : natural_3063_1d(0 to 1);
+  signal transform_right_code_row_after : natural_3063_1d(0 to 1);
   signal transform_left_code_row_before_2, transform_left_code_row_after_2 : natural range 0 to 4591;
   signal transform_right_code_row_before_2, transform_right_code_row_after_2 : natural range 0 to 4591;
-  signal transform_left_code_row_even_1, transform_left_code_row_even_2 : natural range 0 to 16383;
-  signal transform_left_code_row_odd_1, transform_left_code_row_odd_2 : natural range 0 to 16383;
-  signal transform_right_code_row_even_1, transform_right_code_row_even_2 : natural range 0 to 16383;
-  signal transform_right_code_row_odd_1, transform_right_code_row_odd_2 : natural range 0 to 16383;
+  signal transform_left_code_row_even : natural_16383_1d(1 to 2);
+  signal transform_left_code_row_odd : natural_16383_1d(1 to 2);
+  signal transform_right_code_row_even : natural_16383_1d(1 to 2);
+  signal transform_right_code_row_odd : natural_16383_1d(1 to 2);
   signal transform_left_code_next_column_near, transform_left_code_next_column_outer : natural range 0 to 1020;
   signal transform_right_code_next_column_near, transform_right_code_next_column_outer : natural range 0 to 1020;
   signal transform_left_code_next_column_upper, transform_left_code_next_column_response_2 : natural range 0 to 65535;
   signal transform_left_code_next_row_earlier_0_2_0, transform_left_code_next_row_box_0_2 : natural range 0 to 65535;
-  signal transform_left_code_next_row_column_2_0, transform_left_code_next_row_column_2_1 : natural range 0 to 65535;
-  signal transform_left_code_next_row_column_2_2, transform_left_code_next_row_column_2_3 : natural range 0 to 65535;
-  signal transform_left_code_next_row_column_2_4, transform_left_code_next_row_column_2_5 : natural range 0 to 65535;
-  signal transform_left_code_next_row_column_2_6, transform_left_code_next_row_column_2_7 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2 : natural_65535_1d(0 to 7);
   signal transform_left_code_next_row_outer_2, transform_left_code_next_row_before_2 : natural range 0 to 65535;
-  signal transform_left_code_next_row_after_2, transform_left_code_next_row_even_1 : natural range 0 to 65535;
-  signal transform_left_code_next_row_even_2, transform_left_code_next_row_odd_0 : natural range 0 to 65535;
-  signal transform_left_code_next_row_odd_1, transform_left_code_next_row_odd_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_after_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_even : natural_65535_1d(1 to 2);
+  signal transform_left_code_next_row_odd : natural_65535_1d(0 to 2);
   signal transform_right_code_next_column_upper, transform_right_code_next_column_response_2 : natural range 0 to 65535;
   signal transform_right_code_next_row_earlier_0_2_0, transform_right_code_next_row_box_0_2 : natural range 0 to 65535;
-  signal transform_right_code_next_row_column_2_0, transform_right_code_next_row_column_2_1 : natural range 0 to 65535;
-  signal transform_right_code_next_row_column_2_2, transform_right_code_next_row_column_2_3 : natural range 0 to 65535;
-  signal transform_right_code_next_row_column_2_4, transform_right_code_next_row_column_2_5 : natural range 0 to 65535;
-  signal transform_right_code_next_row_column_2_6, transform_right_code_next_row_column_2_7 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2 : natural_65535_1d(0 to 7);
   signal transform_right_code_next_row_outer_2, transform_right_code_next_row_before_2 : natural range 0 to 65535;
-  signal transform_right_code_next_row_after_2, transform_right_code_next_row_even_1 : natural range 0 to 65535;
-  signal transform_right_code_next_row_even_2, transform_right_code_next_row_odd_0 : natural range 0 to 65535;
-  signal transform_right_code_next_row_odd_1, transform_right_code_next_row_odd_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_after_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_even : natural_65535_1d(1 to 2);
+  signal transform_right_code_next_row_odd : natural_65535_1d(0 to 2);
   signal transform_left_code_next_column_lower, transform_right_code_next_column_lower : natural range 0 to 1531;
-  signal transform_left_code_next_column_response_0 : natural range 0 to 2041;
-  signal transform_left_code_next_column_response_1 : natural range 0 to 2041;
-  signal transform_left_code_next_row_earlier_0_0_0 : natural range 0 to 2041;
-  signal transform_left_code_next_row_earlier_0_1_0 : natural range 0 to 2041;
-  signal transform_right_code_next_column_response_0 : natural range 0 to 2041;
-  signal transform_right_code_next_column_response_1 : natural range 0 to 2041;
-  signal transform_right_code_next_row_earlier_0_0_0 : natural range 0 to 2041;
-  signal transform_right_code_next_row_earlier_0_1_0 : natural range 0 to 2041;
-  signal transform_left_code_next_row_box_0_0, transform_left_code_next_row_box_0_1 : natural range 0 to 4082;
-  signal transform_left_code_next_row_column_0_0, transform_left_code_next_row_column_0_1 : natural range 0 to 4082;
-  signal transform_left_code_next_row_column_0_2, transform_left_code_next_row_column_0_3 : natural range 0 to 4082;
-  signal transform_left_code_next_row_column_0_4, transform_left_code_next_row_column_0_5 : natural range 0 to 4082;
-  signal transform_left_code_next_row_column_0_6, transform_left_code_next_row_column_0_7 : natural range 0 to 4082;
-  signal transform_left_code_next_row_column_1_0, transform_left_code_next_row_column_1_1 : natural range 0 to 4082;
-  signal transform_left_code_next_row_column_1_2, transform_left_code_next_row_column_1_3 : natural range 0 to 4082;
-  signal transform_left_code_next_row_column_1_4, transform_left_code_next_row_column_1_5 : natural range 0 to 4082;
-  signal transform_left_code_next_row_column_1_6, transform_left_code_next_row_column_1_7 : natural range 0 to 4082;
-  signal transform_left_code_next_row_centre_0, transform_left_code_next_row_centre_1 : natural range 0 to 4082;
-  signal transform_right_code_next_row_box_0_0, transform_right_code_next_row_box_0_1 : natural range 0 to 4082;
-  signal transform_right_code_next_row_column_0_0, transform_right_code_next_row_column_0_1 : natural range 0 to 4082;
-  signal transform_right_code_next_row_column_0_2, transform_right_code_next_row_column_0_3 : natural range 0 to 4082;
-  signal transform_right_code_next_row_column_0_4, transform_right_code_next_row_column_0_5 : natural range 0 to 4082;
-  signal transform_right_code_next_row_column_0_6, transform_right_code_next_row_column_0_7 : natural range 0 to 4082;
-  signal transform_right_code_next_row_column_1_0, transform_right_code_next_row_column_1_1 : natural range 0 to 4082;
-  signal transform_right_code_next_row_column_1_2, transform_right_code_next_row_column_1_3 : natural range 0 to 4082;
-  signal transform_right_code_next_row_column_1_4, transform_right_code_next_row_column_1_5 : natural range 0 to 4082;
-  signal transform_right_code_next_row_column_1_6, transform_right_code_next_row_column_1_7 : natural range 0 to 4082;
-  signal transform_right_code_next_row_centre_0, transform_right_code_next_row_centre_1 : natural range 0 to 4082;
+  signal transform_left_code_next_column_response : natural_2041_1d(0 to 1);
+  signal transform_left_code_next_row_earlier_0_0 : natural_2041_1d(0 to 1);  -- transform_left_code_next_row_earlier_0_#_0
+  signal transform_right_code_next_column_response : natural_2041_1d(0 to 1);
+  signal transform_right_code_next_row_earlier_0_0 : natural_2041_1d(0 to 1);  -- transform_right_code_next_row_earlier_0_#_0
+  signal transform_left_code_next_row_box_0 : natural_4082_1d(0 to 1);
+  signal transform_left_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
+  signal transform_left_code_next_row_centre : natural_4082_1d(0 to 1);
+  signal transform_right_code_next_row_box_0 : natural_4082_1d(0 to 1);
+  signal transform_right_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
+  signal transform_right_code_next_row_centre : natural_4082_1d(0 to 1);
   signal transform_left_code_next_row_centre_2, transform_right_code_next_row_centre_2 : natural range 0 to 32767;
-  signal transform_left_code_next_row_outer_0, transform_left_code_next_row_outer_1 : natural range 0 to 8164;
-  signal transform_right_code_next_row_outer_0, transform_right_code_next_row_outer_1 : natural range 0 to 8164;
-  signal transform_left_code_next_row_before_0, transform_left_code_next_row_before_1 : natural range 0 to 12247;
-  signal transform_left_code_next_row_after_0, transform_left_code_next_row_after_1 : natural range 0 to 12247;
-  signal transform_right_code_next_row_before_0, transform_right_code_next_row_before_1 : natural range 0 to 12247;
-  signal transform_right_code_next_row_after_0, transform_right_code_next_row_after_1 : natural range 0 to 12247;
+  signal transform_left_code_next_row_outer : natural_8164_1d(0 to 1);
+  signal transform_right_code_next_row_outer : natural_8164_1d(0 to 1);
+  signal transform_left_code_next_row_before : natural_12247_1d(0 to 1);
+  signal transform_left_code_next_row_after : natural_12247_1d(0 to 1);
+  signal transform_right_code_next_row_before : natural_12247_1d(0 to 1);
+  signal transform_right_code_next_row_after : natural_12247_1d(0 to 1);
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 4095;
   signal raster_features_valid, raster_place_next_frame : boolean;
@@ -250,56 +246,36 @@ architecture rtl of stereo_core_tiny_phase is
   signal delay_ahead_0 : natural range 0 to 4095;
   signal delay_delayed_0 : unsigned(11 downto 0);
   signal delay_column : natural range 0 to 63;
-  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_row_inside_3, delay_row_inside_4 : boolean;
+  signal delay_row_inside : boolean_1d(0 to 4);
   signal delay_tag_valid, delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
   signal delay_tag_end_of_line : boolean;
   -- rows
-  signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_0, rows_reference_rows_read_words_1 : unsigned(23 downto 0);
+  signal rows_search_rows_read_words : unsigned_24_1d(0 to 1);
+  signal rows_reference_rows_read_words : unsigned_24_1d(0 to 1);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 4095;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 4095;
-  signal rows_search_1, rows_search_2, rows_search_3, rows_search_4, rows_reference_0 : natural range 0 to 4095;
-  signal rows_reference_1, rows_reference_2, rows_reference_3, rows_reference_4 : natural range 0 to 4095;
-  signal rows_search_rows_ready_words_0, rows_search_rows_ready_words_1 : natural range 0 to 16777215;
-  signal rows_search_rows_write_words_0, rows_search_rows_write_words_1 : natural range 0 to 16777215;
-  signal rows_reference_rows_ready_words_0, rows_reference_rows_ready_words_1 : natural range 0 to 16777215;
-  signal rows_reference_rows_write_words_0, rows_reference_rows_write_words_1 : natural range 0 to 16777215;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 4095;
+  signal rows_search : natural_4095_1d(0 to 4);
+  signal rows_reference : natural_4095_1d(0 to 4);
+  signal rows_search_rows_ready_words : natural_16777215_1d(0 to 1);
+  signal rows_search_rows_write_words : natural_16777215_1d(0 to 1);
+  signal rows_reference_rows_ready_words : natural_16777215_1d(0 to 1);
+  signal rows_reference_rows_write_words : natural_16777215_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_inside_3, rows_read_inside_4 : boolean;
+  signal rows_read_inside : boolean_1d(0 to 4);
   signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1 : boolean;
-  signal rows_ready_inside_2, rows_ready_inside_3, rows_ready_inside_4, rows_ready_tag_valid : boolean;
-  signal rows_ready_tag_border_column, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
-  signal rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column, rows_tag_output_column : boolean;
-  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 4);
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- slice0shift
-  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 4095;
-  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 4095;
-  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 4095;
-  signal slice0shift_search_1_3, slice0shift_search_1_4, slice0shift_search_1_5 : natural range 0 to 4095;
-  signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 4095;
-  signal slice0shift_search_2_3, slice0shift_search_2_4, slice0shift_search_2_5 : natural range 0 to 4095;
-  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 4095;
-  signal slice0shift_search_3_3, slice0shift_search_3_4, slice0shift_search_3_5 : natural range 0 to 4095;
-  signal slice0shift_search_4_0, slice0shift_search_4_1, slice0shift_search_4_2 : natural range 0 to 4095;
-  signal slice0shift_search_4_3, slice0shift_search_4_4, slice0shift_search_4_5 : natural range 0 to 4095;
-  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 4095;
-  signal slice0shift_reference_3, slice0shift_reference_4, slice0shift_search_out_0 : natural range 0 to 4095;
-  signal slice0shift_search_out_1, slice0shift_search_out_2, slice0shift_search_out_3 : natural range 0 to 4095;
-  signal slice0shift_search_out_4 : natural range 0 to 4095;
+  signal slice0shift_search : natural_4095_2d(0 to 4, 0 to 5);
+  signal slice0shift_reference : natural_4095_1d(0 to 4);
+  signal slice0shift_search_out : natural_4095_1d(0 to 4);
   signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
   signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
-  signal slice0cost_pixels_first_0_0, slice0cost_pixels_first_0_1, slice0cost_pixels_first_0_2 : natural range 0 to 255;
-  signal slice0cost_pixels_first_0_3, slice0cost_pixels_first_0_4, slice0cost_pixels_first_0_5 : natural range 0 to 255;
-  signal slice0cost_pixels_first_1_0, slice0cost_pixels_first_1_1, slice0cost_pixels_first_1_2 : natural range 0 to 255;
-  signal slice0cost_pixels_first_1_3, slice0cost_pixels_first_1_4, slice0cost_pixels_first_1_5 : natural range 0 to 255;
-  signal slice0cost_pixels_first_2_0, slice0cost_pixels_first_2_1, slice0cost_pixels_first_2_2 : natural range 0 to 255;
-  signal slice0cost_pixels_first_2_3, slice0cost_pixels_first_2_4, slice0cost_pixels_first_2_5 : natural range 0 to 255;
-  signal slice0cost_pixels_first_3_0, slice0cost_pixels_first_3_1, slice0cost_pixels_first_3_2 : natural range 0 to 255;
-  signal slice0cost_pixels_first_3_3, slice0cost_pixels_first_3_4, slice0cost_pixels_first_3_5 : natural range 0 to 255;
-  signal slice0cost_pixels_first_4_0, slice0cost_pixels_first_4_1, slice0cost_pixels_first_4_2 : natural range 0 to 255;
-  signal slice0cost_pixels_first_4_3, slice0cost_pixels_first_4_4, slice0cost_pixels_first_4_5 : natural range 0 to 255;
+  signal slice0cost_pixels_first : natural_255_2d(0 to 4, 0 to 5);
   signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_border_column : boolean;
   signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
   signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
@@ -309,54 +285,34 @@ architecture rtl of stereo_core_tiny_phase is
   signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
   signal slice0cost_tag_end_of_line : boolean;
-  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 19;
-  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_0_5 : natural range 0 to 19;
-  signal slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2 : natural range 0 to 19;
-  signal slice0cost_pixels_cost_1_3, slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_1_5 : natural range 0 to 19;
-  signal slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1, slice0cost_pixels_cost_2_2 : natural range 0 to 19;
-  signal slice0cost_pixels_cost_2_3, slice0cost_pixels_cost_2_4, slice0cost_pixels_cost_2_5 : natural range 0 to 19;
-  signal slice0cost_pixels_cost_3_0, slice0cost_pixels_cost_3_1, slice0cost_pixels_cost_3_2 : natural range 0 to 19;
-  signal slice0cost_pixels_cost_3_3, slice0cost_pixels_cost_3_4, slice0cost_pixels_cost_3_5 : natural range 0 to 19;
-  signal slice0cost_pixels_cost_4_0, slice0cost_pixels_cost_4_1, slice0cost_pixels_cost_4_2 : natural range 0 to 19;
-  signal slice0cost_pixels_cost_4_3, slice0cost_pixels_cost_4_4, slice0cost_pixels_cost_4_5 : natural range 0 to 19;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 19;
-  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 19;
-  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 38;
-  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_1_0, slice0cost_pair_1_1 : natural range 0 to 38;
-  signal slice0cost_pair_1_2, slice0cost_pair_1_3, slice0cost_pair_1_4, slice0cost_pair_1_5 : natural range 0 to 38;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 95;
-  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 95;
+  signal slice0cost_pixels_cost : natural_19_2d(0 to 4, 0 to 5);
+  signal slice0cost_single_0 : natural_19_1d(0 to 5);
+  signal slice0cost_pair : natural_38_2d(0 to 1, 0 to 5);
+  signal slice0cost_column_0 : natural_95_1d(0 to 5);
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 95;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 95;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 190;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 190;
-  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 285;
-  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 285;
-  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 380;
-  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 380;
+  signal slice0window_partial_0_0 : natural_95_1d(0 to 5);
+  signal slice0window_partial_0_1 : natural_190_1d(0 to 5);
+  signal slice0window_partial_0_2 : natural_285_1d(0 to 5);
+  signal slice0window_partial_0_3 : natural_380_1d(0 to 5);
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
   signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 475;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 475;
+  signal slice0window_sum_0 : natural_475_1d(0 to 5);
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1, slice0winner1_best_cost_0_2 : natural range 0 to 475;
-  signal slice0winner1_best_below_0_0, slice0winner1_best_below_0_1 : natural range 0 to 475;
-  signal slice0winner1_best_below_0_2, slice0winner1_best_above_0_0 : natural range 0 to 475;
-  signal slice0winner1_best_above_0_1, slice0winner1_best_above_0_2 : natural range 0 to 475;
-  signal slice0winner1_best_first_0_0, slice0winner1_best_first_0_1 : natural range 0 to 475;
-  signal slice0winner1_best_first_0_2, slice0winner1_best_last_0_0 : natural range 0 to 475;
-  signal slice0winner1_best_last_0_1 : natural range 0 to 475;
+  signal slice0winner1_best_cost_0 : natural_475_1d(0 to 2);
+  signal slice0winner1_best_below_0 : natural_475_1d(0 to 2);
+  signal slice0winner1_best_above_0 : natural_475_1d(0 to 2);
+  signal slice0winner1_best_first_0 : natural_475_1d(0 to 2);
+  signal slice0winner1_best_last_0 : natural_475_1d(0 to 1);
   signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
   signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
   signal slice0winner1_best_index_0_1 : natural range 0 to 3;
   signal slice0winner1_best_index_0_2 : natural range 0 to 5;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 475;
-  signal slice0winner2_best_below_0_0, slice0winner2_best_below_0_1 : natural range 0 to 475;
-  signal slice0winner2_best_above_0_0, slice0winner2_best_above_0_1 : natural range 0 to 475;
-  signal slice0winner2_best_first_0_0, slice0winner2_best_first_0_1 : natural range 0 to 475;
+  signal slice0winner2_best_cost_0 : natural_475_1d(0 to 1);
+  signal slice0winner2_best_below_0 : natural_475_1d(0 to 1);
+  signal slice0winner2_best_above_0 : natural_475_1d(0 to 1);
+  signal slice0winner2_best_first_0 : natural_475_1d(0 to 1);
   signal slice0winner2_best_last_0_0 : natural range 0 to 475;
   signal slice0winner2_best_index_0_0 : natural range 0 to 3;
   signal slice0winner2_best_index_0_1 : natural range 0 to 5;
@@ -375,75 +331,37 @@ architecture rtl of stereo_core_tiny_phase is
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
-  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 4095;
-  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 4095;
-  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 4095;
-  signal slice1shift_search_1_3, slice1shift_search_1_4, slice1shift_search_1_5 : natural range 0 to 4095;
-  signal slice1shift_search_2_0, slice1shift_search_2_1, slice1shift_search_2_2 : natural range 0 to 4095;
-  signal slice1shift_search_2_3, slice1shift_search_2_4, slice1shift_search_2_5 : natural range 0 to 4095;
-  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 4095;
-  signal slice1shift_search_3_3, slice1shift_search_3_4, slice1shift_search_3_5 : natural range 0 to 4095;
-  signal slice1shift_search_4_0, slice1shift_search_4_1, slice1shift_search_4_2 : natural range 0 to 4095;
-  signal slice1shift_search_4_3, slice1shift_search_4_4, slice1shift_search_4_5 : natural range 0 to 4095;
-  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 4095;
-  signal slice1shift_reference_3, slice1shift_reference_4 : natural range 0 to 4095;
+  signal slice1shift_search : natural_4095_2d(0 to 4, 0 to 5);
+  signal slice1shift_reference : natural_4095_1d(0 to 4);
   -- slice1cost
-  signal slice1cost_pixels_first_0_0, slice1cost_pixels_first_0_1, slice1cost_pixels_first_0_2 : natural range 0 to 255;
-  signal slice1cost_pixels_first_0_3, slice1cost_pixels_first_0_4, slice1cost_pixels_first_0_5 : natural range 0 to 255;
-  signal slice1cost_pixels_first_1_0, slice1cost_pixels_first_1_1, slice1cost_pixels_first_1_2 : natural range 0 to 255;
-  signal slice1cost_pixels_first_1_3, slice1cost_pixels_first_1_4, slice1cost_pixels_first_1_5 : natural range 0 to 255;
-  signal slice1cost_pixels_first_2_0, slice1cost_pixels_first_2_1, slice1cost_pixels_first_2_2 : natural range 0 to 255;
-  signal slice1cost_pixels_first_2_3, slice1cost_pixels_first_2_4, slice1cost_pixels_first_2_5 : natural range 0 to 255;
-  signal slice1cost_pixels_first_3_0, slice1cost_pixels_first_3_1, slice1cost_pixels_first_3_2 : natural range 0 to 255;
-  signal slice1cost_pixels_first_3_3, slice1cost_pixels_first_3_4, slice1cost_pixels_first_3_5 : natural range 0 to 255;
-  signal slice1cost_pixels_first_4_0, slice1cost_pixels_first_4_1, slice1cost_pixels_first_4_2 : natural range 0 to 255;
-  signal slice1cost_pixels_first_4_3, slice1cost_pixels_first_4_4, slice1cost_pixels_first_4_5 : natural range 0 to 255;
-  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 19;
-  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_0_5 : natural range 0 to 19;
-  signal slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2 : natural range 0 to 19;
-  signal slice1cost_pixels_cost_1_3, slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_1_5 : natural range 0 to 19;
-  signal slice1cost_pixels_cost_2_0, slice1cost_pixels_cost_2_1, slice1cost_pixels_cost_2_2 : natural range 0 to 19;
-  signal slice1cost_pixels_cost_2_3, slice1cost_pixels_cost_2_4, slice1cost_pixels_cost_2_5 : natural range 0 to 19;
-  signal slice1cost_pixels_cost_3_0, slice1cost_pixels_cost_3_1, slice1cost_pixels_cost_3_2 : natural range 0 to 19;
-  signal slice1cost_pixels_cost_3_3, slice1cost_pixels_cost_3_4, slice1cost_pixels_cost_3_5 : natural range 0 to 19;
-  signal slice1cost_pixels_cost_4_0, slice1cost_pixels_cost_4_1, slice1cost_pixels_cost_4_2 : natural range 0 to 19;
-  signal slice1cost_pixels_cost_4_3, slice1cost_pixels_cost_4_4, slice1cost_pixels_cost_4_5 : natural range 0 to 19;
-  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 19;
-  signal slice1cost_single_0_3, slice1cost_single_0_4, slice1cost_single_0_5 : natural range 0 to 19;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 38;
-  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_1_0, slice1cost_pair_1_1 : natural range 0 to 38;
-  signal slice1cost_pair_1_2, slice1cost_pair_1_3, slice1cost_pair_1_4, slice1cost_pair_1_5 : natural range 0 to 38;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 95;
-  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 95;
+  signal slice1cost_pixels_first : natural_255_2d(0 to 4, 0 to 5);
+  signal slice1cost_pixels_cost : natural_19_2d(0 to 4, 0 to 5);
+  signal slice1cost_single_0 : natural_19_1d(0 to 5);
+  signal slice1cost_pair : natural_38_2d(0 to 1, 0 to 5);
+  signal slice1cost_column_0 : natural_95_1d(0 to 5);
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 95;
-  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 95;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 190;
-  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 190;
-  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 285;
-  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 285;
-  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 380;
-  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 380;
+  signal slice1window_partial_0_0 : natural_95_1d(0 to 5);
+  signal slice1window_partial_0_1 : natural_190_1d(0 to 5);
+  signal slice1window_partial_0_2 : natural_285_1d(0 to 5);
+  signal slice1window_partial_0_3 : natural_380_1d(0 to 5);
   signal slice1window_centre_output_column_0, slice1window_centre_start_of_frame_0 : boolean;
   signal slice1window_centre_end_of_line_0 : boolean;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 475;
-  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 475;
+  signal slice1window_sum_0 : natural_475_1d(0 to 5);
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1, slice1winner1_best_cost_0_2 : natural range 0 to 475;
-  signal slice1winner1_best_below_0_0, slice1winner1_best_below_0_1 : natural range 0 to 475;
-  signal slice1winner1_best_below_0_2, slice1winner1_best_above_0_0 : natural range 0 to 475;
-  signal slice1winner1_best_above_0_1, slice1winner1_best_above_0_2 : natural range 0 to 475;
-  signal slice1winner1_best_first_0_1, slice1winner1_best_first_0_2 : natural range 0 to 475;
-  signal slice1winner1_best_last_0_0, slice1winner1_best_last_0_1, slice1winner1_best_last_0_2 : natural range 0 to 475;
+  signal slice1winner1_best_cost_0 : natural_475_1d(0 to 2);
+  signal slice1winner1_best_below_0 : natural_475_1d(0 to 2);
+  signal slice1winner1_best_above_0 : natural_475_1d(0 to 2);
+  signal slice1winner1_best_first_0 : natural_475_1d(1 to 2);
+  signal slice1winner1_best_last_0 : natural_475_1d(0 to 2);
   signal slice1winner1_best_index_0_0 : boolean;
   signal slice1winner1_best_index_0_1 : natural range 0 to 3;
   signal slice1winner1_best_index_0_2 : natural range 0 to 5;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 475;
-  signal slice1winner2_best_below_0_0, slice1winner2_best_below_0_1 : natural range 0 to 475;
-  signal slice1winner2_best_above_0_0, slice1winner2_best_above_0_1 : natural range 0 to 475;
-  signal slice1winner2_best_first_0_1, slice1winner2_best_last_0_0 : natural range 0 to 475;
-  signal slice1winner2_best_last_0_1 : natural range 0 to 475;
+  signal slice1winner2_best_cost_0 : natural_475_1d(0 to 1);
+  signal slice1winner2_best_below_0 : natural_475_1d(0 to 1);
+  signal slice1winner2_best_above_0 : natural_475_1d(0 to 1);
+  signal slice1winner2_best_first_0_1 : natural range 0 to 475;
+  signal slice1winner2_best_last_0 : natural_475_1d(0 to 1);
   signal slice1winner2_best_index_0_0 : natural range 0 to 3;
   signal slice1winner2_best_index_0_1 : natural range 0 to 5;
   -- slice1winner3
@@ -456,39 +374,17 @@ architecture rtl of stereo_core_tiny_phase is
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
   -- refinement
-  signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 11;
-  signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 11;
-  signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 11;
-  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 11;
-  signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
-  signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
-  signal refinement_passed_8_0, refinement_passed_9_0, refinement_passed_10_0, refinement_passed_11_0 : boolean;
-  signal refinement_tag_0_valid, refinement_tag_0_output_column, refinement_tag_0_start_of_frame : boolean;
-  signal refinement_tag_0_end_of_line, refinement_tag_1_valid, refinement_tag_1_output_column : boolean;
-  signal refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line, refinement_tag_2_valid : boolean;
-  signal refinement_tag_2_output_column, refinement_tag_2_start_of_frame, refinement_tag_2_end_of_line : boolean;
-  signal refinement_tag_3_valid, refinement_tag_3_output_column, refinement_tag_3_start_of_frame : boolean;
-  signal refinement_tag_3_end_of_line, refinement_tag_4_valid, refinement_tag_4_output_column : boolean;
-  signal refinement_tag_4_start_of_frame, refinement_tag_4_end_of_line, refinement_tag_5_valid : boolean;
-  signal refinement_tag_5_output_column, refinement_tag_5_start_of_frame, refinement_tag_5_end_of_line : boolean;
-  signal refinement_tag_6_valid, refinement_tag_6_output_column, refinement_tag_6_start_of_frame : boolean;
-  signal refinement_tag_6_end_of_line, refinement_tag_7_valid, refinement_tag_7_output_column : boolean;
-  signal refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line, refinement_tag_8_valid : boolean;
-  signal refinement_tag_8_output_column, refinement_tag_8_start_of_frame, refinement_tag_8_end_of_line : boolean;
-  signal refinement_tag_9_valid, refinement_tag_9_output_column, refinement_tag_9_start_of_frame : boolean;
-  signal refinement_tag_9_end_of_line, refinement_tag_10_valid, refinement_tag_10_output_column : boolean;
-  signal refinement_tag_10_start_of_frame, refinement_tag_10_end_of_line, refinement_tag_11_valid : boolean;
-  signal refinement_tag_11_output_column, refinement_tag_11_start_of_frame, refinement_tag_11_end_of_line : boolean;
-  signal refinement_negative_0_0, refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0 : boolean;
-  signal refinement_negative_4_0, refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0 : boolean;
-  signal refinement_negative_8_0 : boolean;
+  signal refinement_disparity_0 : natural_11_1d(0 to 11);  -- refinement_disparity_#_0
+  signal refinement_passed_0 : boolean_1d(0 to 11);  -- refinement_passed_#_0
+  signal refinement_tag_valid : boolean_1d(0 to 11);  -- refinement_tag_#_valid
+  signal refinement_tag_output_column : boolean_1d(0 to 11);  -- refinement_tag_#_output_column
+  signal refinement_tag_start_of_frame : boolean_1d(0 to 11);  -- refinement_tag_#_start_of_frame
+  signal refinement_tag_end_of_line : boolean_1d(0 to 11);  -- refinement_tag_#_end_of_line
+  signal refinement_negative_0 : boolean_1d(0 to 8);  -- refinement_negative_#_0
   signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_remainder_0_0 : natural range 0 to 475;
-  signal refinement_u_0, refinement_v_0, refinement_remainder_1_0, refinement_remainder_2_0 : natural range 0 to 511;
-  signal refinement_remainder_3_0, refinement_remainder_4_0, refinement_remainder_5_0 : natural range 0 to 511;
-  signal refinement_remainder_6_0, refinement_remainder_7_0, refinement_divisor_0_0 : natural range 0 to 511;
-  signal refinement_divisor_1_0, refinement_divisor_2_0, refinement_divisor_3_0 : natural range 0 to 511;
-  signal refinement_divisor_4_0, refinement_divisor_5_0, refinement_divisor_6_0 : natural range 0 to 511;
-  signal refinement_divisor_7_0 : natural range 0 to 511;
+  signal refinement_u_0, refinement_v_0 : natural range 0 to 511;
+  signal refinement_remainder_0 : natural_511_1d(1 to 7);  -- refinement_remainder_#_0
+  signal refinement_divisor_0 : natural_511_1d(0 to 7);  -- refinement_divisor_#_0
   signal refinement_difference_0 : integer range -475 to 475;
   signal refinement_quotient_8_0, refinement_fraction_0 : natural range 0 to 255;
   -- map
@@ -503,9 +399,10 @@ architecture rtl of stereo_core_tiny_phase is
   signal other_5 : natural range 0 to 192;
   signal other_6 : natural range 0 to 128;
   signal other_7, other_11 : natural range 0 to 65534;
-  signal other_8, other_9, other_12, other_13 : natural range 0 to 8192;
+  signal other : natural_8192_1d(8 to 9);
+  signal others_from_12 : natural_8192_1d(12 to 13);  -- other_#
   signal other_10, other_14 : natural range 0 to 2042;
-  signal other_15, other_16 : natural range 0 to 257;
+  signal others_from_15 : natural_257_1d(15 to 16);  -- other_#
   signal rows_search_rows_read_words_1_memory_read_enable : boolean;
   signal rows_search_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
@@ -523,8 +420,7 @@ architecture rtl of stereo_core_tiny_phase is
   signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address : unsigned(3 downto 0);
-  signal delay_delayed_0_memory_write_address : unsigned(3 downto 0);
+  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(11 downto 0);
   signal transform_left_rows_read_words_2_memory_read_enable : boolean;
   signal transform_left_rows_read_words_2_memory_read_address : unsigned(5 downto 0);
@@ -565,45 +461,45 @@ begin
   rows_search_rows_read_words_1_memory_read_enable <= true;
   rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
   rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
+  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words(1), 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
     generic map (depth => 40, width => 24, address_bits => 6)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words(1),
       write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
   rows_search_rows_read_words_0_memory_read_enable <= true;
   rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
   rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words(0), 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
     generic map (depth => 40, width => 24, address_bits => 6)
     port map (
       clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words(0),
       write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
   rows_reference_rows_read_words_1_memory_read_enable <= true;
   rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
   rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
+  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words(1), 24);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
     generic map (depth => 40, width => 24, address_bits => 6)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words(1),
       write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
   rows_reference_rows_read_words_0_memory_read_enable <= true;
   rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
   rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words(0), 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
     generic map (depth => 40, width => 24, address_bits => 6)
     port map (
       clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words(0),
       write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   delay_delayed_0_memory_read_enable <= true;
@@ -631,23 +527,23 @@ begin
   transform_left_rows_read_words_1_memory_read_enable <= true;
   transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
   transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_left_rows_read_words_1_memory_write_data <= transform_left_rows_write_words_1;
+  transform_left_rows_read_words_1_memory_write_data <= transform_left_rows_write_words(1);
   transform_left_rows_read_words_1_memory : entity work.line_memory
     generic map (depth => 40, width => 32, address_bits => 6)
     port map (
       clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
-      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words_1,
+      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words(1),
       write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
 
   transform_left_rows_read_words_0_memory_read_enable <= true;
   transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
   transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words(0);
   transform_left_rows_read_words_0_memory : entity work.line_memory
     generic map (depth => 40, width => 32, address_bits => 6)
     port map (
       clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words(0),
       write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
   transform_right_rows_read_words_2_memory_read_enable <= true;
@@ -664,94 +560,50 @@ begin
   transform_right_rows_read_words_1_memory_read_enable <= true;
   transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
   transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_right_rows_read_words_1_memory_write_data <= transform_right_rows_write_words_1;
+  transform_right_rows_read_words_1_memory_write_data <= transform_right_rows_write_words(1);
   transform_right_rows_read_words_1_memory : entity work.line_memory
     generic map (depth => 40, width => 32, address_bits => 6)
     port map (
       clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
-      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words_1,
+      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words(1),
       write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
 
   transform_right_rows_read_words_0_memory_read_enable <= true;
   transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
   transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words(0);
   transform_right_rows_read_words_0_memory : entity work.line_memory
     generic map (depth => 40, width => 32, address_bits => 6)
     port map (
       clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words(0),
       write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
   process (clock)
-    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
-    variable transform_counter_group_all, transform_counter_group_choice_2 : boolean;
-    variable transform_counter_group_is_equal_3, transform_centre_column_any, transform_from_first_0_is_equal : boolean;
-    variable transform_from_first_0_value, transform_from_first_1_is_equal, transform_from_first_1_value : boolean;
+    variable transform_counter_group_is_equal : boolean;
+    variable transform_counter_group_is_equals : boolean_1d(2 to 3);  -- transform_counter_group_is_equal_#
+    variable transform_counter_group_all, transform_counter_group_choice_2, transform_centre_column_any : boolean;
+    variable transform_from_first_is_equal : boolean_1d(0 to 1);  -- transform_from_first_#_is_equal
+    variable transform_from_first_value : boolean_1d(0 to 1);  -- transform_from_first_#_value
     variable transform_from_first_1_choice, transform_from_first_1_choice_2, transform_up_to_last_0_choice : boolean;
     variable transform_up_to_last_0_is_equal, transform_up_to_last_0_choice_2 : boolean;
-    variable transform_counter_next_frame_choice, raster_place_group_is_equal, raster_place_group_is_equal_2 : boolean;
-    variable raster_place_group_all, raster_place_group_is_equal_3, raster_place_next_frame_choice : boolean;
-    variable raster_place_next_frame_choice_2, raster_place_next_frame_choice_3, delay_row_inside_2_is_less : boolean;
-    variable slice0cost_pixels_first_0_0_value, slice0cost_pixels_first_0_0_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_value_3, slice0cost_pixels_first_0_0_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_value_5, slice0cost_pixels_first_0_0_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_value_7, slice0cost_pixels_first_0_0_value_8 : boolean;
-    variable slice0cost_pixels_first_0_0_value_9, slice0cost_pixels_first_0_0_value_10 : boolean;
-    variable slice0cost_pixels_first_1_0_value, slice0cost_pixels_first_1_0_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_value_3, slice0cost_pixels_first_1_0_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_value_5, slice0cost_pixels_first_1_0_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_value_7, slice0cost_pixels_first_1_0_value_8 : boolean;
-    variable slice0cost_pixels_first_1_0_value_9, slice0cost_pixels_first_1_0_value_10 : boolean;
-    variable slice0cost_pixels_first_2_0_value, slice0cost_pixels_first_2_0_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_value_3, slice0cost_pixels_first_2_0_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_value_5, slice0cost_pixels_first_2_0_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_value_7, slice0cost_pixels_first_2_0_value_8 : boolean;
-    variable slice0cost_pixels_first_2_0_value_9, slice0cost_pixels_first_2_0_value_10 : boolean;
-    variable slice0cost_pixels_first_3_0_value, slice0cost_pixels_first_3_0_value_2 : boolean;
-    variable slice0cost_pixels_first_3_0_value_3, slice0cost_pixels_first_3_0_value_4 : boolean;
-    variable slice0cost_pixels_first_3_0_value_5, slice0cost_pixels_first_3_0_value_6 : boolean;
-    variable slice0cost_pixels_first_3_0_value_7, slice0cost_pixels_first_3_0_value_8 : boolean;
-    variable slice0cost_pixels_first_3_0_value_9, slice0cost_pixels_first_3_0_value_10 : boolean;
-    variable slice0cost_pixels_first_4_0_value, slice0cost_pixels_first_4_0_value_2 : boolean;
-    variable slice0cost_pixels_first_4_0_value_3, slice0cost_pixels_first_4_0_value_4 : boolean;
-    variable slice0cost_pixels_first_4_0_value_5, slice0cost_pixels_first_4_0_value_6 : boolean;
-    variable slice0cost_pixels_first_4_0_value_7, slice0cost_pixels_first_4_0_value_8 : boolean;
-    variable slice0cost_pixels_first_4_0_value_9, slice0cost_pixels_first_4_0_value_10 : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
-    variable slice0winner1_best_cost_0_2_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner3_best_cost_0_0_is_less, slice1cost_pixels_first_0_0_value : boolean;
-    variable slice1cost_pixels_first_0_0_value_2, slice1cost_pixels_first_0_0_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_value_4, slice1cost_pixels_first_0_0_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_value_6, slice1cost_pixels_first_0_0_value_7 : boolean;
-    variable slice1cost_pixels_first_0_0_value_8, slice1cost_pixels_first_0_0_value_9 : boolean;
-    variable slice1cost_pixels_first_0_0_value_10, slice1cost_pixels_first_1_0_value : boolean;
-    variable slice1cost_pixels_first_1_0_value_2, slice1cost_pixels_first_1_0_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_value_4, slice1cost_pixels_first_1_0_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_value_6, slice1cost_pixels_first_1_0_value_7 : boolean;
-    variable slice1cost_pixels_first_1_0_value_8, slice1cost_pixels_first_1_0_value_9 : boolean;
-    variable slice1cost_pixels_first_1_0_value_10, slice1cost_pixels_first_2_0_value : boolean;
-    variable slice1cost_pixels_first_2_0_value_2, slice1cost_pixels_first_2_0_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_value_4, slice1cost_pixels_first_2_0_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_value_6, slice1cost_pixels_first_2_0_value_7 : boolean;
-    variable slice1cost_pixels_first_2_0_value_8, slice1cost_pixels_first_2_0_value_9 : boolean;
-    variable slice1cost_pixels_first_2_0_value_10, slice1cost_pixels_first_3_0_value : boolean;
-    variable slice1cost_pixels_first_3_0_value_2, slice1cost_pixels_first_3_0_value_3 : boolean;
-    variable slice1cost_pixels_first_3_0_value_4, slice1cost_pixels_first_3_0_value_5 : boolean;
-    variable slice1cost_pixels_first_3_0_value_6, slice1cost_pixels_first_3_0_value_7 : boolean;
-    variable slice1cost_pixels_first_3_0_value_8, slice1cost_pixels_first_3_0_value_9 : boolean;
-    variable slice1cost_pixels_first_3_0_value_10, slice1cost_pixels_first_4_0_value : boolean;
-    variable slice1cost_pixels_first_4_0_value_2, slice1cost_pixels_first_4_0_value_3 : boolean;
-    variable slice1cost_pixels_first_4_0_value_4, slice1cost_pixels_first_4_0_value_5 : boolean;
-    variable slice1cost_pixels_first_4_0_value_6, slice1cost_pixels_first_4_0_value_7 : boolean;
-    variable slice1cost_pixels_first_4_0_value_8, slice1cost_pixels_first_4_0_value_9 : boolean;
-    variable slice1cost_pixels_first_4_0_value_10, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable transform_counter_next_frame_choice, raster_place_group_is_equal : boolean;
+    variable raster_place_group_is_equals : boolean_1d(2 to 3);  -- raster_place_group_is_equal_#
+    variable raster_place_group_all, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choices : boolean_1d(2 to 3);  -- raster_place_next_frame_choice_#
+    variable delay_row_inside_2_is_less : boolean;
+    variable slice0cost_pixels_first_0_value : boolean_1d(0 to 4);  -- slice0cost_pixels_first_#_0_value
+    variable slice0cost_pixels_first_0_values : boolean_2d(0 to 4, 2 to 10);  -- slice0cost_pixels_first_#_0_value_#
+    variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice0winner1_best_cost_0_#_is_less
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice1cost_pixels_first_0_value : boolean_1d(0 to 4);  -- slice1cost_pixels_first_#_0_value
+    variable slice1cost_pixels_first_0_values : boolean_2d(0 to 4, 2 to 10);  -- slice1cost_pixels_first_#_0_value_#
+    variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice1winner1_best_cost_0_#_is_less
     variable slice1winner2_best_cost_0_0_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
     variable slice1_best_cost_0_0_is_less, refinement_divisor_0_0_is_less : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 9;
-    variable transform_counter_group_choice_3, transform_counter_group_choice_4 : natural range 0 to 31;
-    variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 31;
+    variable transform_counter_group_choices : natural_31_1d(3 to 4);  -- transform_counter_group_choice_#
+    variable raster_place_group_choices : natural_31_1d(2 to 3);  -- raster_place_group_choice_#
     variable transform_centre_column_choice : natural range 9 to 15;
     variable slice0winner2_best_below_0_0_choice, slice0winner2_best_above_0_0_choice : natural range 0 to 475;
     variable slice0winner3_best_below_0_0_choice, slice0winner3_best_above_0_0_choice : natural range 0 to 475;
@@ -759,9 +611,7 @@ begin
     variable slice1winner3_best_below_0_0_choice, slice1winner3_best_above_0_0_choice : natural range 0 to 475;
     variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 475;
     variable refinement_remainder_1_0_difference : natural range 513 to 1499;
-    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 513 to 2046;
-    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 513 to 2046;
-    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 513 to 2046;
+    variable refinement_remainder_0_difference : natural_513_to_2046_1d(2 to 7);  -- refinement_remainder_#_0_difference
     variable refinement_divisor_0_0_choice : natural range 0 to 511;
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
@@ -771,60 +621,60 @@ begin
     if rising_edge(clock) then
       -- transform
       transform_counter_group_is_equal := transform_counter_column = 39;
-      transform_counter_group_is_equal_2 := transform_counter_group = 17;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
+      transform_counter_group_is_equals(2) := transform_counter_group = 17;
+      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equals(2);
       if transform_counter_group_all then
         transform_counter_group_choice := 9;
       else
         transform_counter_group_choice := 0;
       end if;
       if (transform_counter_group / 2) = 11 then
-        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and ((transform_counter_group
-          mod 2) = 1);
+        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and
+          is_set(transform_counter_group, 0);
       else
         transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid;
       end if;
-      transform_counter_group_is_equal_3 := transform_counter_group = 21;
-      if transform_counter_next_frame and transform_counter_group_is_equal_3 then
-        transform_counter_group_choice_3 := 4;
+      transform_counter_group_is_equals(3) := transform_counter_group = 21;
+      if transform_counter_next_frame and transform_counter_group_is_equals(3) then
+        transform_counter_group_choices(3) := 4;
       else
-        transform_counter_group_choice_3 := (transform_counter_group + 1) mod 32;
+        transform_counter_group_choices(3) := (transform_counter_group + 1) mod 32;
       end if;
       if transform_counter_group_choice_2 then
-        transform_counter_group_choice_4 := transform_counter_group_choice_3;
+        transform_counter_group_choices(4) := transform_counter_group_choices(3);
       else
-        transform_counter_group_choice_4 := transform_counter_group;
+        transform_counter_group_choices(4) := transform_counter_group;
       end if;
-      transform_centre_column_any := ((transform_counter_column / 32) = 1) or (((transform_counter_column / 16) mod 2)
-        = 1) or (((transform_counter_column / 8) mod 2) = 1) or (((transform_counter_column / 4) mod 2) = 1);
+      transform_centre_column_any := is_set(transform_counter_column, 5) or is_set(transform_counter_column, 4) or
+        is_set(transform_counter_column, 3) or is_set(transform_counter_column, 2);
       if transform_centre_column_any then
         transform_centre_column_choice := 15;
       else
         transform_centre_column_choice := 9;
       end if;
-      transform_from_first_0_is_equal := ((transform_centre_column / 4) mod 8) = 0;
-      transform_from_first_0_value := ((transform_centre_column / 2) mod 2) = 1;
-      transform_from_first_1_is_equal := ((transform_centre_column / 4) mod 4) = 0;
-      transform_from_first_1_value := ((transform_centre_column / 8) mod 2) = 1;
-      if transform_from_first_0_value then
-        transform_from_first_1_choice := transform_from_first_1_is_equal;
+      transform_from_first_is_equal(0) := ((transform_centre_column / 4) mod 8) = 0;
+      transform_from_first_value(0) := is_set(transform_centre_column, 1);
+      transform_from_first_is_equal(1) := ((transform_centre_column / 4) mod 4) = 0;
+      transform_from_first_value(1) := is_set(transform_centre_column, 3);
+      if transform_from_first_value(0) then
+        transform_from_first_1_choice := transform_from_first_is_equal(1);
       else
-        transform_from_first_1_choice := not transform_from_first_1_value;
+        transform_from_first_1_choice := not transform_from_first_value(1);
       end if;
-      if (transform_centre_column mod 2) = 1 then
-        transform_from_first_1_choice_2 := transform_from_first_1_is_equal;
+      if is_set(transform_centre_column, 0) then
+        transform_from_first_1_choice_2 := transform_from_first_is_equal(1);
       else
         transform_from_first_1_choice_2 := transform_from_first_1_choice;
       end if;
-      if transform_from_first_0_value then
-        transform_up_to_last_0_choice := transform_from_first_0_is_equal;
+      if transform_from_first_value(0) then
+        transform_up_to_last_0_choice := transform_from_first_is_equal(0);
       else
         transform_up_to_last_0_choice := ((transform_centre_column / 8) mod 4) = 0;
       end if;
       transform_up_to_last_0_is_equal := (transform_centre_group / 16) = 0;
-      if (not (((transform_centre_group / 8) mod 2) = 1)) and ((not (((transform_centre_group / 4) mod 2) = 1)) or
+      if (not is_set(transform_centre_group, 3)) and ((not is_set(transform_centre_group, 2)) or
         ((transform_centre_group mod 4) = 0)) then
-        transform_up_to_last_0_choice_2 := not ((transform_centre_group / 32) = 1);
+        transform_up_to_last_0_choice_2 := not is_set(transform_centre_group, 5);
       else
         transform_up_to_last_0_choice_2 := transform_up_to_last_0_is_equal;
       end if;
@@ -832,13 +682,13 @@ begin
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
       transform_left_rows_read_newest_0 <= transform_left_0;
-      transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
-      transform_left_rows_ready_words_1 <= transform_left_rows_read_words_1;
+      transform_left_rows_ready_words(0) <= transform_left_rows_read_words(0);
+      transform_left_rows_ready_words(1) <= transform_left_rows_read_words(1);
       transform_left_rows_ready_words_2 <= to_integer(transform_left_rows_read_words_2);
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
       transform_right_rows_read_newest_0 <= transform_right_0;
-      transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
-      transform_right_rows_ready_words_1 <= transform_right_rows_read_words_1;
+      transform_right_rows_ready_words(0) <= transform_right_rows_read_words(0);
+      transform_right_rows_ready_words(1) <= transform_right_rows_read_words(1);
       transform_right_rows_ready_words_2 <= to_integer(transform_right_rows_read_words_2);
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
@@ -846,333 +696,303 @@ begin
       transform_centre_column <= (((transform_centre_column_choice + (transform_counter_column / 4)) mod 16) * 4) +
         (transform_counter_column mod 4);
       transform_centre_group <= transform_counter_group + as_number(transform_centre_column_any);
-      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
-      transform_left_column_1 <= to_integer(transform_left_rows_ready_words_0(15 downto 8));
-      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
-      transform_left_column_3 <= to_integer(transform_left_rows_ready_words_0(31 downto 24));
-      transform_left_column_4 <= to_integer(transform_left_rows_ready_words_1(7 downto 0));
-      transform_left_column_5 <= to_integer(transform_left_rows_ready_words_1(15 downto 8));
-      transform_left_column_6 <= to_integer(transform_left_rows_ready_words_1(23 downto 16));
-      transform_left_column_7 <= to_integer(transform_left_rows_ready_words_1(31 downto 24));
-      transform_left_column_8 <= transform_left_rows_ready_words_2;
-      transform_left_column_9 <= transform_left_rows_ready_newest_0;
-      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
-      transform_right_column_1 <= to_integer(transform_right_rows_ready_words_0(15 downto 8));
-      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
-      transform_right_column_3 <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
-      transform_right_column_4 <= to_integer(transform_right_rows_ready_words_1(7 downto 0));
-      transform_right_column_5 <= to_integer(transform_right_rows_ready_words_1(15 downto 8));
-      transform_right_column_6 <= to_integer(transform_right_rows_ready_words_1(23 downto 16));
-      transform_right_column_7 <= to_integer(transform_right_rows_ready_words_1(31 downto 24));
-      transform_right_column_8 <= transform_right_rows_ready_words_2;
-      transform_right_column_9 <= transform_right_rows_ready_newest_0;
-      transform_columns_inside_0 <= transform_up_to_last_0 and transform_from_first_0;
-      transform_columns_inside_1 <= transform_up_to_last_1 and transform_from_first_1;
-      transform_columns_start_of_frame <= (other_15 mod 2) = 1;
-      transform_columns_valid <= (other_15 / 256) = 1;
-      transform_left_code_column_box_0_0_0 <= transform_left_column_3;
-      transform_left_code_column_box_0_1_0 <= transform_left_column_4;
-      transform_left_code_column_box_0_2_0 <= transform_left_column_5;
-      transform_left_code_column_box_0_3_0 <= transform_left_column_6;
-      transform_left_code_column_box_0_4_0 <= transform_left_column_7;
-      transform_left_code_column_centre <= transform_left_code_column_box_0_2_0;
-      transform_left_code_column_near <= transform_left_code_column_box_0_1_0 + transform_left_code_column_box_0_3_0;
-      transform_left_code_column_outer <= (510 - transform_left_code_column_box_0_4_0) -
-        transform_left_code_column_box_0_0_0;
-      transform_left_code_column_upper <= 765 - (((transform_left_code_column_box_0_1_0 +
-        (transform_left_code_column_box_0_0_0 / 2)) * 2) + (transform_left_code_column_box_0_0_0 mod 2));
-      transform_left_code_column_lower <= ((transform_left_code_column_box_0_3_0 +
-        (transform_left_code_column_box_0_4_0 / 2)) * 2) + (transform_left_code_column_box_0_4_0 mod 2);
-      transform_left_code_column_response_0 <= ((transform_left_code_column_centre + (transform_left_code_column_near /
-        2)) * 2) + (transform_left_code_column_near mod 2);
-      transform_left_code_column_response_1 <= ((transform_left_code_column_centre + (transform_left_code_column_outer
+      for i in 0 to 1 loop
+        transform_left_column(4 * i) <= to_integer(transform_left_rows_ready_words(i)(7 downto 0));
+        transform_left_column(4 * i + 1) <= to_integer(transform_left_rows_ready_words(i)(15 downto 8));
+        transform_left_column(4 * i + 2) <= to_integer(transform_left_rows_ready_words(i)(23 downto 16));
+        transform_left_column(4 * i + 3) <= to_integer(transform_left_rows_ready_words(i)(31 downto 24));
+      end loop;
+      transform_left_column(8) <= transform_left_rows_ready_words_2;
+      transform_left_column(9) <= transform_left_rows_ready_newest_0;
+      for i in 0 to 1 loop
+        transform_right_column(4 * i) <= to_integer(transform_right_rows_ready_words(i)(7 downto 0));
+        transform_right_column(4 * i + 1) <= to_integer(transform_right_rows_ready_words(i)(15 downto 8));
+        transform_right_column(4 * i + 2) <= to_integer(transform_right_rows_ready_words(i)(23 downto 16));
+        transform_right_column(4 * i + 3) <= to_integer(transform_right_rows_ready_words(i)(31 downto 24));
+      end loop;
+      transform_right_column(8) <= transform_right_rows_ready_words_2;
+      transform_right_column(9) <= transform_right_rows_ready_newest_0;
+      transform_columns_inside(0) <= transform_up_to_last(0) and transform_from_first(0);
+      transform_columns_inside(1) <= transform_up_to_last(1) and transform_from_first(1);
+      transform_columns_start_of_frame <= is_set(others_from_15(15), 0);
+      transform_columns_valid <= is_set(others_from_15(15), 8);
+      for i in 0 to 4 loop
+        transform_left_code_column_box_0_0(i) <= transform_left_column(i + 3);
+      end loop;
+      transform_left_code_column_centre <= transform_left_code_column_box_0_0(2);
+      transform_left_code_column_near <= transform_left_code_column_box_0_0(1) + transform_left_code_column_box_0_0(3);
+      transform_left_code_column_outer <= (510 - transform_left_code_column_box_0_0(4)) -
+        transform_left_code_column_box_0_0(0);
+      transform_left_code_column_upper <= 765 - (((transform_left_code_column_box_0_0(1) +
+        (transform_left_code_column_box_0_0(0) / 2)) * 2) + (transform_left_code_column_box_0_0(0) mod 2));
+      transform_left_code_column_lower <= ((transform_left_code_column_box_0_0(3) +
+        (transform_left_code_column_box_0_0(4) / 2)) * 2) + (transform_left_code_column_box_0_0(4) mod 2);
+      transform_left_code_column_response(0) <= ((transform_left_code_column_centre + (transform_left_code_column_near
+        / 2)) * 2) + (transform_left_code_column_near mod 2);
+      transform_left_code_column_response(1) <= ((transform_left_code_column_centre + (transform_left_code_column_outer
         / 2)) * 2) + (transform_left_code_column_outer mod 2);
       transform_left_code_column_response_2 <= transform_left_code_column_upper + transform_left_code_column_lower;
-      transform_left_code_row_box_0_0 <= transform_left_code_column_response_0;
-      transform_left_code_row_box_0_1 <= transform_left_code_column_response_1;
+      transform_left_code_row_box_0(0) <= transform_left_code_column_response(0);
+      transform_left_code_row_box_0(1) <= transform_left_code_column_response(1);
       transform_left_code_row_box_0_2 <= transform_left_code_column_response_2;
-      transform_left_code_row_centre_0 <= transform_left_code_row_column_0_1;
-      transform_left_code_row_centre_1 <= transform_left_code_row_column_1_1;
-      transform_left_code_row_centre_2 <= transform_left_code_row_column_2_1;
-      transform_left_code_row_outer_1 <= transform_left_code_row_box_0_1 + transform_left_code_row_column_1_3;
-      transform_left_code_row_outer_2 <= transform_left_code_row_box_0_2 + transform_left_code_row_column_2_3;
-      transform_left_code_row_before_0 <= ((transform_left_code_row_column_0_2 + (transform_left_code_row_column_0_3 /
-        2)) * 2) + (transform_left_code_row_column_0_3 mod 2);
-      transform_left_code_row_before_1 <= ((transform_left_code_row_column_1_2 + (transform_left_code_row_column_1_3 /
-        2)) * 2) + (transform_left_code_row_column_1_3 mod 2);
-      transform_left_code_row_before_2 <= ((transform_left_code_row_column_2_2 + (transform_left_code_row_column_2_3 /
-        2)) * 2) + (transform_left_code_row_column_2_3 mod 2);
-      transform_left_code_row_after_0 <= (((transform_left_code_row_box_0_0 / 2) + transform_left_code_row_column_0_0)
-        * 2) + (transform_left_code_row_box_0_0 mod 2);
-      transform_left_code_row_after_1 <= (((transform_left_code_row_box_0_1 / 2) + transform_left_code_row_column_1_0)
-        * 2) + (transform_left_code_row_box_0_1 mod 2);
-      transform_left_code_row_after_2 <= (((transform_left_code_row_box_0_2 / 2) + transform_left_code_row_column_2_0)
+      transform_left_code_row_centre(0) <= transform_left_code_row_column(0, 1);
+      transform_left_code_row_centre(1) <= transform_left_code_row_column(1, 1);
+      transform_left_code_row_centre_2 <= transform_left_code_row_column_2(1);
+      transform_left_code_row_outer_1 <= transform_left_code_row_box_0(1) + transform_left_code_row_column(1, 3);
+      transform_left_code_row_outer_2 <= transform_left_code_row_box_0_2 + transform_left_code_row_column_2(3);
+      transform_left_code_row_before(0) <= ((transform_left_code_row_column(0, 2) + (transform_left_code_row_column(0,
+        3) / 2)) * 2) + (transform_left_code_row_column(0, 3) mod 2);
+      transform_left_code_row_before(1) <= ((transform_left_code_row_column(1, 2) + (transform_left_code_row_column(1,
+        3) / 2)) * 2) + (transform_left_code_row_column(1, 3) mod 2);
+      transform_left_code_row_before_2 <= ((transform_left_code_row_column_2(2) + (transform_left_code_row_column_2(3)
+        / 2)) * 2) + (transform_left_code_row_column_2(3) mod 2);
+      transform_left_code_row_after(0) <= (((transform_left_code_row_box_0(0) / 2) + transform_left_code_row_column(0,
+        0)) * 2) + (transform_left_code_row_box_0(0) mod 2);
+      transform_left_code_row_after(1) <= (((transform_left_code_row_box_0(1) / 2) + transform_left_code_row_column(1,
+        0)) * 2) + (transform_left_code_row_box_0(1) mod 2);
+      transform_left_code_row_after_2 <= (((transform_left_code_row_box_0_2 / 2) + transform_left_code_row_column_2(0))
         * 2) + (transform_left_code_row_box_0_2 mod 2);
-      transform_left_code_row_even_1 <= ((((transform_left_code_row_outer_1 / 2) - transform_left_code_row_centre_1)
+      transform_left_code_row_even(1) <= ((((transform_left_code_row_outer_1 / 2) - transform_left_code_row_centre(1))
         mod 8192) * 2) + (transform_left_code_row_outer_1 mod 2);
-      transform_left_code_row_even_2 <= ((((transform_left_code_row_outer_2 / 2) - transform_left_code_row_centre_2)
+      transform_left_code_row_even(2) <= ((((transform_left_code_row_outer_2 / 2) - transform_left_code_row_centre_2)
         mod 8192) * 2) + (transform_left_code_row_outer_2 mod 2);
-      transform_left_code_row_odd_1 <= (transform_left_code_row_before_1 - transform_left_code_row_after_1) mod 16384;
-      transform_left_code_row_odd_2 <= (transform_left_code_row_before_2 - transform_left_code_row_after_2) mod 16384;
-      transform_left_code_row_signs <= ((other_12 / 8192) * 2) + (other_13 / 8192) + ((((transform_left_code_row_even_2
-        + transform_left_code_row_odd_1) mod 16384) / 8192) * 8) + ((((transform_left_code_row_odd_1 -
-        transform_left_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_left_code_row_even_1 -
-        transform_left_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_left_code_row_even_1 +
-        transform_left_code_row_odd_2) mod 16384) / 8192) * 16);
-      transform_left_code_next_column_box_0_0_0 <= transform_left_column_0 + transform_left_column_1;
-      transform_left_code_next_column_box_0_1_0 <= transform_left_column_2 + transform_left_column_3;
-      transform_left_code_next_column_box_0_2_0 <= transform_left_column_4 + transform_left_column_5;
-      transform_left_code_next_column_box_0_3_0 <= transform_left_column_6 + transform_left_column_7;
-      transform_left_code_next_column_box_0_4_0 <= transform_left_column_8 + transform_left_column_9;
-      transform_left_code_next_column_centre <= transform_left_code_next_column_box_0_2_0;
-      transform_left_code_next_column_near <= transform_left_code_next_column_box_0_1_0 +
-        transform_left_code_next_column_box_0_3_0;
-      transform_left_code_next_column_outer <= (1020 - transform_left_code_next_column_box_0_4_0) -
-        transform_left_code_next_column_box_0_0_0;
-      transform_left_code_next_column_upper <= (1530 - (((transform_left_code_next_column_box_0_1_0 +
-        (transform_left_code_next_column_box_0_0_0 / 2)) * 2) + (transform_left_code_next_column_box_0_0_0 mod 2))) mod
-        65536;
-      transform_left_code_next_column_lower <= ((transform_left_code_next_column_box_0_3_0 +
-        (transform_left_code_next_column_box_0_4_0 / 2)) * 2) + (transform_left_code_next_column_box_0_4_0 mod 2);
-      transform_left_code_next_column_response_0 <= ((transform_left_code_next_column_centre +
+      transform_left_code_row_odd(1) <= (transform_left_code_row_before(1) - transform_left_code_row_after(1)) mod
+        16384;
+      transform_left_code_row_odd(2) <= (transform_left_code_row_before_2 - transform_left_code_row_after_2) mod 16384;
+      transform_left_code_row_signs <= ((others_from_12(12) / 8192) * 2) + (others_from_12(13) / 8192) +
+        ((((transform_left_code_row_even(2) + transform_left_code_row_odd(1)) mod 16384) / 8192) * 8) +
+        ((((transform_left_code_row_odd(1) - transform_left_code_row_even(2)) mod 16384) / 8192) * 32) +
+        ((((transform_left_code_row_even(1) - transform_left_code_row_odd(2)) mod 16384) / 8192) * 4) +
+        ((((transform_left_code_row_even(1) + transform_left_code_row_odd(2)) mod 16384) / 8192) * 16);
+      for i in 0 to 4 loop
+        transform_left_code_next_column_box_0_0(i) <= transform_left_column(2 * i) + transform_left_column(2 * i + 1);
+      end loop;
+      transform_left_code_next_column_centre <= transform_left_code_next_column_box_0_0(2);
+      transform_left_code_next_column_near <= transform_left_code_next_column_box_0_0(1) +
+        transform_left_code_next_column_box_0_0(3);
+      transform_left_code_next_column_outer <= (1020 - transform_left_code_next_column_box_0_0(4)) -
+        transform_left_code_next_column_box_0_0(0);
+      transform_left_code_next_column_upper <= (1530 - (((transform_left_code_next_column_box_0_0(1) +
+        (transform_left_code_next_column_box_0_0(0) / 2)) * 2) + (transform_left_code_next_column_box_0_0(0) mod 2)))
+        mod 65536;
+      transform_left_code_next_column_lower <= ((transform_left_code_next_column_box_0_0(3) +
+        (transform_left_code_next_column_box_0_0(4) / 2)) * 2) + (transform_left_code_next_column_box_0_0(4) mod 2);
+      transform_left_code_next_column_response(0) <= ((transform_left_code_next_column_centre +
         (transform_left_code_next_column_near / 2)) * 2) + (transform_left_code_next_column_near mod 2);
-      transform_left_code_next_column_response_1 <= ((transform_left_code_next_column_centre +
+      transform_left_code_next_column_response(1) <= ((transform_left_code_next_column_centre +
         (transform_left_code_next_column_outer / 2)) * 2) + (transform_left_code_next_column_outer mod 2);
       transform_left_code_next_column_response_2 <= (transform_left_code_next_column_upper +
         transform_left_code_next_column_lower) mod 65536;
-      transform_left_code_next_row_box_0_0 <= transform_left_code_next_column_response_0 +
-        transform_left_code_next_row_earlier_0_0_0;
-      transform_left_code_next_row_box_0_1 <= transform_left_code_next_column_response_1 +
-        transform_left_code_next_row_earlier_0_1_0;
+      transform_left_code_next_row_box_0(0) <= transform_left_code_next_column_response(0) +
+        transform_left_code_next_row_earlier_0_0(0);
+      transform_left_code_next_row_box_0(1) <= transform_left_code_next_column_response(1) +
+        transform_left_code_next_row_earlier_0_0(1);
       transform_left_code_next_row_box_0_2 <= (transform_left_code_next_column_response_2 +
         transform_left_code_next_row_earlier_0_2_0) mod 65536;
-      transform_left_code_next_row_centre_0 <= transform_left_code_next_row_column_0_3;
-      transform_left_code_next_row_centre_1 <= transform_left_code_next_row_column_1_3;
-      transform_left_code_next_row_centre_2 <= transform_left_code_next_row_column_2_3 mod 32768;
-      transform_left_code_next_row_outer_0 <= transform_left_code_next_row_box_0_0 +
-        transform_left_code_next_row_column_0_7;
-      transform_left_code_next_row_outer_1 <= transform_left_code_next_row_box_0_1 +
-        transform_left_code_next_row_column_1_7;
+      transform_left_code_next_row_centre(0) <= transform_left_code_next_row_column(0, 3);
+      transform_left_code_next_row_centre(1) <= transform_left_code_next_row_column(1, 3);
+      transform_left_code_next_row_centre_2 <= transform_left_code_next_row_column_2(3) mod 32768;
+      transform_left_code_next_row_outer(0) <= transform_left_code_next_row_box_0(0) +
+        transform_left_code_next_row_column(0, 7);
+      transform_left_code_next_row_outer(1) <= transform_left_code_next_row_box_0(1) +
+        transform_left_code_next_row_column(1, 7);
       transform_left_code_next_row_outer_2 <= (transform_left_code_next_row_box_0_2 +
-        transform_left_code_next_row_column_2_7) mod 65536;
-      transform_left_code_next_row_before_0 <= ((transform_left_code_next_row_column_0_5 +
-        (transform_left_code_next_row_column_0_7 / 2)) * 2) + (transform_left_code_next_row_column_0_7 mod 2);
-      transform_left_code_next_row_before_1 <= ((transform_left_code_next_row_column_1_5 +
-        (transform_left_code_next_row_column_1_7 / 2)) * 2) + (transform_left_code_next_row_column_1_7 mod 2);
-      transform_left_code_next_row_before_2 <= (((transform_left_code_next_row_column_2_5 +
-        (transform_left_code_next_row_column_2_7 / 2)) mod 32768) * 2) + (transform_left_code_next_row_column_2_7 mod
+        transform_left_code_next_row_column_2(7)) mod 65536;
+      transform_left_code_next_row_before(0) <= ((transform_left_code_next_row_column(0, 5) +
+        (transform_left_code_next_row_column(0, 7) / 2)) * 2) + (transform_left_code_next_row_column(0, 7) mod 2);
+      transform_left_code_next_row_before(1) <= ((transform_left_code_next_row_column(1, 5) +
+        (transform_left_code_next_row_column(1, 7) / 2)) * 2) + (transform_left_code_next_row_column(1, 7) mod 2);
+      transform_left_code_next_row_before_2 <= (((transform_left_code_next_row_column_2(5) +
+        (transform_left_code_next_row_column_2(7) / 2)) mod 32768) * 2) + (transform_left_code_next_row_column_2(7) mod
         2);
-      transform_left_code_next_row_after_0 <= (((transform_left_code_next_row_box_0_0 / 2) +
-        transform_left_code_next_row_column_0_1) * 2) + (transform_left_code_next_row_box_0_0 mod 2);
-      transform_left_code_next_row_after_1 <= (((transform_left_code_next_row_box_0_1 / 2) +
-        transform_left_code_next_row_column_1_1) * 2) + (transform_left_code_next_row_box_0_1 mod 2);
+      transform_left_code_next_row_after(0) <= (((transform_left_code_next_row_box_0(0) / 2) +
+        transform_left_code_next_row_column(0, 1)) * 2) + (transform_left_code_next_row_box_0(0) mod 2);
+      transform_left_code_next_row_after(1) <= (((transform_left_code_next_row_box_0(1) / 2) +
+        transform_left_code_next_row_column(1, 1)) * 2) + (transform_left_code_next_row_box_0(1) mod 2);
       transform_left_code_next_row_after_2 <= ((((transform_left_code_next_row_box_0_2 / 2) +
-        transform_left_code_next_row_column_2_1) mod 32768) * 2) + (transform_left_code_next_row_box_0_2 mod 2);
-      transform_left_code_next_row_even_1 <= ((((transform_left_code_next_row_outer_1 / 2) -
-        transform_left_code_next_row_centre_1) mod 32768) * 2) + (transform_left_code_next_row_outer_1 mod 2);
-      transform_left_code_next_row_even_2 <= ((((transform_left_code_next_row_outer_2 / 2) -
+        transform_left_code_next_row_column_2(1)) mod 32768) * 2) + (transform_left_code_next_row_box_0_2 mod 2);
+      transform_left_code_next_row_even(1) <= ((((transform_left_code_next_row_outer(1) / 2) -
+        transform_left_code_next_row_centre(1)) mod 32768) * 2) + (transform_left_code_next_row_outer(1) mod 2);
+      transform_left_code_next_row_even(2) <= ((((transform_left_code_next_row_outer_2 / 2) -
         transform_left_code_next_row_centre_2) mod 32768) * 2) + (transform_left_code_next_row_outer_2 mod 2);
-      transform_left_code_next_row_odd_0 <= (transform_left_code_next_row_before_0 -
-        transform_left_code_next_row_after_0) mod 65536;
-      transform_left_code_next_row_odd_1 <= (transform_left_code_next_row_before_1 -
-        transform_left_code_next_row_after_1) mod 65536;
-      transform_left_code_next_row_odd_2 <= (transform_left_code_next_row_before_2 -
+      transform_left_code_next_row_odd(0) <= (transform_left_code_next_row_before(0) -
+        transform_left_code_next_row_after(0)) mod 65536;
+      transform_left_code_next_row_odd(1) <= (transform_left_code_next_row_before(1) -
+        transform_left_code_next_row_after(1)) mod 65536;
+      transform_left_code_next_row_odd(2) <= (transform_left_code_next_row_before_2 -
         transform_left_code_next_row_after_2) mod 65536;
-      transform_left_code_next_row_signs <= (other_11 / 32768) + ((transform_left_code_next_row_odd_0 / 32768) * 2) +
-        ((((transform_left_code_next_row_even_2 + transform_left_code_next_row_odd_1) mod 65536) / 32768) * 8) +
-        ((((transform_left_code_next_row_odd_1 - transform_left_code_next_row_even_2) mod 65536) / 32768) * 32) +
-        ((((transform_left_code_next_row_even_1 - transform_left_code_next_row_odd_2) mod 65536) / 32768) * 4) +
-        ((((transform_left_code_next_row_even_1 + transform_left_code_next_row_odd_2) mod 65536) / 32768) * 16);
-      transform_right_code_column_box_0_0_0 <= transform_right_column_3;
-      transform_right_code_column_box_0_1_0 <= transform_right_column_4;
-      transform_right_code_column_box_0_2_0 <= transform_right_column_5;
-      transform_right_code_column_box_0_3_0 <= transform_right_column_6;
-      transform_right_code_column_box_0_4_0 <= transform_right_column_7;
-      transform_right_code_column_centre <= transform_right_code_column_box_0_2_0;
-      transform_right_code_column_near <= transform_right_code_column_box_0_1_0 + transform_right_code_column_box_0_3_0;
-      transform_right_code_column_outer <= (510 - transform_right_code_column_box_0_4_0) -
-        transform_right_code_column_box_0_0_0;
-      transform_right_code_column_upper <= 765 - (((transform_right_code_column_box_0_1_0 +
-        (transform_right_code_column_box_0_0_0 / 2)) * 2) + (transform_right_code_column_box_0_0_0 mod 2));
-      transform_right_code_column_lower <= ((transform_right_code_column_box_0_3_0 +
-        (transform_right_code_column_box_0_4_0 / 2)) * 2) + (transform_right_code_column_box_0_4_0 mod 2);
-      transform_right_code_column_response_0 <= ((transform_right_code_column_centre +
+      transform_left_code_next_row_signs <= (other_11 / 32768) + ((transform_left_code_next_row_odd(0) / 32768) * 2) +
+        ((((transform_left_code_next_row_even(2) + transform_left_code_next_row_odd(1)) mod 65536) / 32768) * 8) +
+        ((((transform_left_code_next_row_odd(1) - transform_left_code_next_row_even(2)) mod 65536) / 32768) * 32) +
+        ((((transform_left_code_next_row_even(1) - transform_left_code_next_row_odd(2)) mod 65536) / 32768) * 4) +
+        ((((transform_left_code_next_row_even(1) + transform_left_code_next_row_odd(2)) mod 65536) / 32768) * 16);
+      for i in 0 to 4 loop
+        transform_right_code_column_box_0_0(i) <= transform_right_column(i + 3);
+      end loop;
+      transform_right_code_column_centre <= transform_right_code_column_box_0_0(2);
+      transform_right_code_column_near <= transform_right_code_column_box_0_0(1) +
+        transform_right_code_column_box_0_0(3);
+      transform_right_code_column_outer <= (510 - transform_right_code_column_box_0_0(4)) -
+        transform_right_code_column_box_0_0(0);
+      transform_right_code_column_upper <= 765 - (((transform_right_code_column_box_0_0(1) +
+        (transform_right_code_column_box_0_0(0) / 2)) * 2) + (transform_right_code_column_box_0_0(0) mod 2));
+      transform_right_code_column_lower <= ((transform_right_code_column_box_0_0(3) +
+        (transform_right_code_column_box_0_0(4) / 2)) * 2) + (transform_right_code_column_box_0_0(4) mod 2);
+      transform_right_code_column_response(0) <= ((transform_right_code_column_centre +
         (transform_right_code_column_near / 2)) * 2) + (transform_right_code_column_near mod 2);
-      transform_right_code_column_response_1 <= ((transform_right_code_column_centre +
+      transform_right_code_column_response(1) <= ((transform_right_code_column_centre +
         (transform_right_code_column_outer / 2)) * 2) + (transform_right_code_column_outer mod 2);
       transform_right_code_column_response_2 <= transform_right_code_column_upper + transform_right_code_column_lower;
-      transform_right_code_row_box_0_0 <= transform_right_code_column_response_0;
-      transform_right_code_row_box_0_1 <= transform_right_code_column_response_1;
+      transform_right_code_row_box_0(0) <= transform_right_code_column_response(0);
+      transform_right_code_row_box_0(1) <= transform_right_code_column_response(1);
       transform_right_code_row_box_0_2 <= transform_right_code_column_response_2;
-      transform_right_code_row_centre_0 <= transform_right_code_row_column_0_1;
-      transform_right_code_row_centre_1 <= transform_right_code_row_column_1_1;
-      transform_right_code_row_centre_2 <= transform_right_code_row_column_2_1;
-      transform_right_code_row_outer_1 <= transform_right_code_row_box_0_1 + transform_right_code_row_column_1_3;
-      transform_right_code_row_outer_2 <= transform_right_code_row_box_0_2 + transform_right_code_row_column_2_3;
-      transform_right_code_row_before_0 <= ((transform_right_code_row_column_0_2 + (transform_right_code_row_column_0_3
-        / 2)) * 2) + (transform_right_code_row_column_0_3 mod 2);
-      transform_right_code_row_before_1 <= ((transform_right_code_row_column_1_2 + (transform_right_code_row_column_1_3
-        / 2)) * 2) + (transform_right_code_row_column_1_3 mod 2);
-      transform_right_code_row_before_2 <= ((transform_right_code_row_column_2_2 + (transform_right_code_row_column_2_3
-        / 2)) * 2) + (transform_right_code_row_column_2_3 mod 2);
-      transform_right_code_row_after_0 <= (((transform_right_code_row_box_0_0 / 2) +
-        transform_right_code_row_column_0_0) * 2) + (transform_right_code_row_box_0_0 mod 2);
-      transform_right_code_row_after_1 <= (((transform_right_code_row_box_0_1 / 2) +
-        transform_right_code_row_column_1_0) * 2) + (transform_right_code_row_box_0_1 mod 2);
+      transform_right_code_row_centre(0) <= transform_right_code_row_column(0, 1);
+      transform_right_code_row_centre(1) <= transform_right_code_row_column(1, 1);
+      transform_right_code_row_centre_2 <= transform_right_code_row_column_2(1);
+      transform_right_code_row_outer_1 <= transform_right_code_row_box_0(1) + transform_right_code_row_column(1, 3);
+      transform_right_code_row_outer_2 <= transform_right_code_row_box_0_2 + transform_right_code_row_column_2(3);
+      transform_right_code_row_before(0) <= ((transform_right_code_row_column(0, 2) +
+        (transform_right_code_row_column(0, 3) / 2)) * 2) + (transform_right_code_row_column(0, 3) mod 2);
+      transform_right_code_row_before(1) <= ((transform_right_code_row_column(1, 2) +
+        (transform_right_code_row_column(1, 3) / 2)) * 2) + (transform_right_code_row_column(1, 3) mod 2);
+      transform_right_code_row_before_2 <= ((transform_right_code_row_column_2(2) +
+        (transform_right_code_row_column_2(3) / 2)) * 2) + (transform_right_code_row_column_2(3) mod 2);
+      transform_right_code_row_after(0) <= (((transform_right_code_row_box_0(0) / 2) +
+        transform_right_code_row_column(0, 0)) * 2) + (transform_right_code_row_box_0(0) mod 2);
+      transform_right_code_row_after(1) <= (((transform_right_code_row_box_0(1) / 2) +
+        transform_right_code_row_column(1, 0)) * 2) + (transform_right_code_row_box_0(1) mod 2);
       transform_right_code_row_after_2 <= (((transform_right_code_row_box_0_2 / 2) +
-        transform_right_code_row_column_2_0) * 2) + (transform_right_code_row_box_0_2 mod 2);
-      transform_right_code_row_even_1 <= ((((transform_right_code_row_outer_1 / 2) - transform_right_code_row_centre_1)
-        mod 8192) * 2) + (transform_right_code_row_outer_1 mod 2);
-      transform_right_code_row_even_2 <= ((((transform_right_code_row_outer_2 / 2) - transform_right_code_row_centre_2)
-        mod 8192) * 2) + (transform_right_code_row_outer_2 mod 2);
-      transform_right_code_row_odd_1 <= (transform_right_code_row_before_1 - transform_right_code_row_after_1) mod
+        transform_right_code_row_column_2(0)) * 2) + (transform_right_code_row_box_0_2 mod 2);
+      transform_right_code_row_even(1) <= ((((transform_right_code_row_outer_1 / 2) -
+        transform_right_code_row_centre(1)) mod 8192) * 2) + (transform_right_code_row_outer_1 mod 2);
+      transform_right_code_row_even(2) <= ((((transform_right_code_row_outer_2 / 2) -
+        transform_right_code_row_centre_2) mod 8192) * 2) + (transform_right_code_row_outer_2 mod 2);
+      transform_right_code_row_odd(1) <= (transform_right_code_row_before(1) - transform_right_code_row_after(1)) mod
         16384;
-      transform_right_code_row_odd_2 <= (transform_right_code_row_before_2 - transform_right_code_row_after_2) mod
+      transform_right_code_row_odd(2) <= (transform_right_code_row_before_2 - transform_right_code_row_after_2) mod
         16384;
-      transform_right_code_row_signs <= ((other_8 / 8192) * 2) + (other_9 / 8192) + ((((transform_right_code_row_even_2
-        + transform_right_code_row_odd_1) mod 16384) / 8192) * 8) + ((((transform_right_code_row_odd_1 -
-        transform_right_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_right_code_row_even_1 -
-        transform_right_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_right_code_row_even_1 +
-        transform_right_code_row_odd_2) mod 16384) / 8192) * 16);
-      transform_right_code_next_column_box_0_0_0 <= transform_right_column_0 + transform_right_column_1;
-      transform_right_code_next_column_box_0_1_0 <= transform_right_column_2 + transform_right_column_3;
-      transform_right_code_next_column_box_0_2_0 <= transform_right_column_4 + transform_right_column_5;
-      transform_right_code_next_column_box_0_3_0 <= transform_right_column_6 + transform_right_column_7;
-      transform_right_code_next_column_box_0_4_0 <= transform_right_column_8 + transform_right_column_9;
-      transform_right_code_next_column_centre <= transform_right_code_next_column_box_0_2_0;
-      transform_right_code_next_column_near <= transform_right_code_next_column_box_0_1_0 +
-        transform_right_code_next_column_box_0_3_0;
-      transform_right_code_next_column_outer <= (1020 - transform_right_code_next_column_box_0_4_0) -
-        transform_right_code_next_column_box_0_0_0;
-      transform_right_code_next_column_upper <= (1530 - (((transform_right_code_next_column_box_0_1_0 +
-        (transform_right_code_next_column_box_0_0_0 / 2)) * 2) + (transform_right_code_next_column_box_0_0_0 mod 2)))
+      transform_right_code_row_signs <= ((other(8) / 8192) * 2) + (other(9) / 8192) +
+        ((((transform_right_code_row_even(2) + transform_right_code_row_odd(1)) mod 16384) / 8192) * 8) +
+        ((((transform_right_code_row_odd(1) - transform_right_code_row_even(2)) mod 16384) / 8192) * 32) +
+        ((((transform_right_code_row_even(1) - transform_right_code_row_odd(2)) mod 16384) / 8192) * 4) +
+        ((((transform_right_code_row_even(1) + transform_right_code_row_odd(2)) mod 16384) / 8192) * 16);
+      for i in 0 to 4 loop
+        transform_right_code_next_column_box_0_0(i) <= transform_right_column(2 * i) + transform_right_column(2 * i +
+          1);
+      end loop;
+      transform_right_code_next_column_centre <= transform_right_code_next_column_box_0_0(2);
+      transform_right_code_next_column_near <= transform_right_code_next_column_box_0_0(1) +
+        transform_right_code_next_column_box_0_0(3);
+      transform_right_code_next_column_outer <= (1020 - transform_right_code_next_column_box_0_0(4)) -
+        transform_right_code_next_column_box_0_0(0);
+      transform_right_code_next_column_upper <= (1530 - (((transform_right_code_next_column_box_0_0(1) +
+        (transform_right_code_next_column_box_0_0(0) / 2)) * 2) + (transform_right_code_next_column_box_0_0(0) mod 2)))
         mod 65536;
-      transform_right_code_next_column_lower <= ((transform_right_code_next_column_box_0_3_0 +
-        (transform_right_code_next_column_box_0_4_0 / 2)) * 2) + (transform_right_code_next_column_box_0_4_0 mod 2);
-      transform_right_code_next_column_response_0 <= ((transform_right_code_next_column_centre +
+      transform_right_code_next_column_lower <= ((transform_right_code_next_column_box_0_0(3) +
+        (transform_right_code_next_column_box_0_0(4) / 2)) * 2) + (transform_right_code_next_column_box_0_0(4) mod 2);
+      transform_right_code_next_column_response(0) <= ((transform_right_code_next_column_centre +
         (transform_right_code_next_column_near / 2)) * 2) + (transform_right_code_next_column_near mod 2);
-      transform_right_code_next_column_response_1 <= ((transform_right_code_next_column_centre +
+      transform_right_code_next_column_response(1) <= ((transform_right_code_next_column_centre +
         (transform_right_code_next_column_outer / 2)) * 2) + (transform_right_code_next_column_outer mod 2);
       transform_right_code_next_column_response_2 <= (transform_right_code_next_column_upper +
         transform_right_code_next_column_lower) mod 65536;
-      transform_right_code_next_row_box_0_0 <= transform_right_code_next_column_response_0 +
-        transform_right_code_next_row_earlier_0_0_0;
-      transform_right_code_next_row_box_0_1 <= transform_right_code_next_column_response_1 +
-        transform_right_code_next_row_earlier_0_1_0;
+      transform_right_code_next_row_box_0(0) <= transform_right_code_next_column_response(0) +
+        transform_right_code_next_row_earlier_0_0(0);
+      transform_right_code_next_row_box_0(1) <= transform_right_code_next_column_response(1) +
+        transform_right_code_next_row_earlier_0_0(1);
       transform_right_code_next_row_box_0_2 <= (transform_right_code_next_column_response_2 +
         transform_right_code_next_row_earlier_0_2_0) mod 65536;
-      transform_right_code_next_row_centre_0 <= transform_right_code_next_row_column_0_3;
-      transform_right_code_next_row_centre_1 <= transform_right_code_next_row_column_1_3;
-      transform_right_code_next_row_centre_2 <= transform_right_code_next_row_column_2_3 mod 32768;
-      transform_right_code_next_row_outer_0 <= transform_right_code_next_row_box_0_0 +
-        transform_right_code_next_row_column_0_7;
-      transform_right_code_next_row_outer_1 <= transform_right_code_next_row_box_0_1 +
-        transform_right_code_next_row_column_1_7;
+      transform_right_code_next_row_centre(0) <= transform_right_code_next_row_column(0, 3);
+      transform_right_code_next_row_centre(1) <= transform_right_code_next_row_column(1, 3);
+      transform_right_code_next_row_centre_2 <= transform_right_code_next_row_column_2(3) mod 32768;
+      transform_right_code_next_row_outer(0) <= transform_right_code_next_row_box_0(0) +
+        transform_right_code_next_row_column(0, 7);
+      transform_right_code_next_row_outer(1) <= transform_right_code_next_row_box_0(1) +
+        transform_right_code_next_row_column(1, 7);
       transform_right_code_next_row_outer_2 <= (transform_right_code_next_row_box_0_2 +
-        transform_right_code_next_row_column_2_7) mod 65536;
-      transform_right_code_next_row_before_0 <= ((transform_right_code_next_row_column_0_5 +
-        (transform_right_code_next_row_column_0_7 / 2)) * 2) + (transform_right_code_next_row_column_0_7 mod 2);
-      transform_right_code_next_row_before_1 <= ((transform_right_code_next_row_column_1_5 +
-        (transform_right_code_next_row_column_1_7 / 2)) * 2) + (transform_right_code_next_row_column_1_7 mod 2);
-      transform_right_code_next_row_before_2 <= (((transform_right_code_next_row_column_2_5 +
-        (transform_right_code_next_row_column_2_7 / 2)) mod 32768) * 2) + (transform_right_code_next_row_column_2_7 mod
-        2);
-      transform_right_code_next_row_after_0 <= (((transform_right_code_next_row_box_0_0 / 2) +
-        transform_right_code_next_row_column_0_1) * 2) + (transform_right_code_next_row_box_0_0 mod 2);
-      transform_right_code_next_row_after_1 <= (((transform_right_code_next_row_box_0_1 / 2) +
-        transform_right_code_next_row_column_1_1) * 2) + (transform_right_code_next_row_box_0_1 mod 2);
+        transform_right_code_next_row_column_2(7)) mod 65536;
+      transform_right_code_next_row_before(0) <= ((transform_right_code_next_row_column(0, 5) +
+        (transform_right_code_next_row_column(0, 7) / 2)) * 2) + (transform_right_code_next_row_column(0, 7) mod 2);
+      transform_right_code_next_row_before(1) <= ((transform_right_code_next_row_column(1, 5) +
+        (transform_right_code_next_row_column(1, 7) / 2)) * 2) + (transform_right_code_next_row_column(1, 7) mod 2);
+      transform_right_code_next_row_before_2 <= (((transform_right_code_next_row_column_2(5) +
+        (transform_right_code_next_row_column_2(7) / 2)) mod 32768) * 2) + (transform_right_code_next_row_column_2(7)
+        mod 2);
+      transform_right_code_next_row_after(0) <= (((transform_right_code_next_row_box_0(0) / 2) +
+        transform_right_code_next_row_column(0, 1)) * 2) + (transform_right_code_next_row_box_0(0) mod 2);
+      transform_right_code_next_row_after(1) <= (((transform_right_code_next_row_box_0(1) / 2) +
+        transform_right_code_next_row_column(1, 1)) * 2) + (transform_right_code_next_row_box_0(1) mod 2);
       transform_right_code_next_row_after_2 <= ((((transform_right_code_next_row_box_0_2 / 2) +
-        transform_right_code_next_row_column_2_1) mod 32768) * 2) + (transform_right_code_next_row_box_0_2 mod 2);
-      transform_right_code_next_row_even_1 <= ((((transform_right_code_next_row_outer_1 / 2) -
-        transform_right_code_next_row_centre_1) mod 32768) * 2) + (transform_right_code_next_row_outer_1 mod 2);
-      transform_right_code_next_row_even_2 <= ((((transform_right_code_next_row_outer_2 / 2) -
+        transform_right_code_next_row_column_2(1)) mod 32768) * 2) + (transform_right_code_next_row_box_0_2 mod 2);
+      transform_right_code_next_row_even(1) <= ((((transform_right_code_next_row_outer(1) / 2) -
+        transform_right_code_next_row_centre(1)) mod 32768) * 2) + (transform_right_code_next_row_outer(1) mod 2);
+      transform_right_code_next_row_even(2) <= ((((transform_right_code_next_row_outer_2 / 2) -
         transform_right_code_next_row_centre_2) mod 32768) * 2) + (transform_right_code_next_row_outer_2 mod 2);
-      transform_right_code_next_row_odd_0 <= (transform_right_code_next_row_before_0 -
-        transform_right_code_next_row_after_0) mod 65536;
-      transform_right_code_next_row_odd_1 <= (transform_right_code_next_row_before_1 -
-        transform_right_code_next_row_after_1) mod 65536;
-      transform_right_code_next_row_odd_2 <= (transform_right_code_next_row_before_2 -
+      transform_right_code_next_row_odd(0) <= (transform_right_code_next_row_before(0) -
+        transform_right_code_next_row_after(0)) mod 65536;
+      transform_right_code_next_row_odd(1) <= (transform_right_code_next_row_before(1) -
+        transform_right_code_next_row_after(1)) mod 65536;
+      transform_right_code_next_row_odd(2) <= (transform_right_code_next_row_before_2 -
         transform_right_code_next_row_after_2) mod 65536;
-      transform_right_code_next_row_signs <= (other_7 / 32768) + ((transform_right_code_next_row_odd_0 / 32768) * 2) +
-        ((((transform_right_code_next_row_even_2 + transform_right_code_next_row_odd_1) mod 65536) / 32768) * 8) +
-        ((((transform_right_code_next_row_odd_1 - transform_right_code_next_row_even_2) mod 65536) / 32768) * 32) +
-        ((((transform_right_code_next_row_even_1 - transform_right_code_next_row_odd_2) mod 65536) / 32768) * 4) +
-        ((((transform_right_code_next_row_even_1 + transform_right_code_next_row_odd_2) mod 65536) / 32768) * 16);
-      transform_filtering_0_inside_0 <= transform_columns_inside_0;
-      transform_filtering_0_inside_1 <= transform_columns_inside_1;
-      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_0_valid <= transform_columns_valid;
-      transform_filtering_1_inside_0 <= transform_filtering_0_inside_0;
-      transform_filtering_1_inside_1 <= transform_filtering_0_inside_1;
-      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
-      transform_filtering_1_valid <= transform_filtering_0_valid;
-      transform_filtering_2_inside_0 <= transform_filtering_1_inside_0;
-      transform_filtering_2_inside_1 <= transform_filtering_1_inside_1;
-      transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
-      transform_filtering_2_valid <= transform_filtering_1_valid;
-      transform_filtering_3_inside_0 <= transform_filtering_2_inside_0;
-      transform_filtering_3_inside_1 <= transform_filtering_2_inside_1;
-      transform_filtering_3_start_of_frame <= transform_filtering_2_start_of_frame;
-      transform_filtering_3_valid <= transform_filtering_2_valid;
-      transform_filtering_4_inside_0 <= transform_filtering_3_inside_0;
-      transform_filtering_4_inside_1 <= transform_filtering_3_inside_1;
-      transform_filtering_4_start_of_frame <= transform_filtering_3_start_of_frame;
-      transform_filtering_4_valid <= transform_filtering_3_valid;
-      transform_filtering_5_inside_0 <= transform_filtering_4_inside_0;
-      transform_filtering_5_inside_1 <= transform_filtering_4_inside_1;
-      transform_filtering_5_start_of_frame <= transform_filtering_4_start_of_frame;
-      transform_filtering_5_valid <= transform_filtering_4_valid;
-      transform_filtering_6_inside_0 <= transform_filtering_5_inside_0;
-      transform_filtering_6_inside_1 <= transform_filtering_5_inside_1;
-      transform_filtering_6_start_of_frame <= transform_filtering_5_start_of_frame;
-      transform_filtering_6_valid <= transform_filtering_5_valid;
-      transform_filtering_7_start_of_frame <= transform_filtering_6_start_of_frame;
-      transform_filtering_7_valid <= transform_filtering_6_valid;
+      transform_right_code_next_row_signs <= (other_7 / 32768) + ((transform_right_code_next_row_odd(0) / 32768) * 2) +
+        ((((transform_right_code_next_row_even(2) + transform_right_code_next_row_odd(1)) mod 65536) / 32768) * 8) +
+        ((((transform_right_code_next_row_odd(1) - transform_right_code_next_row_even(2)) mod 65536) / 32768) * 32) +
+        ((((transform_right_code_next_row_even(1) - transform_right_code_next_row_odd(2)) mod 65536) / 32768) * 4) +
+        ((((transform_right_code_next_row_even(1) + transform_right_code_next_row_odd(2)) mod 65536) / 32768) * 16);
+      transform_filtering_inside(0, 0) <= transform_columns_inside(0);
+      transform_filtering_inside(0, 1) <= transform_columns_inside(1);
+      transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
+      transform_filtering_valid(0) <= transform_columns_valid;
+      for i in 1 to 6 loop
+        transform_filtering_inside(i, 0) <= transform_filtering_inside(i - 1, 0);
+        transform_filtering_inside(i, 1) <= transform_filtering_inside(i - 1, 1);
+        transform_filtering_start_of_frame(i) <= transform_filtering_start_of_frame(i - 1);
+        transform_filtering_valid(i) <= transform_filtering_valid(i - 1);
+      end loop;
+      transform_filtering_start_of_frame(7) <= transform_filtering_start_of_frame(6);
+      transform_filtering_valid(7) <= transform_filtering_valid(6);
       if in_valid and in_start_of_frame then
         transform_counter_group <= transform_counter_group_choice * 2;
       else
-        transform_counter_group <= transform_counter_group_choice_4;
+        transform_counter_group <= transform_counter_group_choices(4);
       end if;
-      if transform_from_first_0_is_equal then
-        transform_from_first_0 <= (not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
-          (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
-          ((transform_centre_group / 8) = 0))) and (((transform_centre_column / 32) = 1) or
-          transform_from_first_0_value);
+      if transform_from_first_is_equal(0) then
+        transform_from_first(0) <= (not (((not is_set(transform_centre_group, 2)) or (not
+          is_set(transform_centre_group, 1)) or (not is_set(transform_centre_group, 0))) and ((transform_centre_group /
+          8) = 0))) and (is_set(transform_centre_column, 5) or transform_from_first_value(0));
       else
-        transform_from_first_0 <= not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
-          (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
-          ((transform_centre_group / 8) = 0));
+        transform_from_first(0) <= not (((not is_set(transform_centre_group, 2)) or (not is_set(transform_centre_group,
+          1)) or (not is_set(transform_centre_group, 0))) and ((transform_centre_group / 8) = 0));
       end if;
-      if (not (((transform_centre_group / 16) mod 2) = 1)) and ((not (((transform_centre_group / 8) mod 2) = 1)) or
+      if (not is_set(transform_centre_group, 4)) and ((not is_set(transform_centre_group, 3)) or
         (((transform_centre_group / 2) mod 4) = 0)) then
-        transform_from_first_1 <= (not (transform_from_first_1_choice_2 and ((transform_centre_column / 16) = 0))) and
-          ((transform_centre_group / 32) = 1);
+        transform_from_first(1) <= (not (transform_from_first_1_choice_2 and ((transform_centre_column / 16) = 0))) and
+          is_set(transform_centre_group, 5);
       else
-        transform_from_first_1 <= not (transform_from_first_1_choice_2 and ((transform_centre_column / 16) = 0));
+        transform_from_first(1) <= not (transform_from_first_1_choice_2 and ((transform_centre_column / 16) = 0));
       end if;
       if transform_up_to_last_0_choice then
-        transform_up_to_last_0 <= transform_up_to_last_0_choice_2;
+        transform_up_to_last(0) <= transform_up_to_last_0_choice_2;
       else
-        transform_up_to_last_0 <= transform_up_to_last_0_choice_2 and (not ((transform_centre_column / 32) = 1));
+        transform_up_to_last(0) <= transform_up_to_last_0_choice_2 and (not is_set(transform_centre_column, 5));
       end if;
-      if ((not (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+      if ((not is_set(transform_centre_group, 1)) or (not is_set(transform_centre_group, 0))) and
         (((transform_centre_group / 4) mod 4) = 0) then
-        transform_up_to_last_1 <= (not (((transform_centre_column / 32) = 1) and ((((transform_centre_column / 16) mod
-          2) = 1) or transform_from_first_1_value or (((transform_centre_column / 4) mod 2) = 1)))) and (not
-          ((transform_centre_group / 32) = 1));
+        transform_up_to_last(1) <= (not (is_set(transform_centre_column, 5) and (is_set(transform_centre_column, 4) or
+          transform_from_first_value(1) or is_set(transform_centre_column, 2)))) and (not
+          is_set(transform_centre_group, 5));
       else
-        transform_up_to_last_1 <= (not (((transform_centre_column / 32) = 1) and ((((transform_centre_column / 16) mod
-          2) = 1) or transform_from_first_1_value or (((transform_centre_column / 4) mod 2) = 1)))) and
-          transform_up_to_last_0_is_equal;
+        transform_up_to_last(1) <= (not (is_set(transform_centre_column, 5) and (is_set(transform_centre_column, 4) or
+          transform_from_first_value(1) or is_set(transform_centre_column, 2)))) and transform_up_to_last_0_is_equal;
       end if;
-      if transform_filtering_6_inside_0 then
-        transform_left_code_bits <= transform_left_code_earlier_1;
-        transform_right_code_bits <= transform_right_code_earlier_1;
+      if transform_filtering_inside(6, 0) then
+        transform_left_code_bits <= transform_left_code_earlier(1);
+        transform_right_code_bits <= transform_right_code_earlier(1);
       else
         transform_left_code_bits <= 0;
         transform_right_code_bits <= 0;
       end if;
-      if transform_filtering_6_inside_1 then
+      if transform_filtering_inside(6, 1) then
         transform_left_code_next_bits <= transform_left_code_next_row_signs;
         transform_right_code_next_bits <= transform_right_code_next_row_signs;
       else
@@ -1190,162 +1010,131 @@ begin
         else
           transform_counter_column <= (transform_counter_column + 1) mod 64;
         end if;
-        if transform_counter_group_is_equal and transform_counter_group_is_equal_3 then
-          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+        if transform_counter_group_is_equal and transform_counter_group_is_equals(3) then
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equals(2) and
             in_start_of_frame;
         else
           transform_counter_next_frame <= transform_counter_next_frame_choice;
         end if;
       end if;
-      if (other_15 / 256) = 1 then
-        transform_left_rows_write_words_0 <= transform_left_rows_ready_words_1(7 downto 0) &
-          transform_left_rows_ready_words_0(31 downto 8);
-        transform_left_rows_write_words_1 <= to_unsigned(transform_left_rows_ready_words_2, 8) &
-          transform_left_rows_ready_words_1(31 downto 8);
+      if is_set(others_from_15(15), 8) then
+        transform_left_rows_write_words(0) <= transform_left_rows_ready_words(1)(7 downto 0) &
+          transform_left_rows_ready_words(0)(31 downto 8);
+        transform_left_rows_write_words(1) <= to_unsigned(transform_left_rows_ready_words_2, 8) &
+          transform_left_rows_ready_words(1)(31 downto 8);
         transform_left_rows_write_words_2 <= transform_left_rows_ready_newest_0;
-        transform_right_rows_write_words_0 <= transform_right_rows_ready_words_1(7 downto 0) &
-          transform_right_rows_ready_words_0(31 downto 8);
-        transform_right_rows_write_words_1 <= to_unsigned(transform_right_rows_ready_words_2, 8) &
-          transform_right_rows_ready_words_1(31 downto 8);
+        transform_right_rows_write_words(0) <= transform_right_rows_ready_words(1)(7 downto 0) &
+          transform_right_rows_ready_words(0)(31 downto 8);
+        transform_right_rows_write_words(1) <= to_unsigned(transform_right_rows_ready_words_2, 8) &
+          transform_right_rows_ready_words(1)(31 downto 8);
         transform_right_rows_write_words_2 <= transform_right_rows_ready_newest_0;
         transform_write_column <= transform_ready_column;
       end if;
-      if transform_filtering_3_valid then
-        transform_left_code_row_column_0_0 <= transform_left_code_row_box_0_0;
-        transform_left_code_row_column_0_1 <= transform_left_code_row_column_0_0;
-        transform_left_code_row_column_0_2 <= transform_left_code_row_column_0_1;
-        transform_left_code_row_column_0_3 <= transform_left_code_row_column_0_2;
-        transform_left_code_row_column_1_0 <= transform_left_code_row_box_0_1;
-        transform_left_code_row_column_1_1 <= transform_left_code_row_column_1_0;
-        transform_left_code_row_column_1_2 <= transform_left_code_row_column_1_1;
-        transform_left_code_row_column_1_3 <= transform_left_code_row_column_1_2;
-        transform_left_code_row_column_2_0 <= transform_left_code_row_box_0_2;
-        transform_left_code_row_column_2_1 <= transform_left_code_row_column_2_0;
-        transform_left_code_row_column_2_2 <= transform_left_code_row_column_2_1;
-        transform_left_code_row_column_2_3 <= transform_left_code_row_column_2_2;
-        transform_left_code_next_row_column_0_0 <= transform_left_code_next_row_box_0_0;
-        transform_left_code_next_row_column_0_1 <= transform_left_code_next_row_column_0_0;
-        transform_left_code_next_row_column_0_2 <= transform_left_code_next_row_column_0_1;
-        transform_left_code_next_row_column_0_3 <= transform_left_code_next_row_column_0_2;
-        transform_left_code_next_row_column_0_4 <= transform_left_code_next_row_column_0_3;
-        transform_left_code_next_row_column_0_5 <= transform_left_code_next_row_column_0_4;
-        transform_left_code_next_row_column_0_6 <= transform_left_code_next_row_column_0_5;
-        transform_left_code_next_row_column_0_7 <= transform_left_code_next_row_column_0_6;
-        transform_left_code_next_row_column_1_0 <= transform_left_code_next_row_box_0_1;
-        transform_left_code_next_row_column_1_1 <= transform_left_code_next_row_column_1_0;
-        transform_left_code_next_row_column_1_2 <= transform_left_code_next_row_column_1_1;
-        transform_left_code_next_row_column_1_3 <= transform_left_code_next_row_column_1_2;
-        transform_left_code_next_row_column_1_4 <= transform_left_code_next_row_column_1_3;
-        transform_left_code_next_row_column_1_5 <= transform_left_code_next_row_column_1_4;
-        transform_left_code_next_row_column_1_6 <= transform_left_code_next_row_column_1_5;
-        transform_left_code_next_row_column_1_7 <= transform_left_code_next_row_column_1_6;
-        transform_left_code_next_row_column_2_0 <= transform_left_code_next_row_box_0_2;
-        transform_left_code_next_row_column_2_1 <= transform_left_code_next_row_column_2_0;
-        transform_left_code_next_row_column_2_2 <= transform_left_code_next_row_column_2_1;
-        transform_left_code_next_row_column_2_3 <= transform_left_code_next_row_column_2_2;
-        transform_left_code_next_row_column_2_4 <= transform_left_code_next_row_column_2_3;
-        transform_left_code_next_row_column_2_5 <= transform_left_code_next_row_column_2_4;
-        transform_left_code_next_row_column_2_6 <= transform_left_code_next_row_column_2_5;
-        transform_left_code_next_row_column_2_7 <= transform_left_code_next_row_column_2_6;
-        transform_right_code_row_column_0_0 <= transform_right_code_row_box_0_0;
-        transform_right_code_row_column_0_1 <= transform_right_code_row_column_0_0;
-        transform_right_code_row_column_0_2 <= transform_right_code_row_column_0_1;
-        transform_right_code_row_column_0_3 <= transform_right_code_row_column_0_2;
-        transform_right_code_row_column_1_0 <= transform_right_code_row_box_0_1;
-        transform_right_code_row_column_1_1 <= transform_right_code_row_column_1_0;
-        transform_right_code_row_column_1_2 <= transform_right_code_row_column_1_1;
-        transform_right_code_row_column_1_3 <= transform_right_code_row_column_1_2;
-        transform_right_code_row_column_2_0 <= transform_right_code_row_box_0_2;
-        transform_right_code_row_column_2_1 <= transform_right_code_row_column_2_0;
-        transform_right_code_row_column_2_2 <= transform_right_code_row_column_2_1;
-        transform_right_code_row_column_2_3 <= transform_right_code_row_column_2_2;
-        transform_right_code_next_row_column_0_0 <= transform_right_code_next_row_box_0_0;
-        transform_right_code_next_row_column_0_1 <= transform_right_code_next_row_column_0_0;
-        transform_right_code_next_row_column_0_2 <= transform_right_code_next_row_column_0_1;
-        transform_right_code_next_row_column_0_3 <= transform_right_code_next_row_column_0_2;
-        transform_right_code_next_row_column_0_4 <= transform_right_code_next_row_column_0_3;
-        transform_right_code_next_row_column_0_5 <= transform_right_code_next_row_column_0_4;
-        transform_right_code_next_row_column_0_6 <= transform_right_code_next_row_column_0_5;
-        transform_right_code_next_row_column_0_7 <= transform_right_code_next_row_column_0_6;
-        transform_right_code_next_row_column_1_0 <= transform_right_code_next_row_box_0_1;
-        transform_right_code_next_row_column_1_1 <= transform_right_code_next_row_column_1_0;
-        transform_right_code_next_row_column_1_2 <= transform_right_code_next_row_column_1_1;
-        transform_right_code_next_row_column_1_3 <= transform_right_code_next_row_column_1_2;
-        transform_right_code_next_row_column_1_4 <= transform_right_code_next_row_column_1_3;
-        transform_right_code_next_row_column_1_5 <= transform_right_code_next_row_column_1_4;
-        transform_right_code_next_row_column_1_6 <= transform_right_code_next_row_column_1_5;
-        transform_right_code_next_row_column_1_7 <= transform_right_code_next_row_column_1_6;
-        transform_right_code_next_row_column_2_0 <= transform_right_code_next_row_box_0_2;
-        transform_right_code_next_row_column_2_1 <= transform_right_code_next_row_column_2_0;
-        transform_right_code_next_row_column_2_2 <= transform_right_code_next_row_column_2_1;
-        transform_right_code_next_row_column_2_3 <= transform_right_code_next_row_column_2_2;
-        transform_right_code_next_row_column_2_4 <= transform_right_code_next_row_column_2_3;
-        transform_right_code_next_row_column_2_5 <= transform_right_code_next_row_column_2_4;
-        transform_right_code_next_row_column_2_6 <= transform_right_code_next_row_column_2_5;
-        transform_right_code_next_row_column_2_7 <= transform_right_code_next_row_column_2_6;
+      if transform_filtering_valid(3) then
+        for i in 0 to 1 loop
+          transform_left_code_row_column(i, 0) <= transform_left_code_row_box_0(i);
+          transform_left_code_row_column(i, 1) <= transform_left_code_row_column(i, 0);
+          transform_left_code_row_column(i, 2) <= transform_left_code_row_column(i, 1);
+          transform_left_code_row_column(i, 3) <= transform_left_code_row_column(i, 2);
+        end loop;
+        transform_left_code_row_column_2(0) <= transform_left_code_row_box_0_2;
+        transform_left_code_row_column_2(1) <= transform_left_code_row_column_2(0);
+        transform_left_code_row_column_2(2) <= transform_left_code_row_column_2(1);
+        transform_left_code_row_column_2(3) <= transform_left_code_row_column_2(2);
+        for i in 0 to 1 loop
+          transform_left_code_next_row_column(i, 0) <= transform_left_code_next_row_box_0(i);
+          for j in 1 to 7 loop
+            transform_left_code_next_row_column(i, j) <= transform_left_code_next_row_column(i, j - 1);
+          end loop;
+        end loop;
+        transform_left_code_next_row_column_2(0) <= transform_left_code_next_row_box_0_2;
+        for i in 1 to 7 loop
+          transform_left_code_next_row_column_2(i) <= transform_left_code_next_row_column_2(i - 1);
+        end loop;
+        for i in 0 to 1 loop
+          transform_right_code_row_column(i, 0) <= transform_right_code_row_box_0(i);
+          transform_right_code_row_column(i, 1) <= transform_right_code_row_column(i, 0);
+          transform_right_code_row_column(i, 2) <= transform_right_code_row_column(i, 1);
+          transform_right_code_row_column(i, 3) <= transform_right_code_row_column(i, 2);
+        end loop;
+        transform_right_code_row_column_2(0) <= transform_right_code_row_box_0_2;
+        transform_right_code_row_column_2(1) <= transform_right_code_row_column_2(0);
+        transform_right_code_row_column_2(2) <= transform_right_code_row_column_2(1);
+        transform_right_code_row_column_2(3) <= transform_right_code_row_column_2(2);
+        for i in 0 to 1 loop
+          transform_right_code_next_row_column(i, 0) <= transform_right_code_next_row_box_0(i);
+          for j in 1 to 7 loop
+            transform_right_code_next_row_column(i, j) <= transform_right_code_next_row_column(i, j - 1);
+          end loop;
+        end loop;
+        transform_right_code_next_row_column_2(0) <= transform_right_code_next_row_box_0_2;
+        for i in 1 to 7 loop
+          transform_right_code_next_row_column_2(i) <= transform_right_code_next_row_column_2(i - 1);
+        end loop;
       end if;
-      if transform_filtering_6_valid then
-        transform_left_code_earlier_0 <= transform_left_code_row_signs;
-        transform_left_code_earlier_1 <= transform_left_code_earlier_0;
-        transform_right_code_earlier_0 <= transform_right_code_row_signs;
-        transform_right_code_earlier_1 <= transform_right_code_earlier_0;
+      if transform_filtering_valid(6) then
+        transform_left_code_earlier(0) <= transform_left_code_row_signs;
+        transform_left_code_earlier(1) <= transform_left_code_earlier(0);
+        transform_right_code_earlier(0) <= transform_right_code_row_signs;
+        transform_right_code_earlier(1) <= transform_right_code_earlier(0);
       end if;
-      if transform_filtering_2_valid then
-        transform_left_code_next_row_earlier_0_0_0 <= transform_left_code_next_column_response_0;
-        transform_left_code_next_row_earlier_0_1_0 <= transform_left_code_next_column_response_1;
+      if transform_filtering_valid(2) then
+        transform_left_code_next_row_earlier_0_0(0) <= transform_left_code_next_column_response(0);
+        transform_left_code_next_row_earlier_0_0(1) <= transform_left_code_next_column_response(1);
         transform_left_code_next_row_earlier_0_2_0 <= transform_left_code_next_column_response_2;
-        transform_right_code_next_row_earlier_0_0_0 <= transform_right_code_next_column_response_0;
-        transform_right_code_next_row_earlier_0_1_0 <= transform_right_code_next_column_response_1;
+        transform_right_code_next_row_earlier_0_0(0) <= transform_right_code_next_column_response(0);
+        transform_right_code_next_row_earlier_0_0(1) <= transform_right_code_next_column_response(1);
         transform_right_code_next_row_earlier_0_2_0 <= transform_right_code_next_column_response_2;
       end if;
       -- raster
       raster_place_group_is_equal := raster_place_column = 39;
-      raster_place_group_is_equal_2 := raster_place_group = 17;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_is_equals(2) := raster_place_group = 17;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equals(2);
       if raster_place_group_all then
         raster_place_group_choice := 9;
       else
         raster_place_group_choice := 0;
       end if;
-      raster_place_group_is_equal_3 := raster_place_group = 19;
-      if raster_place_next_frame and raster_place_group_is_equal_3 then
-        raster_place_group_choice_2 := 2;
+      raster_place_group_is_equals(3) := raster_place_group = 19;
+      if raster_place_next_frame and raster_place_group_is_equals(3) then
+        raster_place_group_choices(2) := 2;
       else
-        raster_place_group_choice_2 := (raster_place_group + 1) mod 32;
+        raster_place_group_choices(2) := (raster_place_group + 1) mod 32;
       end if;
-      if (raster_place_group /= 20) and raster_place_group_is_equal and transform_filtering_7_valid then
-        raster_place_group_choice_3 := raster_place_group_choice_2;
+      if (raster_place_group /= 20) and raster_place_group_is_equal and transform_filtering_valid(7) then
+        raster_place_group_choices(3) := raster_place_group_choices(2);
       else
-        raster_place_group_choice_3 := raster_place_group;
+        raster_place_group_choices(3) := raster_place_group;
       end if;
-      if raster_place_group_is_equal_3 then
+      if raster_place_group_is_equals(3) then
         raster_place_next_frame_choice := (raster_place_column /= 39) and raster_place_next_frame;
       else
         raster_place_next_frame_choice := raster_place_next_frame;
       end if;
       if raster_place_group_all then
-        raster_place_next_frame_choice_2 := transform_filtering_7_valid;
+        raster_place_next_frame_choices(2) := transform_filtering_valid(7);
       else
-        raster_place_next_frame_choice_2 := transform_filtering_7_valid and (not transform_filtering_7_start_of_frame);
+        raster_place_next_frame_choices(2) := transform_filtering_valid(7) and (not
+          transform_filtering_start_of_frame(7));
       end if;
       if raster_place_next_frame_choice then
-        raster_place_next_frame_choice_3 := raster_place_next_frame_choice_2;
+        raster_place_next_frame_choices(3) := raster_place_next_frame_choices(2);
       else
-        raster_place_next_frame_choice_3 := raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          transform_filtering_7_valid and transform_filtering_7_start_of_frame;
+        raster_place_next_frame_choices(3) := raster_place_group_is_equal and raster_place_group_is_equals(2) and
+          transform_filtering_valid(7) and transform_filtering_start_of_frame(7);
       end if;
       raster_features_search_0 <= (transform_left_code_next_bits * 64) + transform_left_code_bits;
       raster_features_reference_0 <= (transform_right_code_next_bits * 64) + transform_right_code_bits;
-      raster_features_valid <= transform_filtering_7_valid;
-      raster_place_next_frame <= raster_place_next_frame_choice_3 or ((not transform_filtering_7_valid) and
+      raster_features_valid <= transform_filtering_valid(7);
+      raster_place_next_frame <= raster_place_next_frame_choices(3) or ((not transform_filtering_valid(7)) and
         raster_place_next_frame);
-      if transform_filtering_7_valid and transform_filtering_7_start_of_frame then
+      if transform_filtering_valid(7) and transform_filtering_start_of_frame(7) then
         raster_place_group <= raster_place_group_choice * 2;
       else
-        raster_place_group <= raster_place_group_choice_3;
+        raster_place_group <= raster_place_group_choices(3);
       end if;
-      if transform_filtering_7_valid then
-        if raster_place_group_is_equal or transform_filtering_7_start_of_frame then
+      if transform_filtering_valid(7) then
+        if raster_place_group_is_equal or transform_filtering_start_of_frame(7) then
           raster_place_column <= 0;
         else
           raster_place_column <= (raster_place_column + 1) mod 64;
@@ -1364,44 +1153,40 @@ begin
         < 18;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= (((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) < 18;
-      delay_row_inside_1 <= (raster_place_group >= 3) and (raster_place_group < 21);
-      delay_row_inside_2 <= delay_row_inside_2_is_less;
-      delay_row_inside_3 <= (raster_place_group >= 1) and (raster_place_group < 19);
-      delay_row_inside_4 <= (not ((raster_place_group / 16) = 1)) or (((raster_place_group / 2) mod 8) = 0);
+      delay_row_inside(0) <= (((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) < 18;
+      delay_row_inside(1) <= (raster_place_group >= 3) and (raster_place_group < 21);
+      delay_row_inside(2) <= delay_row_inside_2_is_less;
+      delay_row_inside(3) <= (raster_place_group >= 1) and (raster_place_group < 19);
+      delay_row_inside(4) <= (not is_set(raster_place_group, 4)) or (((raster_place_group / 2) mod 8) = 0);
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
-        = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
+      delay_tag_border_column <= (not (is_set(raster_place_column, 3) and (is_set(raster_place_column, 2) or
+        ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
       delay_tag_output_column <= delay_row_inside_2_is_less and (raster_place_column >= 11) and (raster_place_column <
         39);
       delay_tag_start_of_frame <= (raster_place_column = 11) and (raster_place_group = 2);
       delay_tag_end_of_line <= raster_place_column = 38;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
-      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
-      rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
+      rows_search_rows_ready_words(0) <= to_integer(rows_search_rows_read_words(0));
+      rows_search_rows_ready_words(1) <= to_integer(rows_search_rows_read_words(1));
       rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
       rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0);
-      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
-      rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
+      rows_reference_rows_ready_words(0) <= to_integer(rows_reference_rows_read_words(0));
+      rows_reference_rows_ready_words(1) <= to_integer(rows_reference_rows_read_words(1));
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside_0 <= delay_row_inside_0;
-      rows_read_inside_1 <= delay_row_inside_1;
-      rows_read_inside_2 <= delay_row_inside_2;
-      rows_read_inside_3 <= delay_row_inside_3;
-      rows_read_inside_4 <= delay_row_inside_4;
+      for i in 0 to 4 loop
+        rows_read_inside(i) <= delay_row_inside(i);
+      end loop;
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_border_column <= delay_tag_border_column;
       rows_read_tag_output_column <= delay_tag_output_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= rows_read_inside_1;
-      rows_ready_inside_2 <= rows_read_inside_2;
-      rows_ready_inside_3 <= rows_read_inside_3;
-      rows_ready_inside_4 <= rows_read_inside_4;
+      for i in 0 to 4 loop
+        rows_ready_inside(i) <= rows_read_inside(i);
+      end loop;
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_border_column <= rows_read_tag_border_column;
       rows_ready_tag_output_column <= rows_read_tag_output_column;
@@ -1412,654 +1197,158 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside_0 then
-        rows_search_0 <= rows_search_rows_ready_words_0 mod 4096;
-        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096;
+      for i in 0 to 1 loop
+        if rows_ready_inside(2 * i) then
+          rows_search(2 * i) <= rows_search_rows_ready_words(i) mod 4096;
+          rows_reference(2 * i) <= rows_reference_rows_ready_words(i) mod 4096;
+        else
+          rows_search(2 * i) <= 0;
+          rows_reference(2 * i) <= 0;
+        end if;
+        if rows_ready_inside(2 * i + 1) then
+          rows_search(2 * i + 1) <= rows_search_rows_ready_words(i) / 4096;
+          rows_reference(2 * i + 1) <= rows_reference_rows_ready_words(i) / 4096;
+        else
+          rows_search(2 * i + 1) <= 0;
+          rows_reference(2 * i + 1) <= 0;
+        end if;
+      end loop;
+      if rows_ready_inside(4) then
+        rows_search(4) <= rows_search_rows_ready_newest_0;
+        rows_reference(4) <= rows_reference_rows_ready_newest_0;
       else
-        rows_search_0 <= 0;
-        rows_reference_0 <= 0;
-      end if;
-      if rows_ready_inside_1 then
-        rows_search_1 <= rows_search_rows_ready_words_0 / 4096;
-        rows_reference_1 <= rows_reference_rows_ready_words_0 / 4096;
-      else
-        rows_search_1 <= 0;
-        rows_reference_1 <= 0;
-      end if;
-      if rows_ready_inside_2 then
-        rows_search_2 <= rows_search_rows_ready_words_1 mod 4096;
-        rows_reference_2 <= rows_reference_rows_ready_words_1 mod 4096;
-      else
-        rows_search_2 <= 0;
-        rows_reference_2 <= 0;
-      end if;
-      if rows_ready_inside_3 then
-        rows_search_3 <= rows_search_rows_ready_words_1 / 4096;
-        rows_reference_3 <= rows_reference_rows_ready_words_1 / 4096;
-      else
-        rows_search_3 <= 0;
-        rows_reference_3 <= 0;
-      end if;
-      if rows_ready_inside_4 then
-        rows_search_4 <= rows_search_rows_ready_newest_0;
-        rows_reference_4 <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search_4 <= 0;
-        rows_reference_4 <= 0;
+        rows_search(4) <= 0;
+        rows_reference(4) <= 0;
       end if;
       if rows_ready_tag_valid then
-        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 4096) + ((rows_search_rows_ready_words_1
+        rows_search_rows_write_words(0) <= (rows_search_rows_ready_words(0) / 4096) + ((rows_search_rows_ready_words(1)
           mod 4096) * 4096);
-        rows_search_rows_write_words_1 <= (rows_search_rows_ready_words_1 / 4096) + (rows_search_rows_ready_newest_0 *
-          4096);
-        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 4096) +
-          ((rows_reference_rows_ready_words_1 mod 4096) * 4096);
-        rows_reference_rows_write_words_1 <= (rows_reference_rows_ready_words_1 / 4096) +
+        rows_search_rows_write_words(1) <= (rows_search_rows_ready_words(1) / 4096) + (rows_search_rows_ready_newest_0
+          * 4096);
+        rows_reference_rows_write_words(0) <= (rows_reference_rows_ready_words(0) / 4096) +
+          ((rows_reference_rows_ready_words(1) mod 4096) * 4096);
+        rows_reference_rows_write_words(1) <= (rows_reference_rows_ready_words(1) / 4096) +
           (rows_reference_rows_ready_newest_0 * 4096);
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
       if rows_tag_valid then
-        slice0shift_search_0_0 <= slice0shift_search_0_1;
-        slice0shift_search_0_1 <= slice0shift_search_0_2;
-        slice0shift_search_0_2 <= slice0shift_search_0_3;
-        slice0shift_search_0_3 <= slice0shift_search_0_4;
-        slice0shift_search_0_4 <= slice0shift_search_0_5;
-        slice0shift_search_0_5 <= rows_search_0;
-        slice0shift_search_1_0 <= slice0shift_search_1_1;
-        slice0shift_search_1_1 <= slice0shift_search_1_2;
-        slice0shift_search_1_2 <= slice0shift_search_1_3;
-        slice0shift_search_1_3 <= slice0shift_search_1_4;
-        slice0shift_search_1_4 <= slice0shift_search_1_5;
-        slice0shift_search_1_5 <= rows_search_1;
-        slice0shift_search_2_0 <= slice0shift_search_2_1;
-        slice0shift_search_2_1 <= slice0shift_search_2_2;
-        slice0shift_search_2_2 <= slice0shift_search_2_3;
-        slice0shift_search_2_3 <= slice0shift_search_2_4;
-        slice0shift_search_2_4 <= slice0shift_search_2_5;
-        slice0shift_search_2_5 <= rows_search_2;
-        slice0shift_search_3_0 <= slice0shift_search_3_1;
-        slice0shift_search_3_1 <= slice0shift_search_3_2;
-        slice0shift_search_3_2 <= slice0shift_search_3_3;
-        slice0shift_search_3_3 <= slice0shift_search_3_4;
-        slice0shift_search_3_4 <= slice0shift_search_3_5;
-        slice0shift_search_3_5 <= rows_search_3;
-        slice0shift_search_4_0 <= slice0shift_search_4_1;
-        slice0shift_search_4_1 <= slice0shift_search_4_2;
-        slice0shift_search_4_2 <= slice0shift_search_4_3;
-        slice0shift_search_4_3 <= slice0shift_search_4_4;
-        slice0shift_search_4_4 <= slice0shift_search_4_5;
-        slice0shift_search_4_5 <= rows_search_4;
+        for i in 0 to 4 loop
+          for j in 0 to 4 loop
+            slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
+          end loop;
+          slice0shift_search(i, 5) <= rows_search(i);
+        end loop;
       end if;
-      slice0shift_reference_0 <= rows_reference_0;
-      slice0shift_reference_1 <= rows_reference_1;
-      slice0shift_reference_2 <= rows_reference_2;
-      slice0shift_reference_3 <= rows_reference_3;
-      slice0shift_reference_4 <= rows_reference_4;
-      slice0shift_search_out_0 <= slice0shift_search_0_0;
-      slice0shift_search_out_1 <= slice0shift_search_1_0;
-      slice0shift_search_out_2 <= slice0shift_search_2_0;
-      slice0shift_search_out_3 <= slice0shift_search_3_0;
-      slice0shift_search_out_4 <= slice0shift_search_4_0;
+      for i in 0 to 4 loop
+        slice0shift_reference(i) <= rows_reference(i);
+      end loop;
+      for i in 0 to 4 loop
+        slice0shift_search_out(i) <= slice0shift_search(i, 0);
+      end loop;
       slice0shift_tag_valid <= rows_tag_valid;
       slice0shift_tag_border_column <= rows_tag_border_column;
       slice0shift_tag_output_column <= rows_tag_output_column;
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pixels_first_0_0_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_0_0_value_2 := ((slice0shift_reference_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_0_0_value_3 := ((slice0shift_reference_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_0_0_value_4 := ((slice0shift_reference_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_0_0_value_5 := ((slice0shift_reference_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_0_0_value_6 := ((slice0shift_reference_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_0_0_value_7 := ((slice0shift_reference_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_0_0_value_8 := ((slice0shift_reference_0 / 128) mod 2) = 1;
-      slice0cost_pixels_first_0_0_value_9 := ((slice0shift_reference_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_0_0_value_10 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_1_0_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
-      slice0cost_pixels_first_1_0_value_2 := ((slice0shift_reference_1 / 32) mod 2) = 1;
-      slice0cost_pixels_first_1_0_value_3 := ((slice0shift_reference_1 / 16) mod 2) = 1;
-      slice0cost_pixels_first_1_0_value_4 := ((slice0shift_reference_1 / 4) mod 2) = 1;
-      slice0cost_pixels_first_1_0_value_5 := ((slice0shift_reference_1 / 2) mod 2) = 1;
-      slice0cost_pixels_first_1_0_value_6 := ((slice0shift_reference_1 / 64) mod 2) = 1;
-      slice0cost_pixels_first_1_0_value_7 := ((slice0shift_reference_1 / 256) mod 2) = 1;
-      slice0cost_pixels_first_1_0_value_8 := ((slice0shift_reference_1 / 128) mod 2) = 1;
-      slice0cost_pixels_first_1_0_value_9 := ((slice0shift_reference_1 / 512) mod 2) = 1;
-      slice0cost_pixels_first_1_0_value_10 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_2_0_value := ((slice0shift_reference_2 / 8) mod 2) = 1;
-      slice0cost_pixels_first_2_0_value_2 := ((slice0shift_reference_2 / 32) mod 2) = 1;
-      slice0cost_pixels_first_2_0_value_3 := ((slice0shift_reference_2 / 16) mod 2) = 1;
-      slice0cost_pixels_first_2_0_value_4 := ((slice0shift_reference_2 / 4) mod 2) = 1;
-      slice0cost_pixels_first_2_0_value_5 := ((slice0shift_reference_2 / 2) mod 2) = 1;
-      slice0cost_pixels_first_2_0_value_6 := ((slice0shift_reference_2 / 64) mod 2) = 1;
-      slice0cost_pixels_first_2_0_value_7 := ((slice0shift_reference_2 / 256) mod 2) = 1;
-      slice0cost_pixels_first_2_0_value_8 := ((slice0shift_reference_2 / 128) mod 2) = 1;
-      slice0cost_pixels_first_2_0_value_9 := ((slice0shift_reference_2 / 512) mod 2) = 1;
-      slice0cost_pixels_first_2_0_value_10 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_3_0_value := ((slice0shift_reference_3 / 8) mod 2) = 1;
-      slice0cost_pixels_first_3_0_value_2 := ((slice0shift_reference_3 / 32) mod 2) = 1;
-      slice0cost_pixels_first_3_0_value_3 := ((slice0shift_reference_3 / 16) mod 2) = 1;
-      slice0cost_pixels_first_3_0_value_4 := ((slice0shift_reference_3 / 4) mod 2) = 1;
-      slice0cost_pixels_first_3_0_value_5 := ((slice0shift_reference_3 / 2) mod 2) = 1;
-      slice0cost_pixels_first_3_0_value_6 := ((slice0shift_reference_3 / 64) mod 2) = 1;
-      slice0cost_pixels_first_3_0_value_7 := ((slice0shift_reference_3 / 256) mod 2) = 1;
-      slice0cost_pixels_first_3_0_value_8 := ((slice0shift_reference_3 / 128) mod 2) = 1;
-      slice0cost_pixels_first_3_0_value_9 := ((slice0shift_reference_3 / 512) mod 2) = 1;
-      slice0cost_pixels_first_3_0_value_10 := ((slice0shift_reference_3 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_4_0_value := ((slice0shift_reference_4 / 8) mod 2) = 1;
-      slice0cost_pixels_first_4_0_value_2 := ((slice0shift_reference_4 / 32) mod 2) = 1;
-      slice0cost_pixels_first_4_0_value_3 := ((slice0shift_reference_4 / 16) mod 2) = 1;
-      slice0cost_pixels_first_4_0_value_4 := ((slice0shift_reference_4 / 4) mod 2) = 1;
-      slice0cost_pixels_first_4_0_value_5 := ((slice0shift_reference_4 / 2) mod 2) = 1;
-      slice0cost_pixels_first_4_0_value_6 := ((slice0shift_reference_4 / 64) mod 2) = 1;
-      slice0cost_pixels_first_4_0_value_7 := ((slice0shift_reference_4 / 256) mod 2) = 1;
-      slice0cost_pixels_first_4_0_value_8 := ((slice0shift_reference_4 / 128) mod 2) = 1;
-      slice0cost_pixels_first_4_0_value_9 := ((slice0shift_reference_4 / 512) mod 2) = 1;
-      slice0cost_pixels_first_4_0_value_10 := ((slice0shift_reference_4 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_0_0 <= ((as_number((slice0cost_pixels_first_0_0_value /= (((slice0shift_search_0_0 / 8)
-        mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_value_2 /= (((slice0shift_search_0_0 / 32) mod 2) = 1)))
-        + as_number((slice0cost_pixels_first_0_0_value_3 /= (((slice0shift_search_0_0 / 16) mod 2) = 1)))) * 4) +
-        as_number((((slice0shift_reference_0 mod 2) = 1) /= ((slice0shift_search_0_0 mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_0_0_value_4 /= (((slice0shift_search_0_0 / 4) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_0_0_value_5 /= (((slice0shift_search_0_0 / 2) mod 2) = 1))) +
-        ((as_number((slice0cost_pixels_first_0_0_value_6 /= (((slice0shift_search_0_0 / 64) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_0_0_value_7 /= (((slice0shift_search_0_0 / 256) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_0_0_value_8 /= (((slice0shift_search_0_0 / 128) mod 2) = 1)))) * 16) +
-        ((as_number((slice0cost_pixels_first_0_0_value_9 /= (((slice0shift_search_0_0 / 512) mod 2) = 1))) +
-        as_number((((slice0shift_reference_0 / 2048) = 1) /= ((slice0shift_search_0_0 / 2048) = 1))) +
-        as_number((slice0cost_pixels_first_0_0_value_10 /= (((slice0shift_search_0_0 / 1024) mod 2) = 1)))) * 64);
-      slice0cost_pixels_first_0_1 <= ((as_number(((((slice0shift_search_0_1 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_1 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_1 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_1 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_1 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_1 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_1 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_1 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_1 / 2048) = 1) /=
-        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_1 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_10))) * 64);
-      slice0cost_pixels_first_0_2 <= ((as_number(((((slice0shift_search_0_2 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_2 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_2 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_2 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_2 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_2 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_2 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_2 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_2 / 2048) = 1) /=
-        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_2 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_10))) * 64);
-      slice0cost_pixels_first_0_3 <= ((as_number(((((slice0shift_search_0_3 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_3 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_3 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_3 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_3 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_3 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_3 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_3 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_3 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_3 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_3 / 2048) = 1) /=
-        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_3 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_10))) * 64);
-      slice0cost_pixels_first_0_4 <= ((as_number(((((slice0shift_search_0_4 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_4 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_4 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_4 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_4 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_4 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_4 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_4 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_4 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_4 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_4 / 2048) = 1) /=
-        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_4 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_10))) * 64);
-      slice0cost_pixels_first_0_5 <= ((as_number(((((slice0shift_search_0_5 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_5 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_5 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_5 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_5 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_5 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_5 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_5 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_5 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_5 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_5 / 2048) = 1) /=
-        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_5 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_value_10))) * 64);
-      slice0cost_pixels_first_1_0 <= ((as_number((slice0cost_pixels_first_1_0_value /= (((slice0shift_search_1_0 / 8)
-        mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_value_2 /= (((slice0shift_search_1_0 / 32) mod 2) = 1)))
-        + as_number((slice0cost_pixels_first_1_0_value_3 /= (((slice0shift_search_1_0 / 16) mod 2) = 1)))) * 4) +
-        as_number((((slice0shift_reference_1 mod 2) = 1) /= ((slice0shift_search_1_0 mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_1_0_value_4 /= (((slice0shift_search_1_0 / 4) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_1_0_value_5 /= (((slice0shift_search_1_0 / 2) mod 2) = 1))) +
-        ((as_number((slice0cost_pixels_first_1_0_value_6 /= (((slice0shift_search_1_0 / 64) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_1_0_value_7 /= (((slice0shift_search_1_0 / 256) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_1_0_value_8 /= (((slice0shift_search_1_0 / 128) mod 2) = 1)))) * 16) +
-        ((as_number((slice0cost_pixels_first_1_0_value_9 /= (((slice0shift_search_1_0 / 512) mod 2) = 1))) +
-        as_number((((slice0shift_reference_1 / 2048) = 1) /= ((slice0shift_search_1_0 / 2048) = 1))) +
-        as_number((slice0cost_pixels_first_1_0_value_10 /= (((slice0shift_search_1_0 / 1024) mod 2) = 1)))) * 64);
-      slice0cost_pixels_first_1_1 <= ((as_number(((((slice0shift_search_1_1 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_1 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_1 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_1 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_1 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_1 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_1 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_1 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_1 / 2048) = 1) /=
-        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_1 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_10))) * 64);
-      slice0cost_pixels_first_1_2 <= ((as_number(((((slice0shift_search_1_2 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_2 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_2 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_2 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_2 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_2 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_2 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_2 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_2 / 2048) = 1) /=
-        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_2 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_10))) * 64);
-      slice0cost_pixels_first_1_3 <= ((as_number(((((slice0shift_search_1_3 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_3 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_3 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_3 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_3 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_3 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_3 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_3 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_3 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_3 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_3 / 2048) = 1) /=
-        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_3 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_10))) * 64);
-      slice0cost_pixels_first_1_4 <= ((as_number(((((slice0shift_search_1_4 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_4 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_4 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_4 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_4 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_4 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_4 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_4 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_4 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_4 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_4 / 2048) = 1) /=
-        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_4 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_10))) * 64);
-      slice0cost_pixels_first_1_5 <= ((as_number(((((slice0shift_search_1_5 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_5 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_5 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_5 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_5 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_5 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_5 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_5 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_5 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_5 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_5 / 2048) = 1) /=
-        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_5 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_value_10))) * 64);
-      slice0cost_pixels_first_2_0 <= ((as_number((slice0cost_pixels_first_2_0_value /= (((slice0shift_search_2_0 / 8)
-        mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_value_2 /= (((slice0shift_search_2_0 / 32) mod 2) = 1)))
-        + as_number((slice0cost_pixels_first_2_0_value_3 /= (((slice0shift_search_2_0 / 16) mod 2) = 1)))) * 4) +
-        as_number((((slice0shift_reference_2 mod 2) = 1) /= ((slice0shift_search_2_0 mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_2_0_value_4 /= (((slice0shift_search_2_0 / 4) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_2_0_value_5 /= (((slice0shift_search_2_0 / 2) mod 2) = 1))) +
-        ((as_number((slice0cost_pixels_first_2_0_value_6 /= (((slice0shift_search_2_0 / 64) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_2_0_value_7 /= (((slice0shift_search_2_0 / 256) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_2_0_value_8 /= (((slice0shift_search_2_0 / 128) mod 2) = 1)))) * 16) +
-        ((as_number((slice0cost_pixels_first_2_0_value_9 /= (((slice0shift_search_2_0 / 512) mod 2) = 1))) +
-        as_number((((slice0shift_reference_2 / 2048) = 1) /= ((slice0shift_search_2_0 / 2048) = 1))) +
-        as_number((slice0cost_pixels_first_2_0_value_10 /= (((slice0shift_search_2_0 / 1024) mod 2) = 1)))) * 64);
-      slice0cost_pixels_first_2_1 <= ((as_number(((((slice0shift_search_2_1 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_1 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_1 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_1 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_1 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_1 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_1 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_1 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_1 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_1 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_1 / 2048) = 1) /=
-        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_1 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_10))) * 64);
-      slice0cost_pixels_first_2_2 <= ((as_number(((((slice0shift_search_2_2 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_2 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_2 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_2 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_2 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_2 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_2 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_2 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_2 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_2 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_2 / 2048) = 1) /=
-        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_2 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_10))) * 64);
-      slice0cost_pixels_first_2_3 <= ((as_number(((((slice0shift_search_2_3 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_3 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_3 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_3 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_3 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_3 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_3 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_3 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_3 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_3 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_3 / 2048) = 1) /=
-        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_3 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_10))) * 64);
-      slice0cost_pixels_first_2_4 <= ((as_number(((((slice0shift_search_2_4 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_4 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_4 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_4 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_4 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_4 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_4 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_4 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_4 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_4 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_4 / 2048) = 1) /=
-        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_4 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_10))) * 64);
-      slice0cost_pixels_first_2_5 <= ((as_number(((((slice0shift_search_2_5 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_5 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_5 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_5 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_5 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_5 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_5 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_5 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_5 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_5 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_5 / 2048) = 1) /=
-        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_5 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_value_10))) * 64);
-      slice0cost_pixels_first_3_0 <= ((as_number((slice0cost_pixels_first_3_0_value /= (((slice0shift_search_3_0 / 8)
-        mod 2) = 1))) + as_number((slice0cost_pixels_first_3_0_value_2 /= (((slice0shift_search_3_0 / 32) mod 2) = 1)))
-        + as_number((slice0cost_pixels_first_3_0_value_3 /= (((slice0shift_search_3_0 / 16) mod 2) = 1)))) * 4) +
-        as_number((((slice0shift_reference_3 mod 2) = 1) /= ((slice0shift_search_3_0 mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_3_0_value_4 /= (((slice0shift_search_3_0 / 4) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_3_0_value_5 /= (((slice0shift_search_3_0 / 2) mod 2) = 1))) +
-        ((as_number((slice0cost_pixels_first_3_0_value_6 /= (((slice0shift_search_3_0 / 64) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_3_0_value_7 /= (((slice0shift_search_3_0 / 256) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_3_0_value_8 /= (((slice0shift_search_3_0 / 128) mod 2) = 1)))) * 16) +
-        ((as_number((slice0cost_pixels_first_3_0_value_9 /= (((slice0shift_search_3_0 / 512) mod 2) = 1))) +
-        as_number((((slice0shift_reference_3 / 2048) = 1) /= ((slice0shift_search_3_0 / 2048) = 1))) +
-        as_number((slice0cost_pixels_first_3_0_value_10 /= (((slice0shift_search_3_0 / 1024) mod 2) = 1)))) * 64);
-      slice0cost_pixels_first_3_1 <= ((as_number(((((slice0shift_search_3_1 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_1 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_1 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_1 mod 2) = 1) /=
-        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_1 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_1 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_1 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_1 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_1 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_1 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_1 / 2048) = 1) /=
-        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_1 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_10))) * 64);
-      slice0cost_pixels_first_3_2 <= ((as_number(((((slice0shift_search_3_2 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_2 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_2 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_2 mod 2) = 1) /=
-        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_2 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_2 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_2 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_2 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_2 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_2 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_2 / 2048) = 1) /=
-        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_2 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_10))) * 64);
-      slice0cost_pixels_first_3_3 <= ((as_number(((((slice0shift_search_3_3 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_3 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_3 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_3 mod 2) = 1) /=
-        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_3 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_3 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_3 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_3 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_3 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_3 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_3 / 2048) = 1) /=
-        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_3 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_10))) * 64);
-      slice0cost_pixels_first_3_4 <= ((as_number(((((slice0shift_search_3_4 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_4 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_4 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_4 mod 2) = 1) /=
-        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_4 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_4 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_4 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_4 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_4 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_4 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_4 / 2048) = 1) /=
-        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_4 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_10))) * 64);
-      slice0cost_pixels_first_3_5 <= ((as_number(((((slice0shift_search_3_5 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_5 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_5 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_5 mod 2) = 1) /=
-        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_5 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_5 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_5 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_5 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_5 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_5 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_5 / 2048) = 1) /=
-        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_5 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_3_0_value_10))) * 64);
-      slice0cost_pixels_first_4_0 <= ((as_number((slice0cost_pixels_first_4_0_value /= (((slice0shift_search_4_0 / 8)
-        mod 2) = 1))) + as_number((slice0cost_pixels_first_4_0_value_2 /= (((slice0shift_search_4_0 / 32) mod 2) = 1)))
-        + as_number((slice0cost_pixels_first_4_0_value_3 /= (((slice0shift_search_4_0 / 16) mod 2) = 1)))) * 4) +
-        as_number((((slice0shift_reference_4 mod 2) = 1) /= ((slice0shift_search_4_0 mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_4_0_value_4 /= (((slice0shift_search_4_0 / 4) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_4_0_value_5 /= (((slice0shift_search_4_0 / 2) mod 2) = 1))) +
-        ((as_number((slice0cost_pixels_first_4_0_value_6 /= (((slice0shift_search_4_0 / 64) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_4_0_value_7 /= (((slice0shift_search_4_0 / 256) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_4_0_value_8 /= (((slice0shift_search_4_0 / 128) mod 2) = 1)))) * 16) +
-        ((as_number((slice0cost_pixels_first_4_0_value_9 /= (((slice0shift_search_4_0 / 512) mod 2) = 1))) +
-        as_number((((slice0shift_reference_4 / 2048) = 1) /= ((slice0shift_search_4_0 / 2048) = 1))) +
-        as_number((slice0cost_pixels_first_4_0_value_10 /= (((slice0shift_search_4_0 / 1024) mod 2) = 1)))) * 64);
-      slice0cost_pixels_first_4_1 <= ((as_number(((((slice0shift_search_4_1 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value)) + as_number(((((slice0shift_search_4_1 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_2)) + as_number(((((slice0shift_search_4_1 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice0shift_search_4_1 mod 2) = 1) /=
-        ((slice0shift_reference_4 mod 2) = 1))) + as_number(((((slice0shift_search_4_1 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_4)) + as_number(((((slice0shift_search_4_1 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_5)) + ((as_number(((((slice0shift_search_4_1 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_6)) + as_number(((((slice0shift_search_4_1 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_7)) + as_number(((((slice0shift_search_4_1 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice0shift_search_4_1 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_9)) + as_number((((slice0shift_search_4_1 / 2048) = 1) /=
-        ((slice0shift_reference_4 / 2048) = 1))) + as_number(((((slice0shift_search_4_1 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_10))) * 64);
-      slice0cost_pixels_first_4_2 <= ((as_number(((((slice0shift_search_4_2 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value)) + as_number(((((slice0shift_search_4_2 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_2)) + as_number(((((slice0shift_search_4_2 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice0shift_search_4_2 mod 2) = 1) /=
-        ((slice0shift_reference_4 mod 2) = 1))) + as_number(((((slice0shift_search_4_2 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_4)) + as_number(((((slice0shift_search_4_2 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_5)) + ((as_number(((((slice0shift_search_4_2 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_6)) + as_number(((((slice0shift_search_4_2 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_7)) + as_number(((((slice0shift_search_4_2 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice0shift_search_4_2 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_9)) + as_number((((slice0shift_search_4_2 / 2048) = 1) /=
-        ((slice0shift_reference_4 / 2048) = 1))) + as_number(((((slice0shift_search_4_2 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_10))) * 64);
-      slice0cost_pixels_first_4_3 <= ((as_number(((((slice0shift_search_4_3 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value)) + as_number(((((slice0shift_search_4_3 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_2)) + as_number(((((slice0shift_search_4_3 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice0shift_search_4_3 mod 2) = 1) /=
-        ((slice0shift_reference_4 mod 2) = 1))) + as_number(((((slice0shift_search_4_3 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_4)) + as_number(((((slice0shift_search_4_3 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_5)) + ((as_number(((((slice0shift_search_4_3 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_6)) + as_number(((((slice0shift_search_4_3 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_7)) + as_number(((((slice0shift_search_4_3 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice0shift_search_4_3 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_9)) + as_number((((slice0shift_search_4_3 / 2048) = 1) /=
-        ((slice0shift_reference_4 / 2048) = 1))) + as_number(((((slice0shift_search_4_3 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_10))) * 64);
-      slice0cost_pixels_first_4_4 <= ((as_number(((((slice0shift_search_4_4 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value)) + as_number(((((slice0shift_search_4_4 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_2)) + as_number(((((slice0shift_search_4_4 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice0shift_search_4_4 mod 2) = 1) /=
-        ((slice0shift_reference_4 mod 2) = 1))) + as_number(((((slice0shift_search_4_4 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_4)) + as_number(((((slice0shift_search_4_4 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_5)) + ((as_number(((((slice0shift_search_4_4 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_6)) + as_number(((((slice0shift_search_4_4 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_7)) + as_number(((((slice0shift_search_4_4 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice0shift_search_4_4 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_9)) + as_number((((slice0shift_search_4_4 / 2048) = 1) /=
-        ((slice0shift_reference_4 / 2048) = 1))) + as_number(((((slice0shift_search_4_4 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_10))) * 64);
-      slice0cost_pixels_first_4_5 <= ((as_number(((((slice0shift_search_4_5 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value)) + as_number(((((slice0shift_search_4_5 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_2)) + as_number(((((slice0shift_search_4_5 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice0shift_search_4_5 mod 2) = 1) /=
-        ((slice0shift_reference_4 mod 2) = 1))) + as_number(((((slice0shift_search_4_5 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_4)) + as_number(((((slice0shift_search_4_5 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_5)) + ((as_number(((((slice0shift_search_4_5 / 64) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_6)) + as_number(((((slice0shift_search_4_5 / 256) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_7)) + as_number(((((slice0shift_search_4_5 / 128) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice0shift_search_4_5 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_9)) + as_number((((slice0shift_search_4_5 / 2048) = 1) /=
-        ((slice0shift_reference_4 / 2048) = 1))) + as_number(((((slice0shift_search_4_5 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_4_0_value_10))) * 64);
+      for i in 0 to 1 loop
+        slice0cost_pixels_first_0_value(2 * i) := is_set(slice0shift_reference(2 * i), 3);
+        for j in 5 to 6 loop
+          slice0cost_pixels_first_0_values(2 * i, 4 * j - 18) := is_set(slice0shift_reference(2 * i), j);
+          slice0cost_pixels_first_0_values(2 * i, 4 * j - 17) := is_set(slice0shift_reference(2 * i), 4 * j - 16);
+          slice0cost_pixels_first_0_values(2 * i, 4 * j - 16) := is_set(slice0shift_reference(2 * i), 5 * j - 23);
+          slice0cost_pixels_first_0_values(2 * i, 4 * j - 15) := is_set(slice0shift_reference(2 * i), 8 * j - 39);
+        end loop;
+        slice0cost_pixels_first_0_values(2 * i, 10) := is_set(slice0shift_reference(2 * i), 10);
+        slice0cost_pixels_first_0_value(2 * i + 1) := is_set(slice0shift_reference(2 * i + 1), 3);
+        for j in 5 to 6 loop
+          slice0cost_pixels_first_0_values(2 * i + 1, 4 * j - 18) := is_set(slice0shift_reference(2 * i + 1), j);
+          slice0cost_pixels_first_0_values(2 * i + 1, 4 * j - 17) := is_set(slice0shift_reference(2 * i + 1), 4 * j -
+            16);
+          slice0cost_pixels_first_0_values(2 * i + 1, 4 * j - 16) := is_set(slice0shift_reference(2 * i + 1), 5 * j -
+            23);
+          slice0cost_pixels_first_0_values(2 * i + 1, 4 * j - 15) := is_set(slice0shift_reference(2 * i + 1), 8 * j -
+            39);
+        end loop;
+        slice0cost_pixels_first_0_values(2 * i + 1, 10) := is_set(slice0shift_reference(2 * i + 1), 10);
+      end loop;
+      slice0cost_pixels_first_0_value(4) := is_set(slice0shift_reference(4), 3);
+      for i in 5 to 6 loop
+        slice0cost_pixels_first_0_values(4, 4 * i - 18) := is_set(slice0shift_reference(4), i);
+        slice0cost_pixels_first_0_values(4, 4 * i - 17) := is_set(slice0shift_reference(4), 4 * i - 16);
+        slice0cost_pixels_first_0_values(4, 4 * i - 16) := is_set(slice0shift_reference(4), 5 * i - 23);
+        slice0cost_pixels_first_0_values(4, 4 * i - 15) := is_set(slice0shift_reference(4), 8 * i - 39);
+      end loop;
+      slice0cost_pixels_first_0_values(4, 10) := is_set(slice0shift_reference(4), 10);
+      for i in 0 to 4 loop
+        slice0cost_pixels_first(i, 0) <= ((as_number((slice0cost_pixels_first_0_value(i) /=
+          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_values(i, 2) /=
+          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_values(i, 3) /=
+          is_set(slice0shift_search(i, 0), 4)))) * 4) + as_number((is_set(slice0shift_reference(i), 0) /=
+          is_set(slice0shift_search(i, 0), 0))) + as_number((slice0cost_pixels_first_0_values(i, 4) /=
+          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_values(i, 5) /=
+          is_set(slice0shift_search(i, 0), 1))) + ((as_number((slice0cost_pixels_first_0_values(i, 6) /=
+          is_set(slice0shift_search(i, 0), 6))) + as_number((slice0cost_pixels_first_0_values(i, 7) /=
+          is_set(slice0shift_search(i, 0), 8))) + as_number((slice0cost_pixels_first_0_values(i, 8) /=
+          is_set(slice0shift_search(i, 0), 7)))) * 16) + ((as_number((slice0cost_pixels_first_0_values(i, 9) /=
+          is_set(slice0shift_search(i, 0), 9))) + as_number((is_set(slice0shift_reference(i), 11) /=
+          is_set(slice0shift_search(i, 0), 11))) + as_number((slice0cost_pixels_first_0_values(i, 10) /=
+          is_set(slice0shift_search(i, 0), 10)))) * 64);
+        for j in 1 to 5 loop
+          slice0cost_pixels_first(i, j) <= ((as_number((is_set(slice0shift_search(i, j), 3) /=
+            slice0cost_pixels_first_0_value(i))) + as_number((is_set(slice0shift_search(i, j), 5) /=
+            slice0cost_pixels_first_0_values(i, 2))) + as_number((is_set(slice0shift_search(i, j), 4) /=
+            slice0cost_pixels_first_0_values(i, 3)))) * 4) + as_number((is_set(slice0shift_search(i, j), 0) /=
+            is_set(slice0shift_reference(i), 0))) + as_number((is_set(slice0shift_search(i, j), 2) /=
+            slice0cost_pixels_first_0_values(i, 4))) + as_number((is_set(slice0shift_search(i, j), 1) /=
+            slice0cost_pixels_first_0_values(i, 5))) + ((as_number((is_set(slice0shift_search(i, j), 6) /=
+            slice0cost_pixels_first_0_values(i, 6))) + as_number((is_set(slice0shift_search(i, j), 8) /=
+            slice0cost_pixels_first_0_values(i, 7))) + as_number((is_set(slice0shift_search(i, j), 7) /=
+            slice0cost_pixels_first_0_values(i, 8)))) * 16) + ((as_number((is_set(slice0shift_search(i, j), 9) /=
+            slice0cost_pixels_first_0_values(i, 9))) + as_number((is_set(slice0shift_search(i, j), 11) /=
+            is_set(slice0shift_reference(i), 11))) + as_number((is_set(slice0shift_search(i, j), 10) /=
+            slice0cost_pixels_first_0_values(i, 10)))) * 64);
+        end loop;
+      end loop;
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pixels_cost_0_0 <= (((slice0cost_pixels_first_0_0 mod 4) + (((slice0cost_pixels_first_0_0 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_0_0 / 16) mod 4) + (slice0cost_pixels_first_0_0 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_0_0 / 16) + (slice0cost_pixels_first_0_0 / 64)) mod 2);
-      slice0cost_pixels_cost_0_1 <= (((slice0cost_pixels_first_0_1 mod 4) + (((slice0cost_pixels_first_0_1 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_0_1 / 16) mod 4) + (slice0cost_pixels_first_0_1 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_0_1 / 16) + (slice0cost_pixels_first_0_1 / 64)) mod 2);
-      slice0cost_pixels_cost_0_2 <= (((slice0cost_pixels_first_0_2 mod 4) + (((slice0cost_pixels_first_0_2 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_0_2 / 16) mod 4) + (slice0cost_pixels_first_0_2 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_0_2 / 16) + (slice0cost_pixels_first_0_2 / 64)) mod 2);
-      slice0cost_pixels_cost_0_3 <= (((slice0cost_pixels_first_0_3 mod 4) + (((slice0cost_pixels_first_0_3 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_0_3 / 16) mod 4) + (slice0cost_pixels_first_0_3 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_0_3 / 16) + (slice0cost_pixels_first_0_3 / 64)) mod 2);
-      slice0cost_pixels_cost_0_4 <= (((slice0cost_pixels_first_0_4 mod 4) + (((slice0cost_pixels_first_0_4 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_0_4 / 16) mod 4) + (slice0cost_pixels_first_0_4 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_0_4 / 16) + (slice0cost_pixels_first_0_4 / 64)) mod 2);
-      slice0cost_pixels_cost_0_5 <= (((slice0cost_pixels_first_0_5 mod 4) + (((slice0cost_pixels_first_0_5 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_0_5 / 16) mod 4) + (slice0cost_pixels_first_0_5 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_0_5 / 16) + (slice0cost_pixels_first_0_5 / 64)) mod 2);
-      slice0cost_pixels_cost_1_0 <= (((slice0cost_pixels_first_1_0 mod 4) + (((slice0cost_pixels_first_1_0 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_1_0 / 16) mod 4) + (slice0cost_pixels_first_1_0 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_1_0 / 16) + (slice0cost_pixels_first_1_0 / 64)) mod 2);
-      slice0cost_pixels_cost_1_1 <= (((slice0cost_pixels_first_1_1 mod 4) + (((slice0cost_pixels_first_1_1 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_1_1 / 16) mod 4) + (slice0cost_pixels_first_1_1 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_1_1 / 16) + (slice0cost_pixels_first_1_1 / 64)) mod 2);
-      slice0cost_pixels_cost_1_2 <= (((slice0cost_pixels_first_1_2 mod 4) + (((slice0cost_pixels_first_1_2 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_1_2 / 16) mod 4) + (slice0cost_pixels_first_1_2 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_1_2 / 16) + (slice0cost_pixels_first_1_2 / 64)) mod 2);
-      slice0cost_pixels_cost_1_3 <= (((slice0cost_pixels_first_1_3 mod 4) + (((slice0cost_pixels_first_1_3 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_1_3 / 16) mod 4) + (slice0cost_pixels_first_1_3 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_1_3 / 16) + (slice0cost_pixels_first_1_3 / 64)) mod 2);
-      slice0cost_pixels_cost_1_4 <= (((slice0cost_pixels_first_1_4 mod 4) + (((slice0cost_pixels_first_1_4 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_1_4 / 16) mod 4) + (slice0cost_pixels_first_1_4 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_1_4 / 16) + (slice0cost_pixels_first_1_4 / 64)) mod 2);
-      slice0cost_pixels_cost_1_5 <= (((slice0cost_pixels_first_1_5 mod 4) + (((slice0cost_pixels_first_1_5 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_1_5 / 16) mod 4) + (slice0cost_pixels_first_1_5 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_1_5 / 16) + (slice0cost_pixels_first_1_5 / 64)) mod 2);
-      slice0cost_pixels_cost_2_0 <= (((slice0cost_pixels_first_2_0 mod 4) + (((slice0cost_pixels_first_2_0 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_2_0 / 16) mod 4) + (slice0cost_pixels_first_2_0 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_2_0 / 16) + (slice0cost_pixels_first_2_0 / 64)) mod 2);
-      slice0cost_pixels_cost_2_1 <= (((slice0cost_pixels_first_2_1 mod 4) + (((slice0cost_pixels_first_2_1 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_2_1 / 16) mod 4) + (slice0cost_pixels_first_2_1 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_2_1 / 16) + (slice0cost_pixels_first_2_1 / 64)) mod 2);
-      slice0cost_pixels_cost_2_2 <= (((slice0cost_pixels_first_2_2 mod 4) + (((slice0cost_pixels_first_2_2 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_2_2 / 16) mod 4) + (slice0cost_pixels_first_2_2 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_2_2 / 16) + (slice0cost_pixels_first_2_2 / 64)) mod 2);
-      slice0cost_pixels_cost_2_3 <= (((slice0cost_pixels_first_2_3 mod 4) + (((slice0cost_pixels_first_2_3 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_2_3 / 16) mod 4) + (slice0cost_pixels_first_2_3 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_2_3 / 16) + (slice0cost_pixels_first_2_3 / 64)) mod 2);
-      slice0cost_pixels_cost_2_4 <= (((slice0cost_pixels_first_2_4 mod 4) + (((slice0cost_pixels_first_2_4 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_2_4 / 16) mod 4) + (slice0cost_pixels_first_2_4 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_2_4 / 16) + (slice0cost_pixels_first_2_4 / 64)) mod 2);
-      slice0cost_pixels_cost_2_5 <= (((slice0cost_pixels_first_2_5 mod 4) + (((slice0cost_pixels_first_2_5 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_2_5 / 16) mod 4) + (slice0cost_pixels_first_2_5 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_2_5 / 16) + (slice0cost_pixels_first_2_5 / 64)) mod 2);
-      slice0cost_pixels_cost_3_0 <= (((slice0cost_pixels_first_3_0 mod 4) + (((slice0cost_pixels_first_3_0 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_3_0 / 16) mod 4) + (slice0cost_pixels_first_3_0 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_3_0 / 16) + (slice0cost_pixels_first_3_0 / 64)) mod 2);
-      slice0cost_pixels_cost_3_1 <= (((slice0cost_pixels_first_3_1 mod 4) + (((slice0cost_pixels_first_3_1 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_3_1 / 16) mod 4) + (slice0cost_pixels_first_3_1 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_3_1 / 16) + (slice0cost_pixels_first_3_1 / 64)) mod 2);
-      slice0cost_pixels_cost_3_2 <= (((slice0cost_pixels_first_3_2 mod 4) + (((slice0cost_pixels_first_3_2 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_3_2 / 16) mod 4) + (slice0cost_pixels_first_3_2 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_3_2 / 16) + (slice0cost_pixels_first_3_2 / 64)) mod 2);
-      slice0cost_pixels_cost_3_3 <= (((slice0cost_pixels_first_3_3 mod 4) + (((slice0cost_pixels_first_3_3 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_3_3 / 16) mod 4) + (slice0cost_pixels_first_3_3 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_3_3 / 16) + (slice0cost_pixels_first_3_3 / 64)) mod 2);
-      slice0cost_pixels_cost_3_4 <= (((slice0cost_pixels_first_3_4 mod 4) + (((slice0cost_pixels_first_3_4 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_3_4 / 16) mod 4) + (slice0cost_pixels_first_3_4 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_3_4 / 16) + (slice0cost_pixels_first_3_4 / 64)) mod 2);
-      slice0cost_pixels_cost_3_5 <= (((slice0cost_pixels_first_3_5 mod 4) + (((slice0cost_pixels_first_3_5 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_3_5 / 16) mod 4) + (slice0cost_pixels_first_3_5 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_3_5 / 16) + (slice0cost_pixels_first_3_5 / 64)) mod 2);
-      slice0cost_pixels_cost_4_0 <= (((slice0cost_pixels_first_4_0 mod 4) + (((slice0cost_pixels_first_4_0 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_4_0 / 16) mod 4) + (slice0cost_pixels_first_4_0 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_4_0 / 16) + (slice0cost_pixels_first_4_0 / 64)) mod 2);
-      slice0cost_pixels_cost_4_1 <= (((slice0cost_pixels_first_4_1 mod 4) + (((slice0cost_pixels_first_4_1 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_4_1 / 16) mod 4) + (slice0cost_pixels_first_4_1 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_4_1 / 16) + (slice0cost_pixels_first_4_1 / 64)) mod 2);
-      slice0cost_pixels_cost_4_2 <= (((slice0cost_pixels_first_4_2 mod 4) + (((slice0cost_pixels_first_4_2 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_4_2 / 16) mod 4) + (slice0cost_pixels_first_4_2 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_4_2 / 16) + (slice0cost_pixels_first_4_2 / 64)) mod 2);
-      slice0cost_pixels_cost_4_3 <= (((slice0cost_pixels_first_4_3 mod 4) + (((slice0cost_pixels_first_4_3 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_4_3 / 16) mod 4) + (slice0cost_pixels_first_4_3 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_4_3 / 16) + (slice0cost_pixels_first_4_3 / 64)) mod 2);
-      slice0cost_pixels_cost_4_4 <= (((slice0cost_pixels_first_4_4 mod 4) + (((slice0cost_pixels_first_4_4 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_4_4 / 16) mod 4) + (slice0cost_pixels_first_4_4 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_4_4 / 16) + (slice0cost_pixels_first_4_4 / 64)) mod 2);
-      slice0cost_pixels_cost_4_5 <= (((slice0cost_pixels_first_4_5 mod 4) + (((slice0cost_pixels_first_4_5 / 2) mod 8)
-        / 2) + ((((slice0cost_pixels_first_4_5 / 16) mod 4) + (slice0cost_pixels_first_4_5 / 64)) / 2)) * 2) +
-        (((slice0cost_pixels_first_4_5 / 16) + (slice0cost_pixels_first_4_5 / 64)) mod 2);
+      for i in 0 to 1 loop
+        for j in 0 to 5 loop
+          slice0cost_pixels_cost(2 * i, j) <= (((slice0cost_pixels_first(2 * i, j) mod 4) +
+            (((slice0cost_pixels_first(2 * i, j) / 2) mod 8) / 2) + ((((slice0cost_pixels_first(2 * i, j) / 16) mod 4)
+            + (slice0cost_pixels_first(2 * i, j) / 64)) / 2)) * 2) + (((slice0cost_pixels_first(2 * i, j) / 16) +
+            (slice0cost_pixels_first(2 * i, j) / 64)) mod 2);
+        end loop;
+        for j in 0 to 5 loop
+          slice0cost_pixels_cost(2 * i + 1, j) <= (((slice0cost_pixels_first(2 * i + 1, j) mod 4) +
+            (((slice0cost_pixels_first(2 * i + 1, j) / 2) mod 8) / 2) + ((((slice0cost_pixels_first(2 * i + 1, j) / 16)
+            mod 4) + (slice0cost_pixels_first(2 * i + 1, j) / 64)) / 2)) * 2) + (((slice0cost_pixels_first(2 * i + 1,
+            j) / 16) + (slice0cost_pixels_first(2 * i + 1, j) / 64)) mod 2);
+        end loop;
+      end loop;
+      for i in 0 to 5 loop
+        slice0cost_pixels_cost(4, i) <= (((slice0cost_pixels_first(4, i) mod 4) + (((slice0cost_pixels_first(4, i) / 2)
+          mod 8) / 2) + ((((slice0cost_pixels_first(4, i) / 16) mod 4) + (slice0cost_pixels_first(4, i) / 64)) / 2)) *
+          2) + (((slice0cost_pixels_first(4, i) / 16) + (slice0cost_pixels_first(4, i) / 64)) mod 2);
+      end loop;
       slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
       slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
       slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
       slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
       slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
-      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
-      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
-      slice0cost_pair_0_3 <= slice0cost_pixels_cost_1_3 + slice0cost_pixels_cost_2_3;
-      slice0cost_pair_0_4 <= slice0cost_pixels_cost_1_4 + slice0cost_pixels_cost_2_4;
-      slice0cost_pair_0_5 <= slice0cost_pixels_cost_1_5 + slice0cost_pixels_cost_2_5;
-      slice0cost_pair_1_0 <= slice0cost_pixels_cost_3_0 + slice0cost_pixels_cost_4_0;
-      slice0cost_pair_1_1 <= slice0cost_pixels_cost_3_1 + slice0cost_pixels_cost_4_1;
-      slice0cost_pair_1_2 <= slice0cost_pixels_cost_3_2 + slice0cost_pixels_cost_4_2;
-      slice0cost_pair_1_3 <= slice0cost_pixels_cost_3_3 + slice0cost_pixels_cost_4_3;
-      slice0cost_pair_1_4 <= slice0cost_pixels_cost_3_4 + slice0cost_pixels_cost_4_4;
-      slice0cost_pair_1_5 <= slice0cost_pixels_cost_3_5 + slice0cost_pixels_cost_4_5;
-      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
-      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
-      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
-      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
-      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
-      slice0cost_single_0_5 <= slice0cost_pixels_cost_0_5;
+      for i in 0 to 5 loop
+        slice0cost_pair(0, i) <= slice0cost_pixels_cost(1, i) + slice0cost_pixels_cost(2, i);
+      end loop;
+      for i in 0 to 5 loop
+        slice0cost_pair(1, i) <= slice0cost_pixels_cost(3, i) + slice0cost_pixels_cost(4, i);
+      end loop;
+      for i in 0 to 5 loop
+        slice0cost_single_0(i) <= slice0cost_pixels_cost(0, i);
+      end loop;
       slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
@@ -2071,56 +1360,35 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       if slice0cost_pair_tag_border_column then
-        slice0cost_column_0_0 <= 0;
-        slice0cost_column_0_1 <= 0;
-        slice0cost_column_0_2 <= 0;
-        slice0cost_column_0_3 <= 0;
-        slice0cost_column_0_4 <= 0;
-        slice0cost_column_0_5 <= 0;
+        for i in 0 to 5 loop
+          slice0cost_column_0(i) <= 0;
+        end loop;
       else
-        slice0cost_column_0_0 <= slice0cost_single_0_0 + slice0cost_pair_0_0 + slice0cost_pair_1_0;
-        slice0cost_column_0_1 <= slice0cost_single_0_1 + slice0cost_pair_0_1 + slice0cost_pair_1_1;
-        slice0cost_column_0_2 <= slice0cost_single_0_2 + slice0cost_pair_0_2 + slice0cost_pair_1_2;
-        slice0cost_column_0_3 <= slice0cost_single_0_3 + slice0cost_pair_0_3 + slice0cost_pair_1_3;
-        slice0cost_column_0_4 <= slice0cost_single_0_4 + slice0cost_pair_0_4 + slice0cost_pair_1_4;
-        slice0cost_column_0_5 <= slice0cost_single_0_5 + slice0cost_pair_0_5 + slice0cost_pair_1_5;
+        for i in 0 to 5 loop
+          slice0cost_column_0(i) <= slice0cost_single_0(i) + slice0cost_pair(0, i) + slice0cost_pair(1, i);
+        end loop;
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
-        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
-        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
-        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
-        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
-        slice0window_partial_0_0_5 <= slice0cost_column_0_5;
-        slice0window_partial_0_1_0 <= slice0window_partial_0_0_0 + slice0cost_column_0_0;
-        slice0window_partial_0_1_1 <= slice0window_partial_0_0_1 + slice0cost_column_0_1;
-        slice0window_partial_0_1_2 <= slice0window_partial_0_0_2 + slice0cost_column_0_2;
-        slice0window_partial_0_1_3 <= slice0window_partial_0_0_3 + slice0cost_column_0_3;
-        slice0window_partial_0_1_4 <= slice0window_partial_0_0_4 + slice0cost_column_0_4;
-        slice0window_partial_0_1_5 <= slice0window_partial_0_0_5 + slice0cost_column_0_5;
-        slice0window_partial_0_2_0 <= slice0window_partial_0_1_0 + slice0cost_column_0_0;
-        slice0window_partial_0_2_1 <= slice0window_partial_0_1_1 + slice0cost_column_0_1;
-        slice0window_partial_0_2_2 <= slice0window_partial_0_1_2 + slice0cost_column_0_2;
-        slice0window_partial_0_2_3 <= slice0window_partial_0_1_3 + slice0cost_column_0_3;
-        slice0window_partial_0_2_4 <= slice0window_partial_0_1_4 + slice0cost_column_0_4;
-        slice0window_partial_0_2_5 <= slice0window_partial_0_1_5 + slice0cost_column_0_5;
-        slice0window_partial_0_3_0 <= slice0window_partial_0_2_0 + slice0cost_column_0_0;
-        slice0window_partial_0_3_1 <= slice0window_partial_0_2_1 + slice0cost_column_0_1;
-        slice0window_partial_0_3_2 <= slice0window_partial_0_2_2 + slice0cost_column_0_2;
-        slice0window_partial_0_3_3 <= slice0window_partial_0_2_3 + slice0cost_column_0_3;
-        slice0window_partial_0_3_4 <= slice0window_partial_0_2_4 + slice0cost_column_0_4;
-        slice0window_partial_0_3_5 <= slice0window_partial_0_2_5 + slice0cost_column_0_5;
+        for i in 0 to 5 loop
+          slice0window_partial_0_0(i) <= slice0cost_column_0(i);
+        end loop;
+        for i in 0 to 5 loop
+          slice0window_partial_0_1(i) <= slice0window_partial_0_0(i) + slice0cost_column_0(i);
+        end loop;
+        for i in 0 to 5 loop
+          slice0window_partial_0_2(i) <= slice0window_partial_0_1(i) + slice0cost_column_0(i);
+        end loop;
+        for i in 0 to 5 loop
+          slice0window_partial_0_3(i) <= slice0window_partial_0_2(i) + slice0cost_column_0(i);
+        end loop;
       end if;
       slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
       slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
       slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
-      slice0window_sum_0_0 <= slice0window_partial_0_3_0 + slice0cost_column_0_0;
-      slice0window_sum_0_1 <= slice0window_partial_0_3_1 + slice0cost_column_0_1;
-      slice0window_sum_0_2 <= slice0window_partial_0_3_2 + slice0cost_column_0_2;
-      slice0window_sum_0_3 <= slice0window_partial_0_3_3 + slice0cost_column_0_3;
-      slice0window_sum_0_4 <= slice0window_partial_0_3_4 + slice0cost_column_0_4;
-      slice0window_sum_0_5 <= slice0window_partial_0_3_5 + slice0cost_column_0_5;
+      for i in 0 to 5 loop
+        slice0window_sum_0(i) <= slice0window_partial_0_3(i) + slice0cost_column_0(i);
+      end loop;
       slice0window_tag_valid <= slice0cost_tag_valid;
       if slice0window_tag_valid then
         slice0window_tag_output_column <= slice1window_centre_output_column_0;
@@ -2128,110 +1396,110 @@ begin
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_first_0_0 <= slice0window_sum_0_0;
-      slice0winner1_best_first_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_first_0_2 <= slice0window_sum_0_4;
-      slice0winner1_best_last_0_0 <= slice0window_sum_0_1;
-      slice0winner1_best_last_0_1 <= slice0window_sum_0_3;
+      slice0winner1_best_cost_0_is_less(0) := (slice0window_sum_0(1) - slice0window_sum_0(0)) < 0;
+      slice0winner1_best_cost_0_is_less(1) := (slice0window_sum_0(3) - slice0window_sum_0(2)) < 0;
+      slice0winner1_best_cost_0_is_less(2) := (slice0window_sum_0(5) - slice0window_sum_0(4)) < 0;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
+      slice0winner1_best_first_0(0) <= slice0window_sum_0(0);
+      slice0winner1_best_first_0(1) <= slice0window_sum_0(2);
+      slice0winner1_best_first_0(2) <= slice0window_sum_0(4);
+      slice0winner1_best_last_0(0) <= slice0window_sum_0(1);
+      slice0winner1_best_last_0(1) <= slice0window_sum_0(3);
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_output_column <= slice0window_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
-      if slice0winner1_best_cost_0_0_is_less then
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
-        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
-        slice0winner1_best_above_0_0 <= 0;
+      if slice0winner1_best_cost_0_is_less(0) then
+        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
+        slice0winner1_best_below_0(0) <= slice0window_sum_0(0);
+        slice0winner1_best_above_0(0) <= 0;
       else
-        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
-        slice0winner1_best_below_0_0 <= 0;
-        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
+        slice0winner1_best_below_0(0) <= 0;
+        slice0winner1_best_above_0(0) <= slice0window_sum_0(1);
       end if;
-      if slice0winner1_best_cost_0_1_is_less then
-        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+      if slice0winner1_best_cost_0_is_less(1) then
+        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
         slice0winner1_best_index_0_1 <= 3;
-        slice0winner1_best_below_0_1 <= slice0window_sum_0_2;
-        slice0winner1_best_above_0_1 <= 0;
+        slice0winner1_best_below_0(1) <= slice0window_sum_0(2);
+        slice0winner1_best_above_0(1) <= 0;
       else
-        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
         slice0winner1_best_index_0_1 <= 2;
-        slice0winner1_best_below_0_1 <= 0;
-        slice0winner1_best_above_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_below_0(1) <= 0;
+        slice0winner1_best_above_0(1) <= slice0window_sum_0(3);
       end if;
-      if slice0winner1_best_cost_0_2_is_less then
-        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+      if slice0winner1_best_cost_0_is_less(2) then
+        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
         slice0winner1_best_index_0_2 <= 5;
-        slice0winner1_best_below_0_2 <= slice0window_sum_0_4;
-        slice0winner1_best_above_0_2 <= 0;
+        slice0winner1_best_below_0(2) <= slice0window_sum_0(4);
+        slice0winner1_best_above_0(2) <= 0;
       else
-        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
         slice0winner1_best_index_0_2 <= 4;
-        slice0winner1_best_below_0_2 <= 0;
-        slice0winner1_best_above_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_below_0(2) <= 0;
+        slice0winner1_best_above_0(2) <= slice0window_sum_0(5);
       end if;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0(1) - slice0winner1_best_cost_0(0)) < 0;
       if slice0winner1_best_index_0_1 = 2 then
-        slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0;
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0(0);
       else
-        slice0winner2_best_below_0_0_choice := slice0winner1_best_below_0_1;
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_below_0(1);
       end if;
       if slice0winner1_best_index_0_0 then
-        slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1;
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0(1);
       else
-        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0(0);
       end if;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
       slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-      slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
-      slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_2;
-      slice0winner2_best_first_0_0 <= slice0winner1_best_first_0_0;
-      slice0winner2_best_first_0_1 <= slice0winner1_best_first_0_2;
-      slice0winner2_best_last_0_0 <= slice0winner1_best_last_0_1;
+      slice0winner2_best_below_0(1) <= slice0winner1_best_below_0(2);
+      slice0winner2_best_above_0(1) <= slice0winner1_best_above_0(2);
+      slice0winner2_best_first_0(0) <= slice0winner1_best_first_0(0);
+      slice0winner2_best_first_0(1) <= slice0winner1_best_first_0(2);
+      slice0winner2_best_last_0_0 <= slice0winner1_best_last_0(1);
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       if slice0winner2_best_cost_0_0_is_less then
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
         slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-        slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice;
-        slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1;
+        slice0winner2_best_below_0(0) <= slice0winner2_best_below_0_0_choice;
+        slice0winner2_best_above_0(0) <= slice0winner1_best_above_0(1);
       else
-        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
         slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
-        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+        slice0winner2_best_below_0(0) <= slice0winner1_best_below_0(0);
+        slice0winner2_best_above_0(0) <= slice0winner2_best_above_0_0_choice;
       end if;
       -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
-      if ((slice0winner2_best_index_0_1 / 4) = 1) and (not ((slice0winner2_best_index_0_1 mod 2) = 1)) then
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) < 0;
+      if is_set(slice0winner2_best_index_0_1, 2) and (not is_set(slice0winner2_best_index_0_1, 0)) then
         slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0;
       else
-        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0_1;
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0(1);
       end if;
       if slice0winner2_best_index_0_0 = 3 then
-        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1;
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0(1);
       else
-        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0_0;
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0(0);
       end if;
-      slice0winner3_best_first_0_0 <= slice0winner2_best_first_0_0;
+      slice0winner3_best_first_0_0 <= slice0winner2_best_first_0(0);
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
       if slice0winner3_best_cost_0_0_is_less then
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0(1);
         slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
         slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice;
-        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1;
+        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0(1);
       else
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0(0);
         slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
-        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0_0;
+        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0(0);
         slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice;
       end if;
       -- slice0
@@ -2246,730 +1514,227 @@ begin
       slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
-        slice1shift_search_0_0 <= slice1shift_search_0_1;
-        slice1shift_search_0_1 <= slice1shift_search_0_2;
-        slice1shift_search_0_2 <= slice1shift_search_0_3;
-        slice1shift_search_0_3 <= slice1shift_search_0_4;
-        slice1shift_search_0_4 <= slice1shift_search_0_5;
-        slice1shift_search_0_5 <= slice0shift_search_out_0;
-        slice1shift_search_1_0 <= slice1shift_search_1_1;
-        slice1shift_search_1_1 <= slice1shift_search_1_2;
-        slice1shift_search_1_2 <= slice1shift_search_1_3;
-        slice1shift_search_1_3 <= slice1shift_search_1_4;
-        slice1shift_search_1_4 <= slice1shift_search_1_5;
-        slice1shift_search_1_5 <= slice0shift_search_out_1;
-        slice1shift_search_2_0 <= slice1shift_search_2_1;
-        slice1shift_search_2_1 <= slice1shift_search_2_2;
-        slice1shift_search_2_2 <= slice1shift_search_2_3;
-        slice1shift_search_2_3 <= slice1shift_search_2_4;
-        slice1shift_search_2_4 <= slice1shift_search_2_5;
-        slice1shift_search_2_5 <= slice0shift_search_out_2;
-        slice1shift_search_3_0 <= slice1shift_search_3_1;
-        slice1shift_search_3_1 <= slice1shift_search_3_2;
-        slice1shift_search_3_2 <= slice1shift_search_3_3;
-        slice1shift_search_3_3 <= slice1shift_search_3_4;
-        slice1shift_search_3_4 <= slice1shift_search_3_5;
-        slice1shift_search_3_5 <= slice0shift_search_out_3;
-        slice1shift_search_4_0 <= slice1shift_search_4_1;
-        slice1shift_search_4_1 <= slice1shift_search_4_2;
-        slice1shift_search_4_2 <= slice1shift_search_4_3;
-        slice1shift_search_4_3 <= slice1shift_search_4_4;
-        slice1shift_search_4_4 <= slice1shift_search_4_5;
-        slice1shift_search_4_5 <= slice0shift_search_out_4;
+        for i in 0 to 4 loop
+          for j in 0 to 4 loop
+            slice1shift_search(i, j) <= slice1shift_search(i, j + 1);
+          end loop;
+          slice1shift_search(i, 5) <= slice0shift_search_out(i);
+        end loop;
       end if;
-      slice1shift_reference_0 <= slice0shift_reference_0;
-      slice1shift_reference_1 <= slice0shift_reference_1;
-      slice1shift_reference_2 <= slice0shift_reference_2;
-      slice1shift_reference_3 <= slice0shift_reference_3;
-      slice1shift_reference_4 <= slice0shift_reference_4;
+      for i in 0 to 4 loop
+        slice1shift_reference(i) <= slice0shift_reference(i);
+      end loop;
       -- slice1cost
-      slice1cost_pixels_first_0_0_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_0_0_value_2 := ((slice1shift_reference_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_0_0_value_3 := ((slice1shift_reference_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_0_0_value_4 := ((slice1shift_reference_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_0_0_value_5 := ((slice1shift_reference_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_0_0_value_6 := ((slice1shift_reference_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_0_0_value_7 := ((slice1shift_reference_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_0_0_value_8 := ((slice1shift_reference_0 / 128) mod 2) = 1;
-      slice1cost_pixels_first_0_0_value_9 := ((slice1shift_reference_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_0_0_value_10 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_1_0_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
-      slice1cost_pixels_first_1_0_value_2 := ((slice1shift_reference_1 / 32) mod 2) = 1;
-      slice1cost_pixels_first_1_0_value_3 := ((slice1shift_reference_1 / 16) mod 2) = 1;
-      slice1cost_pixels_first_1_0_value_4 := ((slice1shift_reference_1 / 4) mod 2) = 1;
-      slice1cost_pixels_first_1_0_value_5 := ((slice1shift_reference_1 / 2) mod 2) = 1;
-      slice1cost_pixels_first_1_0_value_6 := ((slice1shift_reference_1 / 64) mod 2) = 1;
-      slice1cost_pixels_first_1_0_value_7 := ((slice1shift_reference_1 / 256) mod 2) = 1;
-      slice1cost_pixels_first_1_0_value_8 := ((slice1shift_reference_1 / 128) mod 2) = 1;
-      slice1cost_pixels_first_1_0_value_9 := ((slice1shift_reference_1 / 512) mod 2) = 1;
-      slice1cost_pixels_first_1_0_value_10 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_2_0_value := ((slice1shift_reference_2 / 8) mod 2) = 1;
-      slice1cost_pixels_first_2_0_value_2 := ((slice1shift_reference_2 / 32) mod 2) = 1;
-      slice1cost_pixels_first_2_0_value_3 := ((slice1shift_reference_2 / 16) mod 2) = 1;
-      slice1cost_pixels_first_2_0_value_4 := ((slice1shift_reference_2 / 4) mod 2) = 1;
-      slice1cost_pixels_first_2_0_value_5 := ((slice1shift_reference_2 / 2) mod 2) = 1;
-      slice1cost_pixels_first_2_0_value_6 := ((slice1shift_reference_2 / 64) mod 2) = 1;
-      slice1cost_pixels_first_2_0_value_7 := ((slice1shift_reference_2 / 256) mod 2) = 1;
-      slice1cost_pixels_first_2_0_value_8 := ((slice1shift_reference_2 / 128) mod 2) = 1;
-      slice1cost_pixels_first_2_0_value_9 := ((slice1shift_reference_2 / 512) mod 2) = 1;
-      slice1cost_pixels_first_2_0_value_10 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_3_0_value := ((slice1shift_reference_3 / 8) mod 2) = 1;
-      slice1cost_pixels_first_3_0_value_2 := ((slice1shift_reference_3 / 32) mod 2) = 1;
-      slice1cost_pixels_first_3_0_value_3 := ((slice1shift_reference_3 / 16) mod 2) = 1;
-      slice1cost_pixels_first_3_0_value_4 := ((slice1shift_reference_3 / 4) mod 2) = 1;
-      slice1cost_pixels_first_3_0_value_5 := ((slice1shift_reference_3 / 2) mod 2) = 1;
-      slice1cost_pixels_first_3_0_value_6 := ((slice1shift_reference_3 / 64) mod 2) = 1;
-      slice1cost_pixels_first_3_0_value_7 := ((slice1shift_reference_3 / 256) mod 2) = 1;
-      slice1cost_pixels_first_3_0_value_8 := ((slice1shift_reference_3 / 128) mod 2) = 1;
-      slice1cost_pixels_first_3_0_value_9 := ((slice1shift_reference_3 / 512) mod 2) = 1;
-      slice1cost_pixels_first_3_0_value_10 := ((slice1shift_reference_3 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_4_0_value := ((slice1shift_reference_4 / 8) mod 2) = 1;
-      slice1cost_pixels_first_4_0_value_2 := ((slice1shift_reference_4 / 32) mod 2) = 1;
-      slice1cost_pixels_first_4_0_value_3 := ((slice1shift_reference_4 / 16) mod 2) = 1;
-      slice1cost_pixels_first_4_0_value_4 := ((slice1shift_reference_4 / 4) mod 2) = 1;
-      slice1cost_pixels_first_4_0_value_5 := ((slice1shift_reference_4 / 2) mod 2) = 1;
-      slice1cost_pixels_first_4_0_value_6 := ((slice1shift_reference_4 / 64) mod 2) = 1;
-      slice1cost_pixels_first_4_0_value_7 := ((slice1shift_reference_4 / 256) mod 2) = 1;
-      slice1cost_pixels_first_4_0_value_8 := ((slice1shift_reference_4 / 128) mod 2) = 1;
-      slice1cost_pixels_first_4_0_value_9 := ((slice1shift_reference_4 / 512) mod 2) = 1;
-      slice1cost_pixels_first_4_0_value_10 := ((slice1shift_reference_4 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_0_0 <= ((as_number((slice1cost_pixels_first_0_0_value /= (((slice1shift_search_0_0 / 8)
-        mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_value_2 /= (((slice1shift_search_0_0 / 32) mod 2) = 1)))
-        + as_number((slice1cost_pixels_first_0_0_value_3 /= (((slice1shift_search_0_0 / 16) mod 2) = 1)))) * 4) +
-        as_number((((slice1shift_reference_0 mod 2) = 1) /= ((slice1shift_search_0_0 mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_0_0_value_4 /= (((slice1shift_search_0_0 / 4) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_0_0_value_5 /= (((slice1shift_search_0_0 / 2) mod 2) = 1))) +
-        ((as_number((slice1cost_pixels_first_0_0_value_6 /= (((slice1shift_search_0_0 / 64) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_0_0_value_7 /= (((slice1shift_search_0_0 / 256) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_0_0_value_8 /= (((slice1shift_search_0_0 / 128) mod 2) = 1)))) * 16) +
-        ((as_number((slice1cost_pixels_first_0_0_value_9 /= (((slice1shift_search_0_0 / 512) mod 2) = 1))) +
-        as_number((((slice1shift_reference_0 / 2048) = 1) /= ((slice1shift_search_0_0 / 2048) = 1))) +
-        as_number((slice1cost_pixels_first_0_0_value_10 /= (((slice1shift_search_0_0 / 1024) mod 2) = 1)))) * 64);
-      slice1cost_pixels_first_0_1 <= ((as_number(((((slice1shift_search_0_1 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_1 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_1 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_1 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_1 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_1 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_1 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_1 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_1 / 2048) = 1) /=
-        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_1 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_10))) * 64);
-      slice1cost_pixels_first_0_2 <= ((as_number(((((slice1shift_search_0_2 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_2 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_2 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_2 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_2 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_2 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_2 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_2 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_2 / 2048) = 1) /=
-        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_2 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_10))) * 64);
-      slice1cost_pixels_first_0_3 <= ((as_number(((((slice1shift_search_0_3 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_3 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_3 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_3 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_3 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_3 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_3 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_3 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_3 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_3 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_3 / 2048) = 1) /=
-        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_3 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_10))) * 64);
-      slice1cost_pixels_first_0_4 <= ((as_number(((((slice1shift_search_0_4 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_4 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_4 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_4 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_4 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_4 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_4 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_4 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_4 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_4 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_4 / 2048) = 1) /=
-        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_4 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_10))) * 64);
-      slice1cost_pixels_first_0_5 <= ((as_number(((((slice1shift_search_0_5 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_5 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_5 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_5 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_5 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_5 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_5 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_5 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_5 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_5 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_5 / 2048) = 1) /=
-        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_5 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_value_10))) * 64);
-      slice1cost_pixels_first_1_0 <= ((as_number((slice1cost_pixels_first_1_0_value /= (((slice1shift_search_1_0 / 8)
-        mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_value_2 /= (((slice1shift_search_1_0 / 32) mod 2) = 1)))
-        + as_number((slice1cost_pixels_first_1_0_value_3 /= (((slice1shift_search_1_0 / 16) mod 2) = 1)))) * 4) +
-        as_number((((slice1shift_reference_1 mod 2) = 1) /= ((slice1shift_search_1_0 mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_1_0_value_4 /= (((slice1shift_search_1_0 / 4) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_1_0_value_5 /= (((slice1shift_search_1_0 / 2) mod 2) = 1))) +
-        ((as_number((slice1cost_pixels_first_1_0_value_6 /= (((slice1shift_search_1_0 / 64) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_1_0_value_7 /= (((slice1shift_search_1_0 / 256) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_1_0_value_8 /= (((slice1shift_search_1_0 / 128) mod 2) = 1)))) * 16) +
-        ((as_number((slice1cost_pixels_first_1_0_value_9 /= (((slice1shift_search_1_0 / 512) mod 2) = 1))) +
-        as_number((((slice1shift_reference_1 / 2048) = 1) /= ((slice1shift_search_1_0 / 2048) = 1))) +
-        as_number((slice1cost_pixels_first_1_0_value_10 /= (((slice1shift_search_1_0 / 1024) mod 2) = 1)))) * 64);
-      slice1cost_pixels_first_1_1 <= ((as_number(((((slice1shift_search_1_1 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_1 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_1 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_1 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_1 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_1 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_1 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_1 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_1 / 2048) = 1) /=
-        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_1 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_10))) * 64);
-      slice1cost_pixels_first_1_2 <= ((as_number(((((slice1shift_search_1_2 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_2 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_2 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_2 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_2 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_2 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_2 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_2 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_2 / 2048) = 1) /=
-        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_2 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_10))) * 64);
-      slice1cost_pixels_first_1_3 <= ((as_number(((((slice1shift_search_1_3 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_3 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_3 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_3 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_3 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_3 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_3 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_3 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_3 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_3 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_3 / 2048) = 1) /=
-        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_3 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_10))) * 64);
-      slice1cost_pixels_first_1_4 <= ((as_number(((((slice1shift_search_1_4 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_4 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_4 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_4 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_4 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_4 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_4 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_4 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_4 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_4 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_4 / 2048) = 1) /=
-        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_4 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_10))) * 64);
-      slice1cost_pixels_first_1_5 <= ((as_number(((((slice1shift_search_1_5 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_5 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_5 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_5 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_5 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_5 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_5 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_5 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_5 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_5 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_5 / 2048) = 1) /=
-        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_5 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_value_10))) * 64);
-      slice1cost_pixels_first_2_0 <= ((as_number((slice1cost_pixels_first_2_0_value /= (((slice1shift_search_2_0 / 8)
-        mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_value_2 /= (((slice1shift_search_2_0 / 32) mod 2) = 1)))
-        + as_number((slice1cost_pixels_first_2_0_value_3 /= (((slice1shift_search_2_0 / 16) mod 2) = 1)))) * 4) +
-        as_number((((slice1shift_reference_2 mod 2) = 1) /= ((slice1shift_search_2_0 mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_2_0_value_4 /= (((slice1shift_search_2_0 / 4) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_2_0_value_5 /= (((slice1shift_search_2_0 / 2) mod 2) = 1))) +
-        ((as_number((slice1cost_pixels_first_2_0_value_6 /= (((slice1shift_search_2_0 / 64) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_2_0_value_7 /= (((slice1shift_search_2_0 / 256) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_2_0_value_8 /= (((slice1shift_search_2_0 / 128) mod 2) = 1)))) * 16) +
-        ((as_number((slice1cost_pixels_first_2_0_value_9 /= (((slice1shift_search_2_0 / 512) mod 2) = 1))) +
-        as_number((((slice1shift_reference_2 / 2048) = 1) /= ((slice1shift_search_2_0 / 2048) = 1))) +
-        as_number((slice1cost_pixels_first_2_0_value_10 /= (((slice1shift_search_2_0 / 1024) mod 2) = 1)))) * 64);
-      slice1cost_pixels_first_2_1 <= ((as_number(((((slice1shift_search_2_1 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_1 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_1 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_1 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_1 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_1 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_1 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_1 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_1 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_1 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_1 / 2048) = 1) /=
-        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_1 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_10))) * 64);
-      slice1cost_pixels_first_2_2 <= ((as_number(((((slice1shift_search_2_2 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_2 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_2 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_2 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_2 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_2 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_2 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_2 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_2 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_2 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_2 / 2048) = 1) /=
-        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_2 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_10))) * 64);
-      slice1cost_pixels_first_2_3 <= ((as_number(((((slice1shift_search_2_3 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_3 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_3 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_3 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_3 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_3 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_3 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_3 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_3 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_3 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_3 / 2048) = 1) /=
-        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_3 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_10))) * 64);
-      slice1cost_pixels_first_2_4 <= ((as_number(((((slice1shift_search_2_4 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_4 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_4 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_4 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_4 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_4 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_4 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_4 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_4 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_4 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_4 / 2048) = 1) /=
-        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_4 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_10))) * 64);
-      slice1cost_pixels_first_2_5 <= ((as_number(((((slice1shift_search_2_5 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_5 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_5 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_5 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_5 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_5 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_5 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_5 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_5 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_5 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_5 / 2048) = 1) /=
-        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_5 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_value_10))) * 64);
-      slice1cost_pixels_first_3_0 <= ((as_number((slice1cost_pixels_first_3_0_value /= (((slice1shift_search_3_0 / 8)
-        mod 2) = 1))) + as_number((slice1cost_pixels_first_3_0_value_2 /= (((slice1shift_search_3_0 / 32) mod 2) = 1)))
-        + as_number((slice1cost_pixels_first_3_0_value_3 /= (((slice1shift_search_3_0 / 16) mod 2) = 1)))) * 4) +
-        as_number((((slice1shift_reference_3 mod 2) = 1) /= ((slice1shift_search_3_0 mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_3_0_value_4 /= (((slice1shift_search_3_0 / 4) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_3_0_value_5 /= (((slice1shift_search_3_0 / 2) mod 2) = 1))) +
-        ((as_number((slice1cost_pixels_first_3_0_value_6 /= (((slice1shift_search_3_0 / 64) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_3_0_value_7 /= (((slice1shift_search_3_0 / 256) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_3_0_value_8 /= (((slice1shift_search_3_0 / 128) mod 2) = 1)))) * 16) +
-        ((as_number((slice1cost_pixels_first_3_0_value_9 /= (((slice1shift_search_3_0 / 512) mod 2) = 1))) +
-        as_number((((slice1shift_reference_3 / 2048) = 1) /= ((slice1shift_search_3_0 / 2048) = 1))) +
-        as_number((slice1cost_pixels_first_3_0_value_10 /= (((slice1shift_search_3_0 / 1024) mod 2) = 1)))) * 64);
-      slice1cost_pixels_first_3_1 <= ((as_number(((((slice1shift_search_3_1 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_1 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_1 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_1 mod 2) = 1) /=
-        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_1 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_1 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_1 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_1 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_1 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_1 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_1 / 2048) = 1) /=
-        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_1 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_10))) * 64);
-      slice1cost_pixels_first_3_2 <= ((as_number(((((slice1shift_search_3_2 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_2 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_2 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_2 mod 2) = 1) /=
-        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_2 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_2 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_2 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_2 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_2 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_2 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_2 / 2048) = 1) /=
-        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_2 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_10))) * 64);
-      slice1cost_pixels_first_3_3 <= ((as_number(((((slice1shift_search_3_3 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_3 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_3 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_3 mod 2) = 1) /=
-        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_3 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_3 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_3 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_3 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_3 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_3 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_3 / 2048) = 1) /=
-        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_3 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_10))) * 64);
-      slice1cost_pixels_first_3_4 <= ((as_number(((((slice1shift_search_3_4 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_4 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_4 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_4 mod 2) = 1) /=
-        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_4 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_4 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_4 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_4 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_4 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_4 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_4 / 2048) = 1) /=
-        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_4 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_10))) * 64);
-      slice1cost_pixels_first_3_5 <= ((as_number(((((slice1shift_search_3_5 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_5 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_5 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_5 mod 2) = 1) /=
-        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_5 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_5 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_5 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_5 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_5 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_5 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_5 / 2048) = 1) /=
-        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_5 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_3_0_value_10))) * 64);
-      slice1cost_pixels_first_4_0 <= ((as_number((slice1cost_pixels_first_4_0_value /= (((slice1shift_search_4_0 / 8)
-        mod 2) = 1))) + as_number((slice1cost_pixels_first_4_0_value_2 /= (((slice1shift_search_4_0 / 32) mod 2) = 1)))
-        + as_number((slice1cost_pixels_first_4_0_value_3 /= (((slice1shift_search_4_0 / 16) mod 2) = 1)))) * 4) +
-        as_number((((slice1shift_reference_4 mod 2) = 1) /= ((slice1shift_search_4_0 mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_4_0_value_4 /= (((slice1shift_search_4_0 / 4) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_4_0_value_5 /= (((slice1shift_search_4_0 / 2) mod 2) = 1))) +
-        ((as_number((slice1cost_pixels_first_4_0_value_6 /= (((slice1shift_search_4_0 / 64) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_4_0_value_7 /= (((slice1shift_search_4_0 / 256) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_4_0_value_8 /= (((slice1shift_search_4_0 / 128) mod 2) = 1)))) * 16) +
-        ((as_number((slice1cost_pixels_first_4_0_value_9 /= (((slice1shift_search_4_0 / 512) mod 2) = 1))) +
-        as_number((((slice1shift_reference_4 / 2048) = 1) /= ((slice1shift_search_4_0 / 2048) = 1))) +
-        as_number((slice1cost_pixels_first_4_0_value_10 /= (((slice1shift_search_4_0 / 1024) mod 2) = 1)))) * 64);
-      slice1cost_pixels_first_4_1 <= ((as_number(((((slice1shift_search_4_1 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value)) + as_number(((((slice1shift_search_4_1 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_2)) + as_number(((((slice1shift_search_4_1 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice1shift_search_4_1 mod 2) = 1) /=
-        ((slice1shift_reference_4 mod 2) = 1))) + as_number(((((slice1shift_search_4_1 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_4)) + as_number(((((slice1shift_search_4_1 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_5)) + ((as_number(((((slice1shift_search_4_1 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_6)) + as_number(((((slice1shift_search_4_1 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_7)) + as_number(((((slice1shift_search_4_1 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice1shift_search_4_1 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_9)) + as_number((((slice1shift_search_4_1 / 2048) = 1) /=
-        ((slice1shift_reference_4 / 2048) = 1))) + as_number(((((slice1shift_search_4_1 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_10))) * 64);
-      slice1cost_pixels_first_4_2 <= ((as_number(((((slice1shift_search_4_2 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value)) + as_number(((((slice1shift_search_4_2 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_2)) + as_number(((((slice1shift_search_4_2 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice1shift_search_4_2 mod 2) = 1) /=
-        ((slice1shift_reference_4 mod 2) = 1))) + as_number(((((slice1shift_search_4_2 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_4)) + as_number(((((slice1shift_search_4_2 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_5)) + ((as_number(((((slice1shift_search_4_2 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_6)) + as_number(((((slice1shift_search_4_2 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_7)) + as_number(((((slice1shift_search_4_2 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice1shift_search_4_2 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_9)) + as_number((((slice1shift_search_4_2 / 2048) = 1) /=
-        ((slice1shift_reference_4 / 2048) = 1))) + as_number(((((slice1shift_search_4_2 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_10))) * 64);
-      slice1cost_pixels_first_4_3 <= ((as_number(((((slice1shift_search_4_3 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value)) + as_number(((((slice1shift_search_4_3 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_2)) + as_number(((((slice1shift_search_4_3 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice1shift_search_4_3 mod 2) = 1) /=
-        ((slice1shift_reference_4 mod 2) = 1))) + as_number(((((slice1shift_search_4_3 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_4)) + as_number(((((slice1shift_search_4_3 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_5)) + ((as_number(((((slice1shift_search_4_3 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_6)) + as_number(((((slice1shift_search_4_3 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_7)) + as_number(((((slice1shift_search_4_3 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice1shift_search_4_3 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_9)) + as_number((((slice1shift_search_4_3 / 2048) = 1) /=
-        ((slice1shift_reference_4 / 2048) = 1))) + as_number(((((slice1shift_search_4_3 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_10))) * 64);
-      slice1cost_pixels_first_4_4 <= ((as_number(((((slice1shift_search_4_4 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value)) + as_number(((((slice1shift_search_4_4 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_2)) + as_number(((((slice1shift_search_4_4 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice1shift_search_4_4 mod 2) = 1) /=
-        ((slice1shift_reference_4 mod 2) = 1))) + as_number(((((slice1shift_search_4_4 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_4)) + as_number(((((slice1shift_search_4_4 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_5)) + ((as_number(((((slice1shift_search_4_4 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_6)) + as_number(((((slice1shift_search_4_4 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_7)) + as_number(((((slice1shift_search_4_4 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice1shift_search_4_4 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_9)) + as_number((((slice1shift_search_4_4 / 2048) = 1) /=
-        ((slice1shift_reference_4 / 2048) = 1))) + as_number(((((slice1shift_search_4_4 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_10))) * 64);
-      slice1cost_pixels_first_4_5 <= ((as_number(((((slice1shift_search_4_5 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value)) + as_number(((((slice1shift_search_4_5 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_2)) + as_number(((((slice1shift_search_4_5 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice1shift_search_4_5 mod 2) = 1) /=
-        ((slice1shift_reference_4 mod 2) = 1))) + as_number(((((slice1shift_search_4_5 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_4)) + as_number(((((slice1shift_search_4_5 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_5)) + ((as_number(((((slice1shift_search_4_5 / 64) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_6)) + as_number(((((slice1shift_search_4_5 / 256) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_7)) + as_number(((((slice1shift_search_4_5 / 128) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice1shift_search_4_5 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_9)) + as_number((((slice1shift_search_4_5 / 2048) = 1) /=
-        ((slice1shift_reference_4 / 2048) = 1))) + as_number(((((slice1shift_search_4_5 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_4_0_value_10))) * 64);
-      slice1cost_pixels_cost_0_0 <= (((slice1cost_pixels_first_0_0 mod 4) + (((slice1cost_pixels_first_0_0 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_0_0 / 16) mod 4) + (slice1cost_pixels_first_0_0 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_0_0 / 16) + (slice1cost_pixels_first_0_0 / 64)) mod 2);
-      slice1cost_pixels_cost_0_1 <= (((slice1cost_pixels_first_0_1 mod 4) + (((slice1cost_pixels_first_0_1 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_0_1 / 16) mod 4) + (slice1cost_pixels_first_0_1 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_0_1 / 16) + (slice1cost_pixels_first_0_1 / 64)) mod 2);
-      slice1cost_pixels_cost_0_2 <= (((slice1cost_pixels_first_0_2 mod 4) + (((slice1cost_pixels_first_0_2 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_0_2 / 16) mod 4) + (slice1cost_pixels_first_0_2 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_0_2 / 16) + (slice1cost_pixels_first_0_2 / 64)) mod 2);
-      slice1cost_pixels_cost_0_3 <= (((slice1cost_pixels_first_0_3 mod 4) + (((slice1cost_pixels_first_0_3 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_0_3 / 16) mod 4) + (slice1cost_pixels_first_0_3 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_0_3 / 16) + (slice1cost_pixels_first_0_3 / 64)) mod 2);
-      slice1cost_pixels_cost_0_4 <= (((slice1cost_pixels_first_0_4 mod 4) + (((slice1cost_pixels_first_0_4 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_0_4 / 16) mod 4) + (slice1cost_pixels_first_0_4 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_0_4 / 16) + (slice1cost_pixels_first_0_4 / 64)) mod 2);
-      slice1cost_pixels_cost_0_5 <= (((slice1cost_pixels_first_0_5 mod 4) + (((slice1cost_pixels_first_0_5 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_0_5 / 16) mod 4) + (slice1cost_pixels_first_0_5 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_0_5 / 16) + (slice1cost_pixels_first_0_5 / 64)) mod 2);
-      slice1cost_pixels_cost_1_0 <= (((slice1cost_pixels_first_1_0 mod 4) + (((slice1cost_pixels_first_1_0 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_1_0 / 16) mod 4) + (slice1cost_pixels_first_1_0 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_1_0 / 16) + (slice1cost_pixels_first_1_0 / 64)) mod 2);
-      slice1cost_pixels_cost_1_1 <= (((slice1cost_pixels_first_1_1 mod 4) + (((slice1cost_pixels_first_1_1 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_1_1 / 16) mod 4) + (slice1cost_pixels_first_1_1 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_1_1 / 16) + (slice1cost_pixels_first_1_1 / 64)) mod 2);
-      slice1cost_pixels_cost_1_2 <= (((slice1cost_pixels_first_1_2 mod 4) + (((slice1cost_pixels_first_1_2 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_1_2 / 16) mod 4) + (slice1cost_pixels_first_1_2 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_1_2 / 16) + (slice1cost_pixels_first_1_2 / 64)) mod 2);
-      slice1cost_pixels_cost_1_3 <= (((slice1cost_pixels_first_1_3 mod 4) + (((slice1cost_pixels_first_1_3 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_1_3 / 16) mod 4) + (slice1cost_pixels_first_1_3 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_1_3 / 16) + (slice1cost_pixels_first_1_3 / 64)) mod 2);
-      slice1cost_pixels_cost_1_4 <= (((slice1cost_pixels_first_1_4 mod 4) + (((slice1cost_pixels_first_1_4 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_1_4 / 16) mod 4) + (slice1cost_pixels_first_1_4 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_1_4 / 16) + (slice1cost_pixels_first_1_4 / 64)) mod 2);
-      slice1cost_pixels_cost_1_5 <= (((slice1cost_pixels_first_1_5 mod 4) + (((slice1cost_pixels_first_1_5 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_1_5 / 16) mod 4) + (slice1cost_pixels_first_1_5 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_1_5 / 16) + (slice1cost_pixels_first_1_5 / 64)) mod 2);
-      slice1cost_pixels_cost_2_0 <= (((slice1cost_pixels_first_2_0 mod 4) + (((slice1cost_pixels_first_2_0 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_2_0 / 16) mod 4) + (slice1cost_pixels_first_2_0 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_2_0 / 16) + (slice1cost_pixels_first_2_0 / 64)) mod 2);
-      slice1cost_pixels_cost_2_1 <= (((slice1cost_pixels_first_2_1 mod 4) + (((slice1cost_pixels_first_2_1 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_2_1 / 16) mod 4) + (slice1cost_pixels_first_2_1 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_2_1 / 16) + (slice1cost_pixels_first_2_1 / 64)) mod 2);
-      slice1cost_pixels_cost_2_2 <= (((slice1cost_pixels_first_2_2 mod 4) + (((slice1cost_pixels_first_2_2 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_2_2 / 16) mod 4) + (slice1cost_pixels_first_2_2 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_2_2 / 16) + (slice1cost_pixels_first_2_2 / 64)) mod 2);
-      slice1cost_pixels_cost_2_3 <= (((slice1cost_pixels_first_2_3 mod 4) + (((slice1cost_pixels_first_2_3 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_2_3 / 16) mod 4) + (slice1cost_pixels_first_2_3 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_2_3 / 16) + (slice1cost_pixels_first_2_3 / 64)) mod 2);
-      slice1cost_pixels_cost_2_4 <= (((slice1cost_pixels_first_2_4 mod 4) + (((slice1cost_pixels_first_2_4 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_2_4 / 16) mod 4) + (slice1cost_pixels_first_2_4 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_2_4 / 16) + (slice1cost_pixels_first_2_4 / 64)) mod 2);
-      slice1cost_pixels_cost_2_5 <= (((slice1cost_pixels_first_2_5 mod 4) + (((slice1cost_pixels_first_2_5 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_2_5 / 16) mod 4) + (slice1cost_pixels_first_2_5 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_2_5 / 16) + (slice1cost_pixels_first_2_5 / 64)) mod 2);
-      slice1cost_pixels_cost_3_0 <= (((slice1cost_pixels_first_3_0 mod 4) + (((slice1cost_pixels_first_3_0 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_3_0 / 16) mod 4) + (slice1cost_pixels_first_3_0 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_3_0 / 16) + (slice1cost_pixels_first_3_0 / 64)) mod 2);
-      slice1cost_pixels_cost_3_1 <= (((slice1cost_pixels_first_3_1 mod 4) + (((slice1cost_pixels_first_3_1 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_3_1 / 16) mod 4) + (slice1cost_pixels_first_3_1 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_3_1 / 16) + (slice1cost_pixels_first_3_1 / 64)) mod 2);
-      slice1cost_pixels_cost_3_2 <= (((slice1cost_pixels_first_3_2 mod 4) + (((slice1cost_pixels_first_3_2 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_3_2 / 16) mod 4) + (slice1cost_pixels_first_3_2 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_3_2 / 16) + (slice1cost_pixels_first_3_2 / 64)) mod 2);
-      slice1cost_pixels_cost_3_3 <= (((slice1cost_pixels_first_3_3 mod 4) + (((slice1cost_pixels_first_3_3 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_3_3 / 16) mod 4) + (slice1cost_pixels_first_3_3 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_3_3 / 16) + (slice1cost_pixels_first_3_3 / 64)) mod 2);
-      slice1cost_pixels_cost_3_4 <= (((slice1cost_pixels_first_3_4 mod 4) + (((slice1cost_pixels_first_3_4 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_3_4 / 16) mod 4) + (slice1cost_pixels_first_3_4 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_3_4 / 16) + (slice1cost_pixels_first_3_4 / 64)) mod 2);
-      slice1cost_pixels_cost_3_5 <= (((slice1cost_pixels_first_3_5 mod 4) + (((slice1cost_pixels_first_3_5 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_3_5 / 16) mod 4) + (slice1cost_pixels_first_3_5 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_3_5 / 16) + (slice1cost_pixels_first_3_5 / 64)) mod 2);
-      slice1cost_pixels_cost_4_0 <= (((slice1cost_pixels_first_4_0 mod 4) + (((slice1cost_pixels_first_4_0 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_4_0 / 16) mod 4) + (slice1cost_pixels_first_4_0 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_4_0 / 16) + (slice1cost_pixels_first_4_0 / 64)) mod 2);
-      slice1cost_pixels_cost_4_1 <= (((slice1cost_pixels_first_4_1 mod 4) + (((slice1cost_pixels_first_4_1 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_4_1 / 16) mod 4) + (slice1cost_pixels_first_4_1 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_4_1 / 16) + (slice1cost_pixels_first_4_1 / 64)) mod 2);
-      slice1cost_pixels_cost_4_2 <= (((slice1cost_pixels_first_4_2 mod 4) + (((slice1cost_pixels_first_4_2 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_4_2 / 16) mod 4) + (slice1cost_pixels_first_4_2 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_4_2 / 16) + (slice1cost_pixels_first_4_2 / 64)) mod 2);
-      slice1cost_pixels_cost_4_3 <= (((slice1cost_pixels_first_4_3 mod 4) + (((slice1cost_pixels_first_4_3 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_4_3 / 16) mod 4) + (slice1cost_pixels_first_4_3 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_4_3 / 16) + (slice1cost_pixels_first_4_3 / 64)) mod 2);
-      slice1cost_pixels_cost_4_4 <= (((slice1cost_pixels_first_4_4 mod 4) + (((slice1cost_pixels_first_4_4 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_4_4 / 16) mod 4) + (slice1cost_pixels_first_4_4 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_4_4 / 16) + (slice1cost_pixels_first_4_4 / 64)) mod 2);
-      slice1cost_pixels_cost_4_5 <= (((slice1cost_pixels_first_4_5 mod 4) + (((slice1cost_pixels_first_4_5 / 2) mod 8)
-        / 2) + ((((slice1cost_pixels_first_4_5 / 16) mod 4) + (slice1cost_pixels_first_4_5 / 64)) / 2)) * 2) +
-        (((slice1cost_pixels_first_4_5 / 16) + (slice1cost_pixels_first_4_5 / 64)) mod 2);
-      slice1cost_pair_0_0 <= slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
-      slice1cost_pair_0_1 <= slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
-      slice1cost_pair_0_2 <= slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
-      slice1cost_pair_0_3 <= slice1cost_pixels_cost_1_3 + slice1cost_pixels_cost_2_3;
-      slice1cost_pair_0_4 <= slice1cost_pixels_cost_1_4 + slice1cost_pixels_cost_2_4;
-      slice1cost_pair_0_5 <= slice1cost_pixels_cost_1_5 + slice1cost_pixels_cost_2_5;
-      slice1cost_pair_1_0 <= slice1cost_pixels_cost_3_0 + slice1cost_pixels_cost_4_0;
-      slice1cost_pair_1_1 <= slice1cost_pixels_cost_3_1 + slice1cost_pixels_cost_4_1;
-      slice1cost_pair_1_2 <= slice1cost_pixels_cost_3_2 + slice1cost_pixels_cost_4_2;
-      slice1cost_pair_1_3 <= slice1cost_pixels_cost_3_3 + slice1cost_pixels_cost_4_3;
-      slice1cost_pair_1_4 <= slice1cost_pixels_cost_3_4 + slice1cost_pixels_cost_4_4;
-      slice1cost_pair_1_5 <= slice1cost_pixels_cost_3_5 + slice1cost_pixels_cost_4_5;
-      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
-      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
-      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
-      slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
-      slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
-      slice1cost_single_0_5 <= slice1cost_pixels_cost_0_5;
+      for i in 0 to 1 loop
+        slice1cost_pixels_first_0_value(2 * i) := is_set(slice1shift_reference(2 * i), 3);
+        for j in 5 to 6 loop
+          slice1cost_pixels_first_0_values(2 * i, 4 * j - 18) := is_set(slice1shift_reference(2 * i), j);
+          slice1cost_pixels_first_0_values(2 * i, 4 * j - 17) := is_set(slice1shift_reference(2 * i), 4 * j - 16);
+          slice1cost_pixels_first_0_values(2 * i, 4 * j - 16) := is_set(slice1shift_reference(2 * i), 5 * j - 23);
+          slice1cost_pixels_first_0_values(2 * i, 4 * j - 15) := is_set(slice1shift_reference(2 * i), 8 * j - 39);
+        end loop;
+        slice1cost_pixels_first_0_values(2 * i, 10) := is_set(slice1shift_reference(2 * i), 10);
+        slice1cost_pixels_first_0_value(2 * i + 1) := is_set(slice1shift_reference(2 * i + 1), 3);
+        for j in 5 to 6 loop
+          slice1cost_pixels_first_0_values(2 * i + 1, 4 * j - 18) := is_set(slice1shift_reference(2 * i + 1), j);
+          slice1cost_pixels_first_0_values(2 * i + 1, 4 * j - 17) := is_set(slice1shift_reference(2 * i + 1), 4 * j -
+            16);
+          slice1cost_pixels_first_0_values(2 * i + 1, 4 * j - 16) := is_set(slice1shift_reference(2 * i + 1), 5 * j -
+            23);
+          slice1cost_pixels_first_0_values(2 * i + 1, 4 * j - 15) := is_set(slice1shift_reference(2 * i + 1), 8 * j -
+            39);
+        end loop;
+        slice1cost_pixels_first_0_values(2 * i + 1, 10) := is_set(slice1shift_reference(2 * i + 1), 10);
+      end loop;
+      slice1cost_pixels_first_0_value(4) := is_set(slice1shift_reference(4), 3);
+      for i in 5 to 6 loop
+        slice1cost_pixels_first_0_values(4, 4 * i - 18) := is_set(slice1shift_reference(4), i);
+        slice1cost_pixels_first_0_values(4, 4 * i - 17) := is_set(slice1shift_reference(4), 4 * i - 16);
+        slice1cost_pixels_first_0_values(4, 4 * i - 16) := is_set(slice1shift_reference(4), 5 * i - 23);
+        slice1cost_pixels_first_0_values(4, 4 * i - 15) := is_set(slice1shift_reference(4), 8 * i - 39);
+      end loop;
+      slice1cost_pixels_first_0_values(4, 10) := is_set(slice1shift_reference(4), 10);
+      for i in 0 to 4 loop
+        slice1cost_pixels_first(i, 0) <= ((as_number((slice1cost_pixels_first_0_value(i) /=
+          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_values(i, 2) /=
+          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_values(i, 3) /=
+          is_set(slice1shift_search(i, 0), 4)))) * 4) + as_number((is_set(slice1shift_reference(i), 0) /=
+          is_set(slice1shift_search(i, 0), 0))) + as_number((slice1cost_pixels_first_0_values(i, 4) /=
+          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_values(i, 5) /=
+          is_set(slice1shift_search(i, 0), 1))) + ((as_number((slice1cost_pixels_first_0_values(i, 6) /=
+          is_set(slice1shift_search(i, 0), 6))) + as_number((slice1cost_pixels_first_0_values(i, 7) /=
+          is_set(slice1shift_search(i, 0), 8))) + as_number((slice1cost_pixels_first_0_values(i, 8) /=
+          is_set(slice1shift_search(i, 0), 7)))) * 16) + ((as_number((slice1cost_pixels_first_0_values(i, 9) /=
+          is_set(slice1shift_search(i, 0), 9))) + as_number((is_set(slice1shift_reference(i), 11) /=
+          is_set(slice1shift_search(i, 0), 11))) + as_number((slice1cost_pixels_first_0_values(i, 10) /=
+          is_set(slice1shift_search(i, 0), 10)))) * 64);
+        for j in 1 to 5 loop
+          slice1cost_pixels_first(i, j) <= ((as_number((is_set(slice1shift_search(i, j), 3) /=
+            slice1cost_pixels_first_0_value(i))) + as_number((is_set(slice1shift_search(i, j), 5) /=
+            slice1cost_pixels_first_0_values(i, 2))) + as_number((is_set(slice1shift_search(i, j), 4) /=
+            slice1cost_pixels_first_0_values(i, 3)))) * 4) + as_number((is_set(slice1shift_search(i, j), 0) /=
+            is_set(slice1shift_reference(i), 0))) + as_number((is_set(slice1shift_search(i, j), 2) /=
+            slice1cost_pixels_first_0_values(i, 4))) + as_number((is_set(slice1shift_search(i, j), 1) /=
+            slice1cost_pixels_first_0_values(i, 5))) + ((as_number((is_set(slice1shift_search(i, j), 6) /=
+            slice1cost_pixels_first_0_values(i, 6))) + as_number((is_set(slice1shift_search(i, j), 8) /=
+            slice1cost_pixels_first_0_values(i, 7))) + as_number((is_set(slice1shift_search(i, j), 7) /=
+            slice1cost_pixels_first_0_values(i, 8)))) * 16) + ((as_number((is_set(slice1shift_search(i, j), 9) /=
+            slice1cost_pixels_first_0_values(i, 9))) + as_number((is_set(slice1shift_search(i, j), 11) /=
+            is_set(slice1shift_reference(i), 11))) + as_number((is_set(slice1shift_search(i, j), 10) /=
+            slice1cost_pixels_first_0_values(i, 10)))) * 64);
+        end loop;
+      end loop;
+      for i in 0 to 1 loop
+        for j in 0 to 5 loop
+          slice1cost_pixels_cost(2 * i, j) <= (((slice1cost_pixels_first(2 * i, j) mod 4) +
+            (((slice1cost_pixels_first(2 * i, j) / 2) mod 8) / 2) + ((((slice1cost_pixels_first(2 * i, j) / 16) mod 4)
+            + (slice1cost_pixels_first(2 * i, j) / 64)) / 2)) * 2) + (((slice1cost_pixels_first(2 * i, j) / 16) +
+            (slice1cost_pixels_first(2 * i, j) / 64)) mod 2);
+        end loop;
+        for j in 0 to 5 loop
+          slice1cost_pixels_cost(2 * i + 1, j) <= (((slice1cost_pixels_first(2 * i + 1, j) mod 4) +
+            (((slice1cost_pixels_first(2 * i + 1, j) / 2) mod 8) / 2) + ((((slice1cost_pixels_first(2 * i + 1, j) / 16)
+            mod 4) + (slice1cost_pixels_first(2 * i + 1, j) / 64)) / 2)) * 2) + (((slice1cost_pixels_first(2 * i + 1,
+            j) / 16) + (slice1cost_pixels_first(2 * i + 1, j) / 64)) mod 2);
+        end loop;
+      end loop;
+      for i in 0 to 5 loop
+        slice1cost_pixels_cost(4, i) <= (((slice1cost_pixels_first(4, i) mod 4) + (((slice1cost_pixels_first(4, i) / 2)
+          mod 8) / 2) + ((((slice1cost_pixels_first(4, i) / 16) mod 4) + (slice1cost_pixels_first(4, i) / 64)) / 2)) *
+          2) + (((slice1cost_pixels_first(4, i) / 16) + (slice1cost_pixels_first(4, i) / 64)) mod 2);
+      end loop;
+      for i in 0 to 5 loop
+        slice1cost_pair(0, i) <= slice1cost_pixels_cost(1, i) + slice1cost_pixels_cost(2, i);
+      end loop;
+      for i in 0 to 5 loop
+        slice1cost_pair(1, i) <= slice1cost_pixels_cost(3, i) + slice1cost_pixels_cost(4, i);
+      end loop;
+      for i in 0 to 5 loop
+        slice1cost_single_0(i) <= slice1cost_pixels_cost(0, i);
+      end loop;
       if slice0cost_tag_border_column then
-        slice1cost_column_0_0 <= 0;
-        slice1cost_column_0_1 <= 0;
-        slice1cost_column_0_2 <= 0;
-        slice1cost_column_0_3 <= 0;
-        slice1cost_column_0_4 <= 0;
-        slice1cost_column_0_5 <= 0;
+        for i in 0 to 5 loop
+          slice1cost_column_0(i) <= 0;
+        end loop;
       else
-        slice1cost_column_0_0 <= slice1cost_single_0_0 + slice1cost_pair_0_0 + slice1cost_pair_1_0;
-        slice1cost_column_0_1 <= slice1cost_single_0_1 + slice1cost_pair_0_1 + slice1cost_pair_1_1;
-        slice1cost_column_0_2 <= slice1cost_single_0_2 + slice1cost_pair_0_2 + slice1cost_pair_1_2;
-        slice1cost_column_0_3 <= slice1cost_single_0_3 + slice1cost_pair_0_3 + slice1cost_pair_1_3;
-        slice1cost_column_0_4 <= slice1cost_single_0_4 + slice1cost_pair_0_4 + slice1cost_pair_1_4;
-        slice1cost_column_0_5 <= slice1cost_single_0_5 + slice1cost_pair_0_5 + slice1cost_pair_1_5;
+        for i in 0 to 5 loop
+          slice1cost_column_0(i) <= slice1cost_single_0(i) + slice1cost_pair(0, i) + slice1cost_pair(1, i);
+        end loop;
       end if;
       -- slice1window
       if slice0window_tag_valid then
-        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
-        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
-        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
-        slice1window_partial_0_0_3 <= slice1cost_column_0_3;
-        slice1window_partial_0_0_4 <= slice1cost_column_0_4;
-        slice1window_partial_0_0_5 <= slice1cost_column_0_5;
-        slice1window_partial_0_1_0 <= slice1window_partial_0_0_0 + slice1cost_column_0_0;
-        slice1window_partial_0_1_1 <= slice1window_partial_0_0_1 + slice1cost_column_0_1;
-        slice1window_partial_0_1_2 <= slice1window_partial_0_0_2 + slice1cost_column_0_2;
-        slice1window_partial_0_1_3 <= slice1window_partial_0_0_3 + slice1cost_column_0_3;
-        slice1window_partial_0_1_4 <= slice1window_partial_0_0_4 + slice1cost_column_0_4;
-        slice1window_partial_0_1_5 <= slice1window_partial_0_0_5 + slice1cost_column_0_5;
-        slice1window_partial_0_2_0 <= slice1window_partial_0_1_0 + slice1cost_column_0_0;
-        slice1window_partial_0_2_1 <= slice1window_partial_0_1_1 + slice1cost_column_0_1;
-        slice1window_partial_0_2_2 <= slice1window_partial_0_1_2 + slice1cost_column_0_2;
-        slice1window_partial_0_2_3 <= slice1window_partial_0_1_3 + slice1cost_column_0_3;
-        slice1window_partial_0_2_4 <= slice1window_partial_0_1_4 + slice1cost_column_0_4;
-        slice1window_partial_0_2_5 <= slice1window_partial_0_1_5 + slice1cost_column_0_5;
-        slice1window_partial_0_3_0 <= slice1window_partial_0_2_0 + slice1cost_column_0_0;
-        slice1window_partial_0_3_1 <= slice1window_partial_0_2_1 + slice1cost_column_0_1;
-        slice1window_partial_0_3_2 <= slice1window_partial_0_2_2 + slice1cost_column_0_2;
-        slice1window_partial_0_3_3 <= slice1window_partial_0_2_3 + slice1cost_column_0_3;
-        slice1window_partial_0_3_4 <= slice1window_partial_0_2_4 + slice1cost_column_0_4;
-        slice1window_partial_0_3_5 <= slice1window_partial_0_2_5 + slice1cost_column_0_5;
+        for i in 0 to 5 loop
+          slice1window_partial_0_0(i) <= slice1cost_column_0(i);
+        end loop;
+        for i in 0 to 5 loop
+          slice1window_partial_0_1(i) <= slice1window_partial_0_0(i) + slice1cost_column_0(i);
+        end loop;
+        for i in 0 to 5 loop
+          slice1window_partial_0_2(i) <= slice1window_partial_0_1(i) + slice1cost_column_0(i);
+        end loop;
+        for i in 0 to 5 loop
+          slice1window_partial_0_3(i) <= slice1window_partial_0_2(i) + slice1cost_column_0(i);
+        end loop;
         slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
         slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
         slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       end if;
-      slice1window_sum_0_0 <= slice1window_partial_0_3_0 + slice1cost_column_0_0;
-      slice1window_sum_0_1 <= slice1window_partial_0_3_1 + slice1cost_column_0_1;
-      slice1window_sum_0_2 <= slice1window_partial_0_3_2 + slice1cost_column_0_2;
-      slice1window_sum_0_3 <= slice1window_partial_0_3_3 + slice1cost_column_0_3;
-      slice1window_sum_0_4 <= slice1window_partial_0_3_4 + slice1cost_column_0_4;
-      slice1window_sum_0_5 <= slice1window_partial_0_3_5 + slice1cost_column_0_5;
+      for i in 0 to 5 loop
+        slice1window_sum_0(i) <= slice1window_partial_0_3(i) + slice1cost_column_0(i);
+      end loop;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_first_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_first_0_2 <= slice1window_sum_0_4;
-      slice1winner1_best_last_0_0 <= slice1window_sum_0_1;
-      slice1winner1_best_last_0_1 <= slice1window_sum_0_3;
-      slice1winner1_best_last_0_2 <= slice1window_sum_0_5;
-      if slice1winner1_best_cost_0_0_is_less then
-        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
-        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
-        slice1winner1_best_above_0_0 <= 0;
+      slice1winner1_best_cost_0_is_less(0) := (slice1window_sum_0(1) - slice1window_sum_0(0)) < 0;
+      slice1winner1_best_cost_0_is_less(1) := (slice1window_sum_0(3) - slice1window_sum_0(2)) < 0;
+      slice1winner1_best_cost_0_is_less(2) := (slice1window_sum_0(5) - slice1window_sum_0(4)) < 0;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
+      slice1winner1_best_first_0(1) <= slice1window_sum_0(2);
+      slice1winner1_best_first_0(2) <= slice1window_sum_0(4);
+      slice1winner1_best_last_0(0) <= slice1window_sum_0(1);
+      slice1winner1_best_last_0(1) <= slice1window_sum_0(3);
+      slice1winner1_best_last_0(2) <= slice1window_sum_0(5);
+      if slice1winner1_best_cost_0_is_less(0) then
+        slice1winner1_best_cost_0(0) <= slice1window_sum_0(1);
+        slice1winner1_best_below_0(0) <= slice1window_sum_0(0);
+        slice1winner1_best_above_0(0) <= 0;
       else
-        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
-        slice1winner1_best_below_0_0 <= 0;
-        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_cost_0(0) <= slice1window_sum_0(0);
+        slice1winner1_best_below_0(0) <= 0;
+        slice1winner1_best_above_0(0) <= slice1window_sum_0(1);
       end if;
-      if slice1winner1_best_cost_0_1_is_less then
-        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+      if slice1winner1_best_cost_0_is_less(1) then
+        slice1winner1_best_cost_0(1) <= slice1window_sum_0(3);
         slice1winner1_best_index_0_1 <= 3;
-        slice1winner1_best_below_0_1 <= slice1window_sum_0_2;
-        slice1winner1_best_above_0_1 <= 0;
+        slice1winner1_best_below_0(1) <= slice1window_sum_0(2);
+        slice1winner1_best_above_0(1) <= 0;
       else
-        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_cost_0(1) <= slice1window_sum_0(2);
         slice1winner1_best_index_0_1 <= 2;
-        slice1winner1_best_below_0_1 <= 0;
-        slice1winner1_best_above_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_below_0(1) <= 0;
+        slice1winner1_best_above_0(1) <= slice1window_sum_0(3);
       end if;
-      if slice1winner1_best_cost_0_2_is_less then
-        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+      if slice1winner1_best_cost_0_is_less(2) then
+        slice1winner1_best_cost_0(2) <= slice1window_sum_0(5);
         slice1winner1_best_index_0_2 <= 5;
-        slice1winner1_best_below_0_2 <= slice1window_sum_0_4;
-        slice1winner1_best_above_0_2 <= 0;
+        slice1winner1_best_below_0(2) <= slice1window_sum_0(4);
+        slice1winner1_best_above_0(2) <= 0;
       else
-        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_cost_0(2) <= slice1window_sum_0(4);
         slice1winner1_best_index_0_2 <= 4;
-        slice1winner1_best_below_0_2 <= 0;
-        slice1winner1_best_above_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_below_0(2) <= 0;
+        slice1winner1_best_above_0(2) <= slice1window_sum_0(5);
       end if;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0(1) - slice1winner1_best_cost_0(0)) < 0;
       if slice1winner1_best_index_0_1 = 2 then
-        slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0;
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0(0);
       else
-        slice1winner2_best_below_0_0_choice := slice1winner1_best_below_0_1;
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_below_0(1);
       end if;
       if slice1winner1_best_index_0_0 then
-        slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1;
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0(1);
       else
-        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0(0);
       end if;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(2);
       slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-      slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2;
-      slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_2;
-      slice1winner2_best_first_0_1 <= slice1winner1_best_first_0_2;
-      slice1winner2_best_last_0_0 <= slice1winner1_best_last_0_1;
-      slice1winner2_best_last_0_1 <= slice1winner1_best_last_0_2;
+      slice1winner2_best_below_0(1) <= slice1winner1_best_below_0(2);
+      slice1winner2_best_above_0(1) <= slice1winner1_best_above_0(2);
+      slice1winner2_best_first_0_1 <= slice1winner1_best_first_0(2);
+      slice1winner2_best_last_0(0) <= slice1winner1_best_last_0(1);
+      slice1winner2_best_last_0(1) <= slice1winner1_best_last_0(2);
       if slice1winner2_best_cost_0_0_is_less then
-        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(1);
         slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
-        slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice;
-        slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1;
+        slice1winner2_best_below_0(0) <= slice1winner2_best_below_0_0_choice;
+        slice1winner2_best_above_0(0) <= slice1winner1_best_above_0(1);
       else
-        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(0);
         slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
-        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
-        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+        slice1winner2_best_below_0(0) <= slice1winner1_best_below_0(0);
+        slice1winner2_best_above_0(0) <= slice1winner2_best_above_0_0_choice;
       end if;
       -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
-      if ((slice1winner2_best_index_0_1 / 4) = 1) and (not ((slice1winner2_best_index_0_1 mod 2) = 1)) then
-        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0;
+      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0(1) - slice1winner2_best_cost_0(0)) < 0;
+      if is_set(slice1winner2_best_index_0_1, 2) and (not is_set(slice1winner2_best_index_0_1, 0)) then
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0(0);
       else
-        slice1winner3_best_below_0_0_choice := slice1winner2_best_below_0_1;
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_below_0(1);
       end if;
       if slice1winner2_best_index_0_0 = 3 then
         slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1;
       else
-        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0_0;
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0(0);
       end if;
-      slice1winner3_best_last_0_0 <= slice1winner2_best_last_0_1;
+      slice1winner3_best_last_0_0 <= slice1winner2_best_last_0(1);
       if slice1winner3_best_cost_0_0_is_less then
-        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0(1);
         slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
         slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice;
-        slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1;
+        slice1winner3_best_above_0_0 <= slice1winner2_best_above_0(1);
       else
-        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0(0);
         slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
-        slice1winner3_best_below_0_0 <= slice1winner2_best_below_0_0;
+        slice1winner3_best_below_0_0 <= slice1winner2_best_below_0(0);
         slice1winner3_best_above_0_0 <= slice1winner3_best_above_0_0_choice;
       end if;
       -- slice1
@@ -3000,13 +1765,11 @@ begin
         slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
       end if;
       -- refinement
-      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 1024) - refinement_divisor_0_0;
-      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 1024) - refinement_divisor_1_0;
-      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 1024) - refinement_divisor_2_0;
-      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 1024) - refinement_divisor_3_0;
-      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 1024) - refinement_divisor_4_0;
-      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 1024) - refinement_divisor_5_0;
-      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 1024) - refinement_divisor_6_0;
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 1024) - refinement_divisor_0(0);
+      for i in 2 to 7 loop
+        refinement_remainder_0_difference(i) := ((refinement_remainder_0(i - 1) * 2) + 1024) - refinement_divisor_0(i -
+          1);
+      end loop;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
       if refinement_divisor_0_0_is_less then
         refinement_divisor_0_0_choice := refinement_v_0;
@@ -3015,113 +1778,50 @@ begin
       end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      if refinement_negative_8_0 then
+      if refinement_negative_0(8) then
         refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
       else
         refinement_fraction_0_choice := refinement_fraction_0_value;
       end if;
-      if refinement_negative_8_0 then
+      if refinement_negative_0(8) then
         refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
       else
         refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
       end if;
-      refinement_disparity_0_0 <= slice1_best_index_0_0;
-      refinement_disparity_1_0 <= refinement_disparity_0_0;
-      refinement_disparity_2_0 <= refinement_disparity_1_0;
-      refinement_disparity_3_0 <= refinement_disparity_2_0;
-      refinement_disparity_4_0 <= refinement_disparity_3_0;
-      refinement_disparity_5_0 <= refinement_disparity_4_0;
-      refinement_disparity_6_0 <= refinement_disparity_5_0;
-      refinement_disparity_7_0 <= refinement_disparity_6_0;
-      refinement_disparity_8_0 <= refinement_disparity_7_0;
-      refinement_disparity_9_0 <= refinement_disparity_8_0;
-      refinement_disparity_10_0 <= refinement_disparity_9_0;
-      refinement_disparity_11_0 <= refinement_disparity_10_0;
-      refinement_passed_0_0 <= true;
-      refinement_passed_1_0 <= refinement_passed_0_0;
-      refinement_passed_2_0 <= refinement_passed_1_0;
-      refinement_passed_3_0 <= refinement_passed_2_0;
-      refinement_passed_4_0 <= refinement_passed_3_0;
-      refinement_passed_5_0 <= refinement_passed_4_0;
-      refinement_passed_6_0 <= refinement_passed_5_0;
-      refinement_passed_7_0 <= refinement_passed_6_0;
-      refinement_passed_8_0 <= refinement_passed_7_0;
-      refinement_passed_9_0 <= refinement_passed_8_0;
-      refinement_passed_10_0 <= refinement_passed_9_0;
-      refinement_passed_11_0 <= refinement_passed_10_0;
-      refinement_tag_0_valid <= slice1_best_tag_valid;
-      refinement_tag_0_output_column <= slice1_best_tag_output_column;
-      refinement_tag_0_start_of_frame <= slice1_best_tag_start_of_frame;
-      refinement_tag_0_end_of_line <= slice1_best_tag_end_of_line;
-      refinement_tag_1_valid <= refinement_tag_0_valid;
-      refinement_tag_1_output_column <= refinement_tag_0_output_column;
-      refinement_tag_1_start_of_frame <= refinement_tag_0_start_of_frame;
-      refinement_tag_1_end_of_line <= refinement_tag_0_end_of_line;
-      refinement_tag_2_valid <= refinement_tag_1_valid;
-      refinement_tag_2_output_column <= refinement_tag_1_output_column;
-      refinement_tag_2_start_of_frame <= refinement_tag_1_start_of_frame;
-      refinement_tag_2_end_of_line <= refinement_tag_1_end_of_line;
-      refinement_tag_3_valid <= refinement_tag_2_valid;
-      refinement_tag_3_output_column <= refinement_tag_2_output_column;
-      refinement_tag_3_start_of_frame <= refinement_tag_2_start_of_frame;
-      refinement_tag_3_end_of_line <= refinement_tag_2_end_of_line;
-      refinement_tag_4_valid <= refinement_tag_3_valid;
-      refinement_tag_4_output_column <= refinement_tag_3_output_column;
-      refinement_tag_4_start_of_frame <= refinement_tag_3_start_of_frame;
-      refinement_tag_4_end_of_line <= refinement_tag_3_end_of_line;
-      refinement_tag_5_valid <= refinement_tag_4_valid;
-      refinement_tag_5_output_column <= refinement_tag_4_output_column;
-      refinement_tag_5_start_of_frame <= refinement_tag_4_start_of_frame;
-      refinement_tag_5_end_of_line <= refinement_tag_4_end_of_line;
-      refinement_tag_6_valid <= refinement_tag_5_valid;
-      refinement_tag_6_output_column <= refinement_tag_5_output_column;
-      refinement_tag_6_start_of_frame <= refinement_tag_5_start_of_frame;
-      refinement_tag_6_end_of_line <= refinement_tag_5_end_of_line;
-      refinement_tag_7_valid <= refinement_tag_6_valid;
-      refinement_tag_7_output_column <= refinement_tag_6_output_column;
-      refinement_tag_7_start_of_frame <= refinement_tag_6_start_of_frame;
-      refinement_tag_7_end_of_line <= refinement_tag_6_end_of_line;
-      refinement_tag_8_valid <= refinement_tag_7_valid;
-      refinement_tag_8_output_column <= refinement_tag_7_output_column;
-      refinement_tag_8_start_of_frame <= refinement_tag_7_start_of_frame;
-      refinement_tag_8_end_of_line <= refinement_tag_7_end_of_line;
-      refinement_tag_9_valid <= refinement_tag_8_valid;
-      refinement_tag_9_output_column <= refinement_tag_8_output_column;
-      refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
-      refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
-      refinement_tag_10_valid <= refinement_tag_9_valid;
-      refinement_tag_10_output_column <= refinement_tag_9_output_column;
-      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
-      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
-      refinement_tag_11_valid <= refinement_tag_10_valid;
-      refinement_tag_11_output_column <= refinement_tag_10_output_column;
-      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
-      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_disparity_0(0) <= slice1_best_index_0_0;
+      for i in 1 to 11 loop
+        refinement_disparity_0(i) <= refinement_disparity_0(i - 1);
+      end loop;
+      refinement_passed_0(0) <= true;
+      for i in 1 to 11 loop
+        refinement_passed_0(i) <= refinement_passed_0(i - 1);
+      end loop;
+      refinement_tag_valid(0) <= slice1_best_tag_valid;
+      refinement_tag_output_column(0) <= slice1_best_tag_output_column;
+      refinement_tag_start_of_frame(0) <= slice1_best_tag_start_of_frame;
+      refinement_tag_end_of_line(0) <= slice1_best_tag_end_of_line;
+      for i in 1 to 11 loop
+        refinement_tag_valid(i) <= refinement_tag_valid(i - 1);
+        refinement_tag_output_column(i) <= refinement_tag_output_column(i - 1);
+        refinement_tag_start_of_frame(i) <= refinement_tag_start_of_frame(i - 1);
+        refinement_tag_end_of_line(i) <= refinement_tag_end_of_line(i - 1);
+      end loop;
       refinement_cost_0 <= slice1_best_cost_0_0;
       refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 512;
       refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 512;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 9)) or
+      refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 9)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 9))));
-      refinement_divisor_1_0 <= refinement_divisor_0_0;
-      refinement_divisor_2_0 <= refinement_divisor_1_0;
-      refinement_divisor_3_0 <= refinement_divisor_2_0;
-      refinement_divisor_4_0 <= refinement_divisor_3_0;
-      refinement_divisor_5_0 <= refinement_divisor_4_0;
-      refinement_divisor_6_0 <= refinement_divisor_5_0;
-      refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_8_0 <= ((((1024 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 512) + ((other_0
-        / 2) * 2);
-      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
-      refinement_negative_1_0 <= refinement_negative_0_0;
-      refinement_negative_2_0 <= refinement_negative_1_0;
-      refinement_negative_3_0 <= refinement_negative_2_0;
-      refinement_negative_4_0 <= refinement_negative_3_0;
-      refinement_negative_5_0 <= refinement_negative_4_0;
-      refinement_negative_6_0 <= refinement_negative_5_0;
-      refinement_negative_7_0 <= refinement_negative_6_0;
-      refinement_negative_8_0 <= refinement_negative_7_0;
+      for i in 1 to 7 loop
+        refinement_divisor_0(i) <= refinement_divisor_0(i - 1);
+      end loop;
+      refinement_quotient_8_0 <= ((((1024 - refinement_divisor_0(7)) / 2) + refinement_remainder_0(7)) / 512) +
+        ((other_0 / 2) * 2);
+      refinement_negative_0(0) <= refinement_divisor_0_0_is_less;
+      for i in 1 to 8 loop
+        refinement_negative_0(i) <= refinement_negative_0(i - 1);
+      end loop;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
       if slice1_best_index_0_0 = 0 then
         refinement_below_0 <= slice1_best_above_0_0;
@@ -3133,68 +1833,48 @@ begin
       else
         refinement_above_0 <= slice1_best_above_0_0;
       end if;
-      if (refinement_remainder_1_0_difference / 1024) = 1 then
-        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 512;
+      if is_set(refinement_remainder_1_0_difference, 10) then
+        refinement_remainder_0(1) <= refinement_remainder_1_0_difference mod 512;
       else
-        refinement_remainder_1_0 <= refinement_remainder_0_0;
+        refinement_remainder_0(1) <= refinement_remainder_0_0;
       end if;
-      if (refinement_remainder_2_0_difference / 1024) = 1 then
-        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 512;
-      else
-        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 256) * 2;
-      end if;
-      if (refinement_remainder_3_0_difference / 1024) = 1 then
-        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 512;
-      else
-        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 256) * 2;
-      end if;
-      if (refinement_remainder_4_0_difference / 1024) = 1 then
-        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 512;
-      else
-        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 256) * 2;
-      end if;
-      if (refinement_remainder_5_0_difference / 1024) = 1 then
-        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 512;
-      else
-        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 256) * 2;
-      end if;
-      if (refinement_remainder_6_0_difference / 1024) = 1 then
-        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 512;
-      else
-        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 256) * 2;
-      end if;
-      if (refinement_remainder_7_0_difference / 1024) = 1 then
-        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 512;
-      else
-        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 256) * 2;
-      end if;
+      for i in 2 to 7 loop
+        if is_set(refinement_remainder_0_difference(i), 10) then
+          refinement_remainder_0(i) <= refinement_remainder_0_difference(i) mod 512;
+        else
+          refinement_remainder_0(i) <= (refinement_remainder_0(i - 1) mod 256) * 2;
+        end if;
+      end loop;
       -- map
-      map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
+      map_out_disparity_0 <= (((((refinement_disparity_0(11) + (refinement_fraction_0 / 16)) * 2) +
         ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);
-      map_out_passed_0 <= refinement_passed_11_0;
-      map_out_valid <= refinement_tag_11_valid and refinement_tag_11_output_column;
-      map_out_start_of_frame <= refinement_tag_11_start_of_frame and refinement_tag_11_valid and
-        refinement_tag_11_output_column;
-      map_out_end_of_line <= refinement_tag_11_end_of_line and refinement_tag_11_valid and
-        refinement_tag_11_output_column;
+      map_out_passed_0 <= refinement_passed_0(11);
+      map_out_valid <= refinement_tag_valid(11) and refinement_tag_output_column(11);
+      map_out_start_of_frame <= refinement_tag_start_of_frame(11) and refinement_tag_valid(11) and
+        refinement_tag_output_column(11);
+      map_out_end_of_line <= refinement_tag_end_of_line(11) and refinement_tag_valid(11) and
+        refinement_tag_output_column(11);
       -- other
-      other_0 <= ((refinement_remainder_7_0_difference / 1024) * 2) + ((other_1 / 4) * 4);
-      other_1 <= ((refinement_remainder_6_0_difference / 1024) * 4) + ((other_2 / 8) * 8);
-      other_2 <= ((refinement_remainder_5_0_difference / 1024) * 8) + ((other_3 / 16) * 16);
-      other_3 <= ((refinement_remainder_4_0_difference / 1024) * 16) + ((other_4 / 32) * 32);
-      other_4 <= ((refinement_remainder_3_0_difference / 1024) * 32) + ((other_5 / 64) * 64);
-      other_5 <= ((refinement_remainder_2_0_difference / 1024) * 64) + ((other_6 / 128) * 128);
+      other_0 <= ((refinement_remainder_0_difference(7) / 1024) * 2) + ((other_1 / 4) * 4);
+      other_1 <= ((refinement_remainder_0_difference(6) / 1024) * 4) + ((other_2 / 8) * 8);
+      other_2 <= ((refinement_remainder_0_difference(5) / 1024) * 8) + ((other_3 / 16) * 16);
+      other_3 <= ((refinement_remainder_0_difference(4) / 1024) * 16) + ((other_4 / 32) * 32);
+      other_4 <= ((refinement_remainder_0_difference(3) / 1024) * 32) + ((other_5 / 64) * 64);
+      other_5 <= ((refinement_remainder_0_difference(2) / 1024) * 64) + ((other_6 / 128) * 128);
       other_6 <= (refinement_remainder_1_0_difference / 1024) * 128;
-      other_7 <= (((transform_right_code_next_row_outer_0 / 2) - transform_right_code_next_row_centre_0) mod 32768) * 2;
-      other_8 <= as_number(((transform_right_code_row_before_0 - transform_right_code_row_after_0) < 0)) * 8192;
-      other_9 <= as_number((((other_10 / 2) - transform_right_code_row_centre_0) < 0)) * 8192;
-      other_10 <= ((transform_right_code_row_box_0_0 + transform_right_code_row_column_0_3) / 2) * 2;
-      other_11 <= (((transform_left_code_next_row_outer_0 / 2) - transform_left_code_next_row_centre_0) mod 32768) * 2;
-      other_12 <= as_number(((transform_left_code_row_before_0 - transform_left_code_row_after_0) < 0)) * 8192;
-      other_13 <= as_number((((other_14 / 2) - transform_left_code_row_centre_0) < 0)) * 8192;
-      other_14 <= ((transform_left_code_row_box_0_0 + transform_left_code_row_column_0_3) / 2) * 2;
-      other_15 <= other_16;
-      other_16 <= (as_number(transform_valid) * 256) + as_number(((transform_counter_column = 4) and
+      other_7 <= (((transform_right_code_next_row_outer(0) / 2) - transform_right_code_next_row_centre(0)) mod 32768) *
+        2;
+      other(8) <= as_number(((transform_right_code_row_before(0) - transform_right_code_row_after(0)) < 0)) * 8192;
+      other(9) <= as_number((((other_10 / 2) - transform_right_code_row_centre(0)) < 0)) * 8192;
+      other_10 <= ((transform_right_code_row_box_0(0) + transform_right_code_row_column(0, 3)) / 2) * 2;
+      other_11 <= (((transform_left_code_next_row_outer(0) / 2) - transform_left_code_next_row_centre(0)) mod 32768) *
+        2;
+      others_from_12(12) <= as_number(((transform_left_code_row_before(0) - transform_left_code_row_after(0)) < 0)) *
+        8192;
+      others_from_12(13) <= as_number((((other_14 / 2) - transform_left_code_row_centre(0)) < 0)) * 8192;
+      other_14 <= ((transform_left_code_row_box_0(0) + transform_left_code_row_column(0, 3)) / 2) * 2;
+      others_from_15(15) <= others_from_15(16);
+      others_from_15(16) <= (as_number(transform_valid) * 256) + as_number(((transform_counter_column = 4) and
         (transform_counter_group = 4)));
       if reset = '1' then
         transform_valid <= false;
@@ -3206,22 +1886,10 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_0_start_of_frame <= false;
-        transform_filtering_0_valid <= false;
-        transform_filtering_1_start_of_frame <= false;
-        transform_filtering_1_valid <= false;
-        transform_filtering_2_start_of_frame <= false;
-        transform_filtering_2_valid <= false;
-        transform_filtering_3_start_of_frame <= false;
-        transform_filtering_3_valid <= false;
-        transform_filtering_4_start_of_frame <= false;
-        transform_filtering_4_valid <= false;
-        transform_filtering_5_start_of_frame <= false;
-        transform_filtering_5_valid <= false;
-        transform_filtering_6_start_of_frame <= false;
-        transform_filtering_6_valid <= false;
-        transform_filtering_7_start_of_frame <= false;
-        transform_filtering_7_valid <= false;
+        for i in 0 to 7 loop
+          transform_filtering_start_of_frame(i) <= false;
+          transform_filtering_valid(i) <= false;
+        end loop;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 20;
@@ -3298,59 +1966,17 @@ begin
         slice1_best_tag_output_column <= false;
         slice1_best_tag_start_of_frame <= false;
         slice1_best_tag_end_of_line <= false;
-        refinement_tag_0_valid <= false;
-        refinement_tag_0_output_column <= false;
-        refinement_tag_0_start_of_frame <= false;
-        refinement_tag_0_end_of_line <= false;
-        refinement_tag_1_valid <= false;
-        refinement_tag_1_output_column <= false;
-        refinement_tag_1_start_of_frame <= false;
-        refinement_tag_1_end_of_line <= false;
-        refinement_tag_2_valid <= false;
-        refinement_tag_2_output_column <= false;
-        refinement_tag_2_start_of_frame <= false;
-        refinement_tag_2_end_of_line <= false;
-        refinement_tag_3_valid <= false;
-        refinement_tag_3_output_column <= false;
-        refinement_tag_3_start_of_frame <= false;
-        refinement_tag_3_end_of_line <= false;
-        refinement_tag_4_valid <= false;
-        refinement_tag_4_output_column <= false;
-        refinement_tag_4_start_of_frame <= false;
-        refinement_tag_4_end_of_line <= false;
-        refinement_tag_5_valid <= false;
-        refinement_tag_5_output_column <= false;
-        refinement_tag_5_start_of_frame <= false;
-        refinement_tag_5_end_of_line <= false;
-        refinement_tag_6_valid <= false;
-        refinement_tag_6_output_column <= false;
-        refinement_tag_6_start_of_frame <= false;
-        refinement_tag_6_end_of_line <= false;
-        refinement_tag_7_valid <= false;
-        refinement_tag_7_output_column <= false;
-        refinement_tag_7_start_of_frame <= false;
-        refinement_tag_7_end_of_line <= false;
-        refinement_tag_8_valid <= false;
-        refinement_tag_8_output_column <= false;
-        refinement_tag_8_start_of_frame <= false;
-        refinement_tag_8_end_of_line <= false;
-        refinement_tag_9_valid <= false;
-        refinement_tag_9_output_column <= false;
-        refinement_tag_9_start_of_frame <= false;
-        refinement_tag_9_end_of_line <= false;
-        refinement_tag_10_valid <= false;
-        refinement_tag_10_output_column <= false;
-        refinement_tag_10_start_of_frame <= false;
-        refinement_tag_10_end_of_line <= false;
-        refinement_tag_11_valid <= false;
-        refinement_tag_11_output_column <= false;
-        refinement_tag_11_start_of_frame <= false;
-        refinement_tag_11_end_of_line <= false;
+        for i in 0 to 11 loop
+          refinement_tag_valid(i) <= false;
+          refinement_tag_output_column(i) <= false;
+          refinement_tag_start_of_frame(i) <= false;
+          refinement_tag_end_of_line(i) <= false;
+        end loop;
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other_15 <= 0;
-        other_16 <= 0;
+        others_from_15(15) <= 0;
+        others_from_15(16) <= 0;
       end if;
     end if;
   end process;

@@ -4,6 +4,7 @@
 -- Made from hls/top/rectification_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config rectify_vga
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+-- Where a comment behind a declaration has #, the C++ has the indices.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -87,39 +88,39 @@ architecture rtl of stereo_rectify_vga is
     return '0';
   end function;
 
-  signal in_node_x : natural range 0 to 65535;
-  signal in_node_y : natural range 0 to 65535;
-  signal in_node_column : natural range 0 to 65535;
-  signal in_node_row : natural range 0 to 65535;
-  signal in_node_valid : boolean;
-  signal in_node_right : boolean;
-  signal in_valid : boolean;
-  signal in_start_of_frame : boolean;
-  signal in_right_pixel : natural range 0 to 255;
-  signal in_left_pixel : natural range 0 to 255;
+  -- whether the bit of this place is 1
+  function is_set(value : natural; place : natural) return boolean is
+  begin
+    return (value / 2 ** place) mod 2 = 1;
+  end function;
+
+  type boolean_1d is array (natural range <>) of boolean;
+  type natural_1048575_1d is array (natural range <>) of natural range 0 to 1048575;
+  type natural_15_1d is array (natural range <>) of natural range 0 to 15;
+  type natural_255_1d is array (natural range <>) of natural range 0 to 255;
+  type natural_31_1d is array (natural range <>) of natural range 0 to 31;
+  type natural_511_1d is array (natural range <>) of natural range 0 to 511;
+  type natural_63_1d is array (natural range <>) of natural range 0 to 63;
+  type natural_65535_1d is array (natural range <>) of natural range 0 to 65535;
+  type natural_8191_1d is array (natural range <>) of natural range 0 to 8191;
+  type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
+  signal in_node_x, in_node_y, in_node_column, in_node_row : natural range 0 to 65535;
+  signal in_node_valid, in_node_right, in_valid, in_start_of_frame : boolean;
+  signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- counter
   signal counter_column : natural range 0 to 1023;
   signal counter_group : natural range 0 to 511;
   signal counter_next_frame : boolean;
   -- delay
-  signal delay_held_0_left, delay_held_0_right, delay_held_1_left, delay_held_1_right : natural range 0 to 255;
-  signal delay_held_2_left, delay_held_2_right, delay_held_3_left, delay_held_3_right : natural range 0 to 255;
-  signal delay_held_4_left, delay_held_4_right, delay_held_5_left, delay_held_5_right : natural range 0 to 255;
-  signal delay_held_6_left, delay_held_6_right, delay_held_7_left, delay_held_7_right : natural range 0 to 255;
-  signal delay_held_8_left, delay_held_8_right, delay_held_9_left, delay_held_9_right : natural range 0 to 255;
-  signal delay_held_10_left, delay_held_10_right : natural range 0 to 255;
-  signal delay_held_0_start_of_frame, delay_held_0_valid, delay_held_1_start_of_frame, delay_held_1_valid : boolean;
-  signal delay_held_2_start_of_frame, delay_held_2_valid, delay_held_3_start_of_frame, delay_held_3_valid : boolean;
-  signal delay_held_4_start_of_frame, delay_held_4_valid, delay_held_5_start_of_frame, delay_held_5_valid : boolean;
-  signal delay_held_6_start_of_frame, delay_held_6_valid, delay_held_7_start_of_frame, delay_held_7_valid : boolean;
-  signal delay_held_8_start_of_frame, delay_held_8_valid, delay_held_9_start_of_frame, delay_held_9_valid : boolean;
-  signal delay_held_10_start_of_frame, delay_held_10_valid : boolean;
+  signal delay_held_left : natural_255_1d(0 to 10);  -- delay_held_#_left
+  signal delay_held_right : natural_255_1d(0 to 10);  -- delay_held_#_right
+  signal delay_held_start_of_frame : boolean_1d(0 to 10);  -- delay_held_#_start_of_frame
+  signal delay_held_valid : boolean_1d(0 to 10);  -- delay_held_#_valid
   -- grid
   signal grid_node_column : natural range 0 to 63;
   signal grid_node_row : natural range 0 to 31;
-  signal grid_weight_x_held_0, grid_weight_x_held_1, grid_weight_x_held_2, grid_weight_x_held_3 : natural range 0 to 15;
-  signal grid_weight_x_held_4, grid_weight_y_held_0, grid_weight_y_held_1, grid_weight_y_held_2 : natural range 0 to 15;
-  signal grid_weight_y_held_3, grid_weight_y_held_4 : natural range 0 to 15;
+  signal grid_weight_x_held : natural_15_1d(0 to 4);
+  signal grid_weight_y_held : natural_15_1d(0 to 4);
   -- leftoffsets
   signal leftoffsets_nodes_even_line : natural range 0 to 336;
   signal leftoffsets_nodes_odd_line : natural range 0 to 315;
@@ -129,9 +130,9 @@ architecture rtl of stereo_rectify_vga is
   signal leftoffsets_nodes_even_column : natural range 0 to 32;
   signal leftoffsets_nodes_odd_column : natural range 0 to 31;
   signal leftoffsets_nodes_to_even_even, leftoffsets_nodes_to_even_odd, leftoffsets_nodes_to_odd_even : boolean;
-  signal leftoffsets_nodes_to_odd_odd, leftoffsets_nodes_row_odd_0, leftoffsets_nodes_row_odd_1 : boolean;
-  signal leftoffsets_nodes_row_odd_2, leftoffsets_nodes_row_odd_3, leftoffsets_nodes_column_odd_0 : boolean;
-  signal leftoffsets_nodes_column_odd_1, leftoffsets_nodes_column_odd_2, leftoffsets_nodes_column_odd_3 : boolean;
+  signal leftoffsets_nodes_to_odd_odd : boolean;
+  signal leftoffsets_nodes_row_odd : boolean_1d(0 to 3);
+  signal leftoffsets_nodes_column_odd : boolean_1d(0 to 3);
   signal leftoffsets_nodes_written, leftoffsets_nodes_even_even_write_word : unsigned(31 downto 0);
   signal leftoffsets_nodes_even_even_read_word, leftoffsets_nodes_even_even_ready_word : unsigned(31 downto 0);
   signal leftoffsets_nodes_even_odd_write_word, leftoffsets_nodes_even_odd_read_word : unsigned(31 downto 0);
@@ -147,8 +148,9 @@ architecture rtl of stereo_rectify_vga is
   signal leftoffsets_y_left_from, leftoffsets_y_right_from, leftoffsets_y_row_value : natural range 0 to 65535;
   signal leftoffsets_x_left_difference, leftoffsets_x_right_difference : integer range -65535 to 65535;
   signal leftoffsets_y_left_difference, leftoffsets_y_right_difference : integer range -65535 to 65535;
-  signal leftoffsets_x_left_part, leftoffsets_x_weight_x_held_0, leftoffsets_x_weight_x_held_1 : natural range 0 to 15;
-  signal leftoffsets_x_weight_x_held_2, leftoffsets_x_row_part : natural range 0 to 15;
+  signal leftoffsets_x_left_part : natural range 0 to 15;
+  signal leftoffsets_x_weight_x_held : natural_15_1d(0 to 2);
+  signal leftoffsets_x_row_part : natural range 0 to 15;
   signal leftoffsets_x_left_base, leftoffsets_x_right_base, leftoffsets_y_left_base : natural range 0 to 1048560;
   signal leftoffsets_y_right_base : natural range 0 to 1048560;
   signal leftoffsets_x_left_value, leftoffsets_x_right_value, leftoffsets_x_row_from : natural range 0 to 1048575;
@@ -193,14 +195,16 @@ architecture rtl of stereo_rectify_vga is
   signal lefttaps_taps_column : natural range 0 to 16383;
   signal lefttaps_taps_row : natural range 0 to 63;
   signal lefttaps_weight_x, lefttaps_weight_y : natural range 0 to 31;
-  signal lefttaps_column_shown_0, lefttaps_column_shown_1, lefttaps_row_shown_0, lefttaps_row_shown_1 : boolean;
+  signal lefttaps_column_shown : boolean_1d(0 to 1);
+  signal lefttaps_row_shown : boolean_1d(0 to 1);
   -- righttaps
   signal righttaps_source_x : natural range 0 to 98271;
   signal righttaps_offset_y : natural range 0 to 65535;
   signal righttaps_taps_column : natural range 0 to 16383;
   signal righttaps_taps_row : natural range 0 to 63;
   signal righttaps_weight_x, righttaps_weight_y : natural range 0 to 31;
-  signal righttaps_column_shown_0, righttaps_column_shown_1, righttaps_row_shown_0, righttaps_row_shown_1 : boolean;
+  signal righttaps_column_shown : boolean_1d(0 to 1);
+  signal righttaps_row_shown : boolean_1d(0 to 1);
   -- leftsampler
   signal leftsampler_rows_even_line, leftsampler_rows_odd_line, leftsampler_rows_write_line : natural range 0 to 8191;
   signal leftsampler_rows_even_column, leftsampler_rows_odd_column : natural range 0 to 8191;
@@ -212,9 +216,9 @@ architecture rtl of stereo_rectify_vga is
   signal leftsampler_pixel_row_from : natural range 0 to 8191;
   signal leftsampler_rows_write_column : natural range 0 to 512;
   signal leftsampler_rows_to_even_even, leftsampler_rows_to_even_odd, leftsampler_rows_to_odd_even : boolean;
-  signal leftsampler_rows_to_odd_odd, leftsampler_rows_row_odd_0, leftsampler_rows_row_odd_1 : boolean;
-  signal leftsampler_rows_row_odd_2, leftsampler_rows_row_odd_3, leftsampler_rows_column_odd_0 : boolean;
-  signal leftsampler_rows_column_odd_1, leftsampler_rows_column_odd_2, leftsampler_rows_column_odd_3 : boolean;
+  signal leftsampler_rows_to_odd_odd : boolean;
+  signal leftsampler_rows_row_odd : boolean_1d(0 to 3);
+  signal leftsampler_rows_column_odd : boolean_1d(0 to 3);
   signal leftsampler_rows_written, leftsampler_rows_even_even_write_word : natural range 0 to 255;
   signal leftsampler_rows_even_even_ready_word, leftsampler_rows_even_odd_write_word : natural range 0 to 255;
   signal leftsampler_rows_even_odd_ready_word, leftsampler_rows_odd_even_write_word : natural range 0 to 255;
@@ -223,13 +227,12 @@ architecture rtl of stereo_rectify_vga is
   signal leftsampler_pixel_right_from, leftsampler_pixel_row_value : natural range 0 to 255;
   signal leftsampler_rows_even_even_read_word, leftsampler_rows_even_odd_read_word : unsigned(7 downto 0);
   signal leftsampler_rows_odd_even_read_word, leftsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
-  signal leftsampler_weight_x_held_0, leftsampler_weight_x_held_1, leftsampler_weight_x_held_2 : natural range 0 to 31;
-  signal leftsampler_weight_x_held_3, leftsampler_weight_y_held_0, leftsampler_weight_y_held_1 : natural range 0 to 31;
-  signal leftsampler_weight_y_held_2, leftsampler_weight_y_held_3, leftsampler_pixel_left_part : natural range 0 to 31;
-  signal leftsampler_pixel_weight_x_held_0, leftsampler_pixel_weight_x_held_1 : natural range 0 to 31;
-  signal leftsampler_pixel_weight_x_held_2, leftsampler_pixel_row_part : natural range 0 to 31;
-  signal leftsampler_shown_held_0, leftsampler_shown_held_1, leftsampler_shown_held_2 : natural range 0 to 15;
-  signal leftsampler_shown_held_3 : natural range 0 to 15;
+  signal leftsampler_weight_x_held : natural_31_1d(0 to 3);
+  signal leftsampler_weight_y_held : natural_31_1d(0 to 3);
+  signal leftsampler_pixel_left_part : natural range 0 to 31;
+  signal leftsampler_pixel_weight_x_held : natural_31_1d(0 to 2);
+  signal leftsampler_pixel_row_part : natural range 0 to 31;
+  signal leftsampler_shown_held : natural_15_1d(0 to 3);
   signal leftsampler_pixel_left_difference, leftsampler_pixel_right_difference : integer range -255 to 255;
   signal leftsampler_pixel_left_base, leftsampler_pixel_right_base : natural range 0 to 8160;
   signal leftsampler_pixel_row_difference : integer range -8191 to 8191;
@@ -250,32 +253,29 @@ architecture rtl of stereo_rectify_vga is
   signal rightsampler_pixel_right_from, rightsampler_pixel_row_value : natural range 0 to 255;
   signal rightsampler_rows_even_even_read_word, rightsampler_rows_even_odd_read_word : unsigned(7 downto 0);
   signal rightsampler_rows_odd_even_read_word, rightsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
-  signal rightsampler_rows_row_odd_0, rightsampler_rows_row_odd_1, rightsampler_rows_row_odd_2 : boolean;
-  signal rightsampler_rows_row_odd_3, rightsampler_rows_column_odd_0, rightsampler_rows_column_odd_1 : boolean;
-  signal rightsampler_rows_column_odd_2, rightsampler_rows_column_odd_3 : boolean;
-  signal rightsampler_weight_x_held_0, rightsampler_weight_x_held_1 : natural range 0 to 31;
-  signal rightsampler_weight_x_held_2, rightsampler_weight_x_held_3 : natural range 0 to 31;
-  signal rightsampler_weight_y_held_0, rightsampler_weight_y_held_1 : natural range 0 to 31;
-  signal rightsampler_weight_y_held_2, rightsampler_weight_y_held_3 : natural range 0 to 31;
-  signal rightsampler_pixel_left_part, rightsampler_pixel_weight_x_held_0 : natural range 0 to 31;
-  signal rightsampler_pixel_weight_x_held_1, rightsampler_pixel_weight_x_held_2 : natural range 0 to 31;
+  signal rightsampler_rows_row_odd : boolean_1d(0 to 3);
+  signal rightsampler_rows_column_odd : boolean_1d(0 to 3);
+  signal rightsampler_weight_x_held : natural_31_1d(0 to 3);
+  signal rightsampler_weight_y_held : natural_31_1d(0 to 3);
+  signal rightsampler_pixel_left_part : natural range 0 to 31;
+  signal rightsampler_pixel_weight_x_held : natural_31_1d(0 to 2);
   signal rightsampler_pixel_row_part : natural range 0 to 31;
-  signal rightsampler_shown_held_0, rightsampler_shown_held_1, rightsampler_shown_held_2 : natural range 0 to 15;
-  signal rightsampler_shown_held_3 : natural range 0 to 15;
+  signal rightsampler_shown_held : natural_15_1d(0 to 3);
   signal rightsampler_pixel_left_difference, rightsampler_pixel_right_difference : integer range -255 to 255;
   signal rightsampler_pixel_left_base, rightsampler_pixel_right_base : natural range 0 to 8160;
   signal rightsampler_pixel_row_difference : integer range -8191 to 8191;
   signal rightsampler_pixel_row_base : natural range 0 to 262624;
   signal rightsampler_pixel_row_share : integer range -253921 to 253921;
   -- valid
-  signal valid_held_0, valid_held_1, valid_held_2, valid_held_3, valid_held_4, valid_held_5, valid_held_6 : boolean;
-  signal valid_held_7, valid_held_8, valid_held_9 : boolean;
+  signal valid_held : boolean_1d(0 to 9);
   -- starts
-  signal starts_held_0, starts_held_1, starts_held_2, starts_held_3, starts_held_4, starts_held_5 : boolean;
-  signal starts_held_6, starts_held_7, starts_held_8, starts_held_9 : boolean;
+  signal starts_held : boolean_1d(0 to 9);
   -- other
-  signal other_0, other_1, other_2, other_3, other_5, other_7, other_8, other_9 : natural range 0 to 1048575;
-  signal other_4, other_6, other_10, other_11 : natural range 0 to 8191;
+  signal other : natural_1048575_1d(0 to 3);
+  signal other_5 : natural range 0 to 1048575;
+  signal others_from_7 : natural_1048575_1d(7 to 9);  -- other_#
+  signal other_4, other_6 : natural range 0 to 8191;
+  signal others_from_10 : natural_8191_1d(10 to 11);  -- other_#
   signal leftsampler_rows_even_even_read_word_memory_read_enable : boolean;
   signal leftsampler_rows_even_even_read_word_memory_read_address : unsigned(12 downto 0);
   signal leftsampler_rows_even_even_read_word_memory_write_address : unsigned(12 downto 0);
@@ -354,8 +354,8 @@ begin
   in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   rectified_left <= std_logic_vector(to_unsigned(leftsampler_pixel_row_value, 8));
   rectified_right <= std_logic_vector(to_unsigned(rightsampler_pixel_row_value, 8));
-  rectified_start_of_frame <= as_bit(valid_held_9 and starts_held_9);
-  rectified_valid <= as_bit(valid_held_9);
+  rectified_start_of_frame <= as_bit(valid_held(9) and starts_held(9));
+  rectified_valid <= as_bit(valid_held(9));
 
   leftsampler_rows_even_even_read_word_memory_read_enable <= true;
   leftsampler_rows_even_even_read_word_memory_read_address <= to_unsigned(leftsampler_rows_even_even_read_address, 13);
@@ -535,59 +535,59 @@ begin
 
   process (clock)
     variable counter_column_is_equal, counter_next_frame_is_equal, counter_next_frame_choice : boolean;
-    variable counter_next_frame_choice_2, counter_next_frame_is_equal_2, counter_next_frame_choice_3 : boolean;
-    variable counter_group_differs, grid_node_row_all, sample_place_column_is_equal : boolean;
-    variable sample_place_next_frame_is_equal, sample_place_next_frame_choice : boolean;
+    variable counter_next_frame_choices : boolean_1d(2 to 3);  -- counter_next_frame_choice_#
+    variable counter_next_frame_is_equal_2, counter_group_differs, grid_node_row_all : boolean;
+    variable sample_place_column_is_equal, sample_place_next_frame_is_equal, sample_place_next_frame_choice : boolean;
     variable sample_place_next_frame_is_equal_2, sample_place_next_frame_choice_2, sample_place_group_differs : boolean;
     variable lefttaps_taps_column_is_less, lefttaps_taps_row_is_not_less, lefttaps_taps_row_is_less : boolean;
-    variable lefttaps_taps_row_value, lefttaps_taps_row_choice, lefttaps_taps_row_value_2 : boolean;
-    variable lefttaps_taps_row_all, lefttaps_taps_row_choice_2, lefttaps_taps_row_value_3 : boolean;
-    variable lefttaps_taps_row_choice_3, lefttaps_taps_row_value_4, lefttaps_taps_row_choice_4 : boolean;
-    variable lefttaps_taps_row_value_5, lefttaps_taps_row_choice_5, righttaps_taps_column_is_less : boolean;
-    variable righttaps_taps_row_is_not_less, righttaps_taps_row_is_less, righttaps_taps_row_value : boolean;
-    variable righttaps_taps_row_all, righttaps_taps_row_choice, righttaps_taps_row_choice_2 : boolean;
-    variable righttaps_taps_row_value_2, righttaps_taps_row_choice_3, righttaps_taps_row_choice_4 : boolean;
-    variable righttaps_taps_row_value_3, righttaps_taps_row_choice_5, righttaps_taps_row_choice_6 : boolean;
-    variable righttaps_taps_row_value_4, righttaps_taps_row_choice_7, righttaps_taps_row_choice_8 : boolean;
-    variable righttaps_taps_row_value_5, righttaps_taps_row_choice_9, righttaps_taps_row_choice_10 : boolean;
+    variable lefttaps_taps_row_value, lefttaps_taps_row_choice : boolean;
+    variable lefttaps_taps_row_values : boolean_1d(2 to 5);  -- lefttaps_taps_row_value_#
+    variable lefttaps_taps_row_all : boolean;
+    variable lefttaps_taps_row_choices : boolean_1d(2 to 5);  -- lefttaps_taps_row_choice_#
+    variable righttaps_taps_column_is_less, righttaps_taps_row_is_not_less, righttaps_taps_row_is_less : boolean;
+    variable righttaps_taps_row_value, righttaps_taps_row_all, righttaps_taps_row_choice : boolean;
+    variable righttaps_taps_row_choices : boolean_1d(2 to 10);  -- righttaps_taps_row_choice_#
+    variable righttaps_taps_row_values : boolean_1d(2 to 5);  -- righttaps_taps_row_value_#
     variable counter_group_choice, sample_place_group_choice : natural range 0 to 15;
-    variable counter_group_choice_2, counter_group_choice_3, grid_node_row_choice : natural range 0 to 511;
-    variable leftoffsets_nodes_even_even_write_address_value, sample_place_group_choice_2 : natural range 0 to 511;
-    variable sample_place_group_choice_3 : natural range 0 to 511;
+    variable counter_group_choices : natural_511_1d(2 to 3);  -- counter_group_choice_#
+    variable grid_node_row_choice, leftoffsets_nodes_even_even_write_address_value : natural range 0 to 511;
+    variable sample_place_group_choices : natural_511_1d(2 to 3);  -- sample_place_group_choice_#
     variable grid_node_row_sum : natural range 495 to 1006;
-    variable leftoffsets_x_left_from_choice, leftoffsets_x_left_from_choice_2 : natural range 0 to 65535;
-    variable leftoffsets_x_left_from_choice_3, leftoffsets_x_left_difference_choice : natural range 0 to 65535;
-    variable leftoffsets_x_right_from_choice, leftoffsets_x_right_from_choice_2 : natural range 0 to 65535;
-    variable leftoffsets_x_right_from_choice_3, leftoffsets_x_right_difference_choice : natural range 0 to 65535;
-    variable rightoffsets_x_left_from_choice, rightoffsets_x_left_from_choice_2 : natural range 0 to 65535;
-    variable rightoffsets_x_left_from_choice_3, rightoffsets_x_left_difference_choice : natural range 0 to 65535;
-    variable rightoffsets_x_right_from_choice, rightoffsets_x_right_from_choice_2 : natural range 0 to 65535;
-    variable rightoffsets_x_right_from_choice_3, rightoffsets_x_right_difference_choice : natural range 0 to 65535;
-    variable leftoffsets_y_left_from_choice, leftoffsets_y_left_from_choice_2 : unsigned(31 downto 0);
-    variable leftoffsets_y_left_from_choice_3, leftoffsets_y_left_difference_choice : unsigned(31 downto 0);
-    variable leftoffsets_y_right_from_choice, leftoffsets_y_right_from_choice_2 : unsigned(31 downto 0);
-    variable leftoffsets_y_right_from_choice_3, leftoffsets_y_right_difference_choice : unsigned(31 downto 0);
-    variable rightoffsets_y_left_from_choice, rightoffsets_y_left_from_choice_2 : unsigned(31 downto 0);
-    variable rightoffsets_y_left_from_choice_3, rightoffsets_y_left_difference_choice : unsigned(31 downto 0);
-    variable rightoffsets_y_right_from_choice, rightoffsets_y_right_from_choice_2 : unsigned(31 downto 0);
-    variable rightoffsets_y_right_from_choice_3, rightoffsets_y_right_difference_choice : unsigned(31 downto 0);
+    variable leftoffsets_x_left_from_choice : natural range 0 to 65535;
+    variable leftoffsets_x_left_from_choices : natural_65535_1d(2 to 3);  -- leftoffsets_x_left_from_choice_#
+    variable leftoffsets_x_left_difference_choice, leftoffsets_x_right_from_choice : natural range 0 to 65535;
+    variable leftoffsets_x_right_from_choices : natural_65535_1d(2 to 3);  -- leftoffsets_x_right_from_choice_#
+    variable leftoffsets_x_right_difference_choice, rightoffsets_x_left_from_choice : natural range 0 to 65535;
+    variable rightoffsets_x_left_from_choices : natural_65535_1d(2 to 3);  -- rightoffsets_x_left_from_choice_#
+    variable rightoffsets_x_left_difference_choice, rightoffsets_x_right_from_choice : natural range 0 to 65535;
+    variable rightoffsets_x_right_from_choices : natural_65535_1d(2 to 3);  -- rightoffsets_x_right_from_choice_#
+    variable rightoffsets_x_right_difference_choice : natural range 0 to 65535;
+    variable leftoffsets_y_left_from_choice : unsigned(31 downto 0);
+    variable leftoffsets_y_left_from_choices : unsigned_32_1d(2 to 3);  -- leftoffsets_y_left_from_choice_#
+    variable leftoffsets_y_left_difference_choice, leftoffsets_y_right_from_choice : unsigned(31 downto 0);
+    variable leftoffsets_y_right_from_choices : unsigned_32_1d(2 to 3);  -- leftoffsets_y_right_from_choice_#
+    variable leftoffsets_y_right_difference_choice, rightoffsets_y_left_from_choice : unsigned(31 downto 0);
+    variable rightoffsets_y_left_from_choices : unsigned_32_1d(2 to 3);  -- rightoffsets_y_left_from_choice_#
+    variable rightoffsets_y_left_difference_choice, rightoffsets_y_right_from_choice : unsigned(31 downto 0);
+    variable rightoffsets_y_right_from_choices : unsigned_32_1d(2 to 3);  -- rightoffsets_y_right_from_choice_#
+    variable rightoffsets_y_right_difference_choice : unsigned(31 downto 0);
     variable sample_place_column_sum : natural range 1 to 1024;
     variable lefttaps_taps_row_difference, righttaps_taps_row_difference : integer range -1518 to 529;
-    variable lefttaps_taps_row_sum, lefttaps_taps_row_choice_6, lefttaps_taps_row_choice_7 : natural range 0 to 63;
-    variable righttaps_taps_row_choice_11, righttaps_taps_row_choice_12 : natural range 0 to 63;
+    variable lefttaps_taps_row_sum : natural range 0 to 63;
+    variable lefttaps_taps_row_choices_from_6 : natural_63_1d(6 to 7);  -- lefttaps_taps_row_choice_#
+    variable righttaps_taps_row_choices_from_11 : natural_63_1d(11 to 12);  -- righttaps_taps_row_choice_#
     variable leftsampler_shown_held_0_choice, rightsampler_shown_held_0_choice : natural range 0 to 3;
-    variable leftsampler_pixel_left_from_choice, leftsampler_pixel_left_from_choice_2 : natural range 0 to 255;
-    variable leftsampler_pixel_left_from_choice_3, leftsampler_pixel_left_from_choice_4 : natural range 0 to 255;
+    variable leftsampler_pixel_left_from_choice : natural range 0 to 255;
+    variable leftsampler_pixel_left_from_choices : natural_255_1d(2 to 4);  -- leftsampler_pixel_left_from_choice_#
     variable leftsampler_pixel_left_difference_choice : natural range 0 to 255;
     variable leftsampler_pixel_left_difference_choice_2, leftsampler_pixel_right_from_choice : natural range 0 to 255;
-    variable leftsampler_pixel_right_from_choice_2, leftsampler_pixel_right_from_choice_3 : natural range 0 to 255;
-    variable leftsampler_pixel_right_from_choice_4, leftsampler_pixel_right_difference_choice : natural range 0 to 255;
+    variable leftsampler_pixel_right_from_choices : natural_255_1d(2 to 4);  -- leftsampler_pixel_right_from_choice_#
+    variable leftsampler_pixel_right_difference_choice : natural range 0 to 255;
     variable leftsampler_pixel_right_difference_choice_2, rightsampler_pixel_left_from_choice : natural range 0 to 255;
-    variable rightsampler_pixel_left_from_choice_2, rightsampler_pixel_left_from_choice_3 : natural range 0 to 255;
-    variable rightsampler_pixel_left_from_choice_4, rightsampler_pixel_left_difference_choice : natural range 0 to 255;
+    variable rightsampler_pixel_left_from_choices : natural_255_1d(2 to 4);  -- rightsampler_pixel_left_from_choice_#
+    variable rightsampler_pixel_left_difference_choice : natural range 0 to 255;
     variable rightsampler_pixel_left_difference_choice_2, rightsampler_pixel_right_from_choice : natural range 0 to 255;
-    variable rightsampler_pixel_right_from_choice_2, rightsampler_pixel_right_from_choice_3 : natural range 0 to 255;
-    variable rightsampler_pixel_right_from_choice_4 : natural range 0 to 255;
+    variable rightsampler_pixel_right_from_choices : natural_255_1d(2 to 4);  -- rightsampler_pixel_right_from_choice_#
     variable rightsampler_pixel_right_difference_choice : natural range 0 to 255;
     variable rightsampler_pixel_right_difference_choice_2 : natural range 0 to 255;
     variable leftsampler_rows_even_even_write_address_value : natural range 0 to 8191;
@@ -602,15 +602,15 @@ begin
         counter_next_frame_choice := counter_next_frame;
       end if;
       if counter_column_is_equal then
-        counter_next_frame_choice_2 := counter_next_frame_choice;
+        counter_next_frame_choices(2) := counter_next_frame_choice;
       else
-        counter_next_frame_choice_2 := counter_next_frame;
+        counter_next_frame_choices(2) := counter_next_frame;
       end if;
       counter_next_frame_is_equal_2 := counter_group = 479;
       if counter_next_frame_is_equal_2 then
-        counter_next_frame_choice_3 := counter_column_is_equal or (not in_start_of_frame);
+        counter_next_frame_choices(3) := counter_column_is_equal or (not in_start_of_frame);
       else
-        counter_next_frame_choice_3 := not in_start_of_frame;
+        counter_next_frame_choices(3) := not in_start_of_frame;
       end if;
       if in_valid then
         if counter_column_is_equal or in_start_of_frame then
@@ -618,8 +618,8 @@ begin
         else
           counter_column <= (counter_column + 1) mod 1024;
         end if;
-        if counter_next_frame_choice_2 then
-          counter_next_frame <= counter_next_frame_choice_3;
+        if counter_next_frame_choices(2) then
+          counter_next_frame <= counter_next_frame_choices(3);
         else
           counter_next_frame <= counter_next_frame_is_equal_2 and counter_column_is_equal and in_start_of_frame;
         end if;
@@ -631,65 +631,31 @@ begin
       end if;
       counter_group_differs := counter_group /= 497;
       if counter_next_frame_is_equal and counter_next_frame then
-        counter_group_choice_2 := 17;
+        counter_group_choices(2) := 17;
       else
-        counter_group_choice_2 := (counter_group + 1) mod 512;
+        counter_group_choices(2) := (counter_group + 1) mod 512;
       end if;
       if counter_column_is_equal and in_valid and counter_group_differs then
-        counter_group_choice_3 := counter_group_choice_2;
+        counter_group_choices(3) := counter_group_choices(2);
       else
-        counter_group_choice_3 := counter_group;
+        counter_group_choices(3) := counter_group;
       end if;
       if in_start_of_frame and in_valid then
         counter_group <= counter_group_choice * 32;
       else
-        counter_group <= counter_group_choice_3;
+        counter_group <= counter_group_choices(3);
       end if;
       -- delay
-      delay_held_0_left <= in_left_pixel;
-      delay_held_0_right <= in_right_pixel;
-      delay_held_0_start_of_frame <= in_start_of_frame;
-      delay_held_0_valid <= in_valid;
-      delay_held_1_left <= delay_held_0_left;
-      delay_held_1_right <= delay_held_0_right;
-      delay_held_1_start_of_frame <= delay_held_0_start_of_frame;
-      delay_held_1_valid <= delay_held_0_valid;
-      delay_held_2_left <= delay_held_1_left;
-      delay_held_2_right <= delay_held_1_right;
-      delay_held_2_start_of_frame <= delay_held_1_start_of_frame;
-      delay_held_2_valid <= delay_held_1_valid;
-      delay_held_3_left <= delay_held_2_left;
-      delay_held_3_right <= delay_held_2_right;
-      delay_held_3_start_of_frame <= delay_held_2_start_of_frame;
-      delay_held_3_valid <= delay_held_2_valid;
-      delay_held_4_left <= delay_held_3_left;
-      delay_held_4_right <= delay_held_3_right;
-      delay_held_4_start_of_frame <= delay_held_3_start_of_frame;
-      delay_held_4_valid <= delay_held_3_valid;
-      delay_held_5_left <= delay_held_4_left;
-      delay_held_5_right <= delay_held_4_right;
-      delay_held_5_start_of_frame <= delay_held_4_start_of_frame;
-      delay_held_5_valid <= delay_held_4_valid;
-      delay_held_6_left <= delay_held_5_left;
-      delay_held_6_right <= delay_held_5_right;
-      delay_held_6_start_of_frame <= delay_held_5_start_of_frame;
-      delay_held_6_valid <= delay_held_5_valid;
-      delay_held_7_left <= delay_held_6_left;
-      delay_held_7_right <= delay_held_6_right;
-      delay_held_7_start_of_frame <= delay_held_6_start_of_frame;
-      delay_held_7_valid <= delay_held_6_valid;
-      delay_held_8_left <= delay_held_7_left;
-      delay_held_8_right <= delay_held_7_right;
-      delay_held_8_start_of_frame <= delay_held_7_start_of_frame;
-      delay_held_8_valid <= delay_held_7_valid;
-      delay_held_9_left <= delay_held_8_left;
-      delay_held_9_right <= delay_held_8_right;
-      delay_held_9_start_of_frame <= delay_held_8_start_of_frame;
-      delay_held_9_valid <= delay_held_8_valid;
-      delay_held_10_left <= delay_held_9_left;
-      delay_held_10_right <= delay_held_9_right;
-      delay_held_10_start_of_frame <= delay_held_9_start_of_frame;
-      delay_held_10_valid <= delay_held_9_valid;
+      delay_held_left(0) <= in_left_pixel;
+      delay_held_right(0) <= in_right_pixel;
+      delay_held_start_of_frame(0) <= in_start_of_frame;
+      delay_held_valid(0) <= in_valid;
+      for i in 1 to 10 loop
+        delay_held_left(i) <= delay_held_left(i - 1);
+        delay_held_right(i) <= delay_held_right(i - 1);
+        delay_held_start_of_frame(i) <= delay_held_start_of_frame(i - 1);
+        delay_held_valid(i) <= delay_held_valid(i - 1);
+      end loop;
       -- grid
       grid_node_row_all := counter_group_differs and (16 < counter_group);
       grid_node_row_sum := counter_group + 495;
@@ -700,98 +666,98 @@ begin
       end if;
       grid_node_column <= counter_column / 16;
       grid_node_row <= grid_node_row_choice / 16;
-      grid_weight_x_held_0 <= counter_column mod 16;
-      grid_weight_x_held_1 <= grid_weight_x_held_0;
-      grid_weight_x_held_2 <= grid_weight_x_held_1;
-      grid_weight_x_held_3 <= grid_weight_x_held_2;
-      grid_weight_x_held_4 <= grid_weight_x_held_3;
-      grid_weight_y_held_1 <= grid_weight_y_held_0;
-      grid_weight_y_held_2 <= grid_weight_y_held_1;
-      grid_weight_y_held_3 <= grid_weight_y_held_2;
-      grid_weight_y_held_4 <= grid_weight_y_held_3;
+      grid_weight_x_held(0) <= counter_column mod 16;
+      grid_weight_x_held(1) <= grid_weight_x_held(0);
+      grid_weight_x_held(2) <= grid_weight_x_held(1);
+      grid_weight_x_held(3) <= grid_weight_x_held(2);
+      grid_weight_x_held(4) <= grid_weight_x_held(3);
+      grid_weight_y_held(1) <= grid_weight_y_held(0);
+      grid_weight_y_held(2) <= grid_weight_y_held(1);
+      grid_weight_y_held(3) <= grid_weight_y_held(2);
+      grid_weight_y_held(4) <= grid_weight_y_held(3);
       if grid_node_row_all then
-        grid_weight_y_held_0 <= grid_node_row_sum mod 16;
+        grid_weight_y_held(0) <= grid_node_row_sum mod 16;
       else
-        grid_weight_y_held_0 <= 0;
+        grid_weight_y_held(0) <= 0;
       end if;
       -- leftoffsets
-      if leftoffsets_nodes_column_odd_3 then
+      if leftoffsets_nodes_column_odd(3) then
         leftoffsets_x_left_from_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
       else
         leftoffsets_x_left_from_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_column_odd_3 then
-        leftoffsets_x_left_from_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
+      if leftoffsets_nodes_column_odd(3) then
+        leftoffsets_x_left_from_choices(2) := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
       else
-        leftoffsets_x_left_from_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
+        leftoffsets_x_left_from_choices(2) := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        leftoffsets_x_left_from_choice_3 := leftoffsets_x_left_from_choice;
+      if leftoffsets_nodes_row_odd(3) then
+        leftoffsets_x_left_from_choices(3) := leftoffsets_x_left_from_choice;
       else
-        leftoffsets_x_left_from_choice_3 := leftoffsets_x_left_from_choice_2;
+        leftoffsets_x_left_from_choices(3) := leftoffsets_x_left_from_choices(2);
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        leftoffsets_x_left_difference_choice := leftoffsets_x_left_from_choice_2;
+      if leftoffsets_nodes_row_odd(3) then
+        leftoffsets_x_left_difference_choice := leftoffsets_x_left_from_choices(2);
       else
         leftoffsets_x_left_difference_choice := leftoffsets_x_left_from_choice;
       end if;
-      if leftoffsets_nodes_column_odd_3 then
+      if leftoffsets_nodes_column_odd(3) then
         leftoffsets_x_right_from_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
       else
         leftoffsets_x_right_from_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_column_odd_3 then
-        leftoffsets_x_right_from_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
+      if leftoffsets_nodes_column_odd(3) then
+        leftoffsets_x_right_from_choices(2) := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
       else
-        leftoffsets_x_right_from_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
+        leftoffsets_x_right_from_choices(2) := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        leftoffsets_x_right_from_choice_3 := leftoffsets_x_right_from_choice;
+      if leftoffsets_nodes_row_odd(3) then
+        leftoffsets_x_right_from_choices(3) := leftoffsets_x_right_from_choice;
       else
-        leftoffsets_x_right_from_choice_3 := leftoffsets_x_right_from_choice_2;
+        leftoffsets_x_right_from_choices(3) := leftoffsets_x_right_from_choices(2);
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        leftoffsets_x_right_difference_choice := leftoffsets_x_right_from_choice_2;
+      if leftoffsets_nodes_row_odd(3) then
+        leftoffsets_x_right_difference_choice := leftoffsets_x_right_from_choices(2);
       else
         leftoffsets_x_right_difference_choice := leftoffsets_x_right_from_choice;
       end if;
-      if leftoffsets_nodes_column_odd_3 then
+      if leftoffsets_nodes_column_odd(3) then
         leftoffsets_y_left_from_choice := leftoffsets_nodes_odd_odd_ready_word;
       else
         leftoffsets_y_left_from_choice := leftoffsets_nodes_odd_even_ready_word;
       end if;
-      if leftoffsets_nodes_column_odd_3 then
-        leftoffsets_y_left_from_choice_2 := leftoffsets_nodes_even_odd_ready_word;
+      if leftoffsets_nodes_column_odd(3) then
+        leftoffsets_y_left_from_choices(2) := leftoffsets_nodes_even_odd_ready_word;
       else
-        leftoffsets_y_left_from_choice_2 := leftoffsets_nodes_even_even_ready_word;
+        leftoffsets_y_left_from_choices(2) := leftoffsets_nodes_even_even_ready_word;
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        leftoffsets_y_left_from_choice_3 := leftoffsets_y_left_from_choice;
+      if leftoffsets_nodes_row_odd(3) then
+        leftoffsets_y_left_from_choices(3) := leftoffsets_y_left_from_choice;
       else
-        leftoffsets_y_left_from_choice_3 := leftoffsets_y_left_from_choice_2;
+        leftoffsets_y_left_from_choices(3) := leftoffsets_y_left_from_choices(2);
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        leftoffsets_y_left_difference_choice := leftoffsets_y_left_from_choice_2;
+      if leftoffsets_nodes_row_odd(3) then
+        leftoffsets_y_left_difference_choice := leftoffsets_y_left_from_choices(2);
       else
         leftoffsets_y_left_difference_choice := leftoffsets_y_left_from_choice;
       end if;
-      if leftoffsets_nodes_column_odd_3 then
+      if leftoffsets_nodes_column_odd(3) then
         leftoffsets_y_right_from_choice := leftoffsets_nodes_odd_even_ready_word;
       else
         leftoffsets_y_right_from_choice := leftoffsets_nodes_odd_odd_ready_word;
       end if;
-      if leftoffsets_nodes_column_odd_3 then
-        leftoffsets_y_right_from_choice_2 := leftoffsets_nodes_even_even_ready_word;
+      if leftoffsets_nodes_column_odd(3) then
+        leftoffsets_y_right_from_choices(2) := leftoffsets_nodes_even_even_ready_word;
       else
-        leftoffsets_y_right_from_choice_2 := leftoffsets_nodes_even_odd_ready_word;
+        leftoffsets_y_right_from_choices(2) := leftoffsets_nodes_even_odd_ready_word;
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        leftoffsets_y_right_from_choice_3 := leftoffsets_y_right_from_choice;
+      if leftoffsets_nodes_row_odd(3) then
+        leftoffsets_y_right_from_choices(3) := leftoffsets_y_right_from_choice;
       else
-        leftoffsets_y_right_from_choice_3 := leftoffsets_y_right_from_choice_2;
+        leftoffsets_y_right_from_choices(3) := leftoffsets_y_right_from_choices(2);
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        leftoffsets_y_right_difference_choice := leftoffsets_y_right_from_choice_2;
+      if leftoffsets_nodes_row_odd(3) then
+        leftoffsets_y_right_difference_choice := leftoffsets_y_right_from_choices(2);
       else
         leftoffsets_y_right_difference_choice := leftoffsets_y_right_from_choice;
       end if;
@@ -800,14 +766,14 @@ begin
       leftoffsets_nodes_even_column <= (grid_node_column + 1) / 2;
       leftoffsets_nodes_odd_column <= grid_node_column / 2;
       leftoffsets_nodes_write_column <= (in_node_column mod 1024) / 2;
-      leftoffsets_nodes_to_even_even <= (not ((in_node_column mod 2) = 1)) and (not ((in_node_row mod 2) = 1)) and
+      leftoffsets_nodes_to_even_even <= (not is_set(in_node_column, 0)) and (not is_set(in_node_row, 0)) and
         in_node_valid and (not in_node_right);
-      leftoffsets_nodes_to_even_odd <= ((in_node_column mod 2) = 1) and (not ((in_node_row mod 2) = 1)) and
-        in_node_valid and (not in_node_right);
-      leftoffsets_nodes_to_odd_even <= (not ((in_node_column mod 2) = 1)) and ((in_node_row mod 2) = 1) and
-        in_node_valid and (not in_node_right);
-      leftoffsets_nodes_to_odd_odd <= ((in_node_column mod 2) = 1) and ((in_node_row mod 2) = 1) and in_node_valid and
+      leftoffsets_nodes_to_even_odd <= is_set(in_node_column, 0) and (not is_set(in_node_row, 0)) and in_node_valid and
         (not in_node_right);
+      leftoffsets_nodes_to_odd_even <= (not is_set(in_node_column, 0)) and is_set(in_node_row, 0) and in_node_valid and
+        (not in_node_right);
+      leftoffsets_nodes_to_odd_odd <= is_set(in_node_column, 0) and is_set(in_node_row, 0) and in_node_valid and (not
+        in_node_right);
       leftoffsets_nodes_written <= to_unsigned(to_integer(((to_unsigned(in_node_y, 16)) xor (to_unsigned(32768, 16)))),
         16) & to_unsigned(to_integer(((to_unsigned(in_node_x, 16)) xor (to_unsigned(32768, 16)))), 16);
       leftoffsets_nodes_even_even_read_address <= leftoffsets_nodes_even_line + leftoffsets_nodes_even_column;
@@ -818,45 +784,45 @@ begin
       leftoffsets_nodes_odd_even_ready_word <= leftoffsets_nodes_odd_even_read_word;
       leftoffsets_nodes_odd_odd_read_address <= leftoffsets_nodes_odd_line + leftoffsets_nodes_odd_column;
       leftoffsets_nodes_odd_odd_ready_word <= leftoffsets_nodes_odd_odd_read_word;
-      leftoffsets_nodes_row_odd_0 <= (grid_node_row mod 2) = 1;
-      leftoffsets_nodes_row_odd_1 <= leftoffsets_nodes_row_odd_0;
-      leftoffsets_nodes_row_odd_2 <= leftoffsets_nodes_row_odd_1;
-      leftoffsets_nodes_row_odd_3 <= leftoffsets_nodes_row_odd_2;
-      leftoffsets_nodes_column_odd_0 <= (grid_node_column mod 2) = 1;
-      leftoffsets_nodes_column_odd_1 <= leftoffsets_nodes_column_odd_0;
-      leftoffsets_nodes_column_odd_2 <= leftoffsets_nodes_column_odd_1;
-      leftoffsets_nodes_column_odd_3 <= leftoffsets_nodes_column_odd_2;
-      leftoffsets_x_left_from <= leftoffsets_x_left_from_choice_3;
-      leftoffsets_x_left_difference <= leftoffsets_x_left_difference_choice - leftoffsets_x_left_from_choice_3;
-      leftoffsets_x_left_part <= grid_weight_y_held_4;
+      leftoffsets_nodes_row_odd(0) <= is_set(grid_node_row, 0);
+      leftoffsets_nodes_row_odd(1) <= leftoffsets_nodes_row_odd(0);
+      leftoffsets_nodes_row_odd(2) <= leftoffsets_nodes_row_odd(1);
+      leftoffsets_nodes_row_odd(3) <= leftoffsets_nodes_row_odd(2);
+      leftoffsets_nodes_column_odd(0) <= is_set(grid_node_column, 0);
+      leftoffsets_nodes_column_odd(1) <= leftoffsets_nodes_column_odd(0);
+      leftoffsets_nodes_column_odd(2) <= leftoffsets_nodes_column_odd(1);
+      leftoffsets_nodes_column_odd(3) <= leftoffsets_nodes_column_odd(2);
+      leftoffsets_x_left_from <= leftoffsets_x_left_from_choices(3);
+      leftoffsets_x_left_difference <= leftoffsets_x_left_difference_choice - leftoffsets_x_left_from_choices(3);
+      leftoffsets_x_left_part <= grid_weight_y_held(4);
       leftoffsets_x_left_base <= leftoffsets_x_left_from * 16;
-      leftoffsets_x_left_value <= ((((leftoffsets_x_left_base / 16) + (other_9 / 16)) mod 65536) * 16) + (other_9 mod
-        16);
-      leftoffsets_x_right_from <= leftoffsets_x_right_from_choice_3;
-      leftoffsets_x_right_difference <= leftoffsets_x_right_difference_choice - leftoffsets_x_right_from_choice_3;
+      leftoffsets_x_left_value <= ((((leftoffsets_x_left_base / 16) + (others_from_7(9) / 16)) mod 65536) * 16) +
+        (others_from_7(9) mod 16);
+      leftoffsets_x_right_from <= leftoffsets_x_right_from_choices(3);
+      leftoffsets_x_right_difference <= leftoffsets_x_right_difference_choice - leftoffsets_x_right_from_choices(3);
       leftoffsets_x_right_base <= leftoffsets_x_right_from * 16;
-      leftoffsets_x_right_value <= ((((leftoffsets_x_right_base / 16) + (other_8 / 16)) mod 65536) * 16) + (other_8 mod
-        16);
-      leftoffsets_x_weight_x_held_0 <= grid_weight_x_held_4;
-      leftoffsets_x_weight_x_held_1 <= leftoffsets_x_weight_x_held_0;
-      leftoffsets_x_weight_x_held_2 <= leftoffsets_x_weight_x_held_1;
+      leftoffsets_x_right_value <= ((((leftoffsets_x_right_base / 16) + (others_from_7(8) / 16)) mod 65536) * 16) +
+        (others_from_7(8) mod 16);
+      leftoffsets_x_weight_x_held(0) <= grid_weight_x_held(4);
+      leftoffsets_x_weight_x_held(1) <= leftoffsets_x_weight_x_held(0);
+      leftoffsets_x_weight_x_held(2) <= leftoffsets_x_weight_x_held(1);
       leftoffsets_x_row_from <= leftoffsets_x_left_value;
       leftoffsets_x_row_difference <= leftoffsets_x_right_value - leftoffsets_x_left_value;
-      leftoffsets_x_row_part <= leftoffsets_x_weight_x_held_2;
+      leftoffsets_x_row_part <= leftoffsets_x_weight_x_held(2);
       leftoffsets_x_row_base <= ((((leftoffsets_x_row_from * 16) / 256) + 1) * 256) + ((leftoffsets_x_row_from mod 16)
         * 16);
       leftoffsets_x_row_share <= leftoffsets_x_row_difference * leftoffsets_x_row_part;
       leftoffsets_x_row_value <= ((((leftoffsets_x_row_base / 16) + ((leftoffsets_x_row_share mod 33554432) / 16)) mod
         2097152) * 16) / 512;
-      leftoffsets_y_left_from <= to_integer(leftoffsets_y_left_from_choice_3(31 downto 16));
+      leftoffsets_y_left_from <= to_integer(leftoffsets_y_left_from_choices(3)(31 downto 16));
       leftoffsets_y_left_difference <= to_integer(leftoffsets_y_left_difference_choice(31 downto 16)) -
-        to_integer(leftoffsets_y_left_from_choice_3(31 downto 16));
+        to_integer(leftoffsets_y_left_from_choices(3)(31 downto 16));
       leftoffsets_y_left_base <= leftoffsets_y_left_from * 16;
-      leftoffsets_y_left_value <= ((((leftoffsets_y_left_base / 16) + (other_7 / 16)) mod 65536) * 16) + (other_7 mod
-        16);
-      leftoffsets_y_right_from <= to_integer(leftoffsets_y_right_from_choice_3(31 downto 16));
+      leftoffsets_y_left_value <= ((((leftoffsets_y_left_base / 16) + (others_from_7(7) / 16)) mod 65536) * 16) +
+        (others_from_7(7) mod 16);
+      leftoffsets_y_right_from <= to_integer(leftoffsets_y_right_from_choices(3)(31 downto 16));
       leftoffsets_y_right_difference <= to_integer(leftoffsets_y_right_difference_choice(31 downto 16)) -
-        to_integer(leftoffsets_y_right_from_choice_3(31 downto 16));
+        to_integer(leftoffsets_y_right_from_choices(3)(31 downto 16));
       leftoffsets_y_right_base <= leftoffsets_y_right_from * 16;
       leftoffsets_y_right_value <= ((((leftoffsets_y_right_base / 16) + (other_5 / 16)) mod 65536) * 16) + (other_5 mod
         16);
@@ -891,107 +857,107 @@ begin
         leftoffsets_nodes_odd_odd_write_word <= leftoffsets_nodes_written;
       end if;
       -- rightoffsets
-      if leftoffsets_nodes_column_odd_3 then
+      if leftoffsets_nodes_column_odd(3) then
         rightoffsets_x_left_from_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
       else
         rightoffsets_x_left_from_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_column_odd_3 then
-        rightoffsets_x_left_from_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
+      if leftoffsets_nodes_column_odd(3) then
+        rightoffsets_x_left_from_choices(2) := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
       else
-        rightoffsets_x_left_from_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
+        rightoffsets_x_left_from_choices(2) := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        rightoffsets_x_left_from_choice_3 := rightoffsets_x_left_from_choice;
+      if leftoffsets_nodes_row_odd(3) then
+        rightoffsets_x_left_from_choices(3) := rightoffsets_x_left_from_choice;
       else
-        rightoffsets_x_left_from_choice_3 := rightoffsets_x_left_from_choice_2;
+        rightoffsets_x_left_from_choices(3) := rightoffsets_x_left_from_choices(2);
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        rightoffsets_x_left_difference_choice := rightoffsets_x_left_from_choice_2;
+      if leftoffsets_nodes_row_odd(3) then
+        rightoffsets_x_left_difference_choice := rightoffsets_x_left_from_choices(2);
       else
         rightoffsets_x_left_difference_choice := rightoffsets_x_left_from_choice;
       end if;
-      if leftoffsets_nodes_column_odd_3 then
+      if leftoffsets_nodes_column_odd(3) then
         rightoffsets_x_right_from_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
       else
         rightoffsets_x_right_from_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_column_odd_3 then
-        rightoffsets_x_right_from_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
+      if leftoffsets_nodes_column_odd(3) then
+        rightoffsets_x_right_from_choices(2) := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
       else
-        rightoffsets_x_right_from_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
+        rightoffsets_x_right_from_choices(2) := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        rightoffsets_x_right_from_choice_3 := rightoffsets_x_right_from_choice;
+      if leftoffsets_nodes_row_odd(3) then
+        rightoffsets_x_right_from_choices(3) := rightoffsets_x_right_from_choice;
       else
-        rightoffsets_x_right_from_choice_3 := rightoffsets_x_right_from_choice_2;
+        rightoffsets_x_right_from_choices(3) := rightoffsets_x_right_from_choices(2);
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        rightoffsets_x_right_difference_choice := rightoffsets_x_right_from_choice_2;
+      if leftoffsets_nodes_row_odd(3) then
+        rightoffsets_x_right_difference_choice := rightoffsets_x_right_from_choices(2);
       else
         rightoffsets_x_right_difference_choice := rightoffsets_x_right_from_choice;
       end if;
-      if leftoffsets_nodes_column_odd_3 then
+      if leftoffsets_nodes_column_odd(3) then
         rightoffsets_y_left_from_choice := rightoffsets_nodes_odd_odd_ready_word;
       else
         rightoffsets_y_left_from_choice := rightoffsets_nodes_odd_even_ready_word;
       end if;
-      if leftoffsets_nodes_column_odd_3 then
-        rightoffsets_y_left_from_choice_2 := rightoffsets_nodes_even_odd_ready_word;
+      if leftoffsets_nodes_column_odd(3) then
+        rightoffsets_y_left_from_choices(2) := rightoffsets_nodes_even_odd_ready_word;
       else
-        rightoffsets_y_left_from_choice_2 := rightoffsets_nodes_even_even_ready_word;
+        rightoffsets_y_left_from_choices(2) := rightoffsets_nodes_even_even_ready_word;
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        rightoffsets_y_left_from_choice_3 := rightoffsets_y_left_from_choice;
+      if leftoffsets_nodes_row_odd(3) then
+        rightoffsets_y_left_from_choices(3) := rightoffsets_y_left_from_choice;
       else
-        rightoffsets_y_left_from_choice_3 := rightoffsets_y_left_from_choice_2;
+        rightoffsets_y_left_from_choices(3) := rightoffsets_y_left_from_choices(2);
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        rightoffsets_y_left_difference_choice := rightoffsets_y_left_from_choice_2;
+      if leftoffsets_nodes_row_odd(3) then
+        rightoffsets_y_left_difference_choice := rightoffsets_y_left_from_choices(2);
       else
         rightoffsets_y_left_difference_choice := rightoffsets_y_left_from_choice;
       end if;
-      if leftoffsets_nodes_column_odd_3 then
+      if leftoffsets_nodes_column_odd(3) then
         rightoffsets_y_right_from_choice := rightoffsets_nodes_odd_even_ready_word;
       else
         rightoffsets_y_right_from_choice := rightoffsets_nodes_odd_odd_ready_word;
       end if;
-      if leftoffsets_nodes_column_odd_3 then
-        rightoffsets_y_right_from_choice_2 := rightoffsets_nodes_even_even_ready_word;
+      if leftoffsets_nodes_column_odd(3) then
+        rightoffsets_y_right_from_choices(2) := rightoffsets_nodes_even_even_ready_word;
       else
-        rightoffsets_y_right_from_choice_2 := rightoffsets_nodes_even_odd_ready_word;
+        rightoffsets_y_right_from_choices(2) := rightoffsets_nodes_even_odd_ready_word;
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        rightoffsets_y_right_from_choice_3 := rightoffsets_y_right_from_choice;
+      if leftoffsets_nodes_row_odd(3) then
+        rightoffsets_y_right_from_choices(3) := rightoffsets_y_right_from_choice;
       else
-        rightoffsets_y_right_from_choice_3 := rightoffsets_y_right_from_choice_2;
+        rightoffsets_y_right_from_choices(3) := rightoffsets_y_right_from_choices(2);
       end if;
-      if leftoffsets_nodes_row_odd_3 then
-        rightoffsets_y_right_difference_choice := rightoffsets_y_right_from_choice_2;
+      if leftoffsets_nodes_row_odd(3) then
+        rightoffsets_y_right_difference_choice := rightoffsets_y_right_from_choices(2);
       else
         rightoffsets_y_right_difference_choice := rightoffsets_y_right_from_choice;
       end if;
-      rightoffsets_nodes_to_even_even <= (not ((in_node_column mod 2) = 1)) and (not ((in_node_row mod 2) = 1)) and
+      rightoffsets_nodes_to_even_even <= (not is_set(in_node_column, 0)) and (not is_set(in_node_row, 0)) and
         in_node_valid and in_node_right;
-      rightoffsets_nodes_to_even_odd <= ((in_node_column mod 2) = 1) and (not ((in_node_row mod 2) = 1)) and
-        in_node_valid and in_node_right;
-      rightoffsets_nodes_to_odd_even <= (not ((in_node_column mod 2) = 1)) and ((in_node_row mod 2) = 1) and
-        in_node_valid and in_node_right;
-      rightoffsets_nodes_to_odd_odd <= ((in_node_column mod 2) = 1) and ((in_node_row mod 2) = 1) and in_node_valid and
+      rightoffsets_nodes_to_even_odd <= is_set(in_node_column, 0) and (not is_set(in_node_row, 0)) and in_node_valid
+        and in_node_right;
+      rightoffsets_nodes_to_odd_even <= (not is_set(in_node_column, 0)) and is_set(in_node_row, 0) and in_node_valid
+        and in_node_right;
+      rightoffsets_nodes_to_odd_odd <= is_set(in_node_column, 0) and is_set(in_node_row, 0) and in_node_valid and
         in_node_right;
       rightoffsets_nodes_even_even_ready_word <= rightoffsets_nodes_even_even_read_word;
       rightoffsets_nodes_even_odd_ready_word <= rightoffsets_nodes_even_odd_read_word;
       rightoffsets_nodes_odd_even_ready_word <= rightoffsets_nodes_odd_even_read_word;
       rightoffsets_nodes_odd_odd_ready_word <= rightoffsets_nodes_odd_odd_read_word;
-      rightoffsets_x_left_from <= rightoffsets_x_left_from_choice_3;
-      rightoffsets_x_left_difference <= rightoffsets_x_left_difference_choice - rightoffsets_x_left_from_choice_3;
+      rightoffsets_x_left_from <= rightoffsets_x_left_from_choices(3);
+      rightoffsets_x_left_difference <= rightoffsets_x_left_difference_choice - rightoffsets_x_left_from_choices(3);
       rightoffsets_x_left_base <= rightoffsets_x_left_from * 16;
-      rightoffsets_x_left_value <= ((((rightoffsets_x_left_base / 16) + (other_3 / 16)) mod 65536) * 16) + (other_3 mod
-        16);
-      rightoffsets_x_right_from <= rightoffsets_x_right_from_choice_3;
-      rightoffsets_x_right_difference <= rightoffsets_x_right_difference_choice - rightoffsets_x_right_from_choice_3;
+      rightoffsets_x_left_value <= ((((rightoffsets_x_left_base / 16) + (other(3) / 16)) mod 65536) * 16) + (other(3)
+        mod 16);
+      rightoffsets_x_right_from <= rightoffsets_x_right_from_choices(3);
+      rightoffsets_x_right_difference <= rightoffsets_x_right_difference_choice - rightoffsets_x_right_from_choices(3);
       rightoffsets_x_right_base <= rightoffsets_x_right_from * 16;
-      rightoffsets_x_right_value <= ((((rightoffsets_x_right_base / 16) + (other_2 / 16)) mod 65536) * 16) + (other_2
+      rightoffsets_x_right_value <= ((((rightoffsets_x_right_base / 16) + (other(2) / 16)) mod 65536) * 16) + (other(2)
         mod 16);
       rightoffsets_x_row_from <= rightoffsets_x_left_value;
       rightoffsets_x_row_difference <= rightoffsets_x_right_value - rightoffsets_x_left_value;
@@ -1000,17 +966,17 @@ begin
       rightoffsets_x_row_share <= rightoffsets_x_row_difference * leftoffsets_x_row_part;
       rightoffsets_x_row_value <= ((((rightoffsets_x_row_base / 16) + ((rightoffsets_x_row_share mod 33554432) / 16))
         mod 2097152) * 16) / 512;
-      rightoffsets_y_left_from <= to_integer(rightoffsets_y_left_from_choice_3(31 downto 16));
+      rightoffsets_y_left_from <= to_integer(rightoffsets_y_left_from_choices(3)(31 downto 16));
       rightoffsets_y_left_difference <= to_integer(rightoffsets_y_left_difference_choice(31 downto 16)) -
-        to_integer(rightoffsets_y_left_from_choice_3(31 downto 16));
+        to_integer(rightoffsets_y_left_from_choices(3)(31 downto 16));
       rightoffsets_y_left_base <= rightoffsets_y_left_from * 16;
-      rightoffsets_y_left_value <= ((((rightoffsets_y_left_base / 16) + (other_1 / 16)) mod 65536) * 16) + (other_1 mod
-        16);
-      rightoffsets_y_right_from <= to_integer(rightoffsets_y_right_from_choice_3(31 downto 16));
+      rightoffsets_y_left_value <= ((((rightoffsets_y_left_base / 16) + (other(1) / 16)) mod 65536) * 16) + (other(1)
+        mod 16);
+      rightoffsets_y_right_from <= to_integer(rightoffsets_y_right_from_choices(3)(31 downto 16));
       rightoffsets_y_right_difference <= to_integer(rightoffsets_y_right_difference_choice(31 downto 16)) -
-        to_integer(rightoffsets_y_right_from_choice_3(31 downto 16));
+        to_integer(rightoffsets_y_right_from_choices(3)(31 downto 16));
       rightoffsets_y_right_base <= rightoffsets_y_right_from * 16;
-      rightoffsets_y_right_value <= ((((rightoffsets_y_right_base / 16) + (other_0 / 16)) mod 65536) * 16) + (other_0
+      rightoffsets_y_right_value <= ((((rightoffsets_y_right_base / 16) + (other(0) / 16)) mod 65536) * 16) + (other(0)
         mod 16);
       rightoffsets_y_row_from <= rightoffsets_y_left_value;
       rightoffsets_y_row_difference <= rightoffsets_y_right_value - rightoffsets_y_left_value;
@@ -1047,12 +1013,12 @@ begin
       end if;
       sample_place_next_frame_is_equal_2 := sample_place_group = 479;
       if sample_place_next_frame_is_equal_2 then
-        sample_place_next_frame_choice_2 := (not delay_held_10_start_of_frame) or sample_place_column_is_equal;
+        sample_place_next_frame_choice_2 := (not delay_held_start_of_frame(10)) or sample_place_column_is_equal;
       else
-        sample_place_next_frame_choice_2 := not delay_held_10_start_of_frame;
+        sample_place_next_frame_choice_2 := not delay_held_start_of_frame(10);
       end if;
-      if delay_held_10_valid then
-        if delay_held_10_start_of_frame or sample_place_column_is_equal then
+      if delay_held_valid(10) then
+        if delay_held_start_of_frame(10) or sample_place_column_is_equal then
           sample_place_column <= 0;
         else
           sample_place_column <= sample_place_column_sum mod 1024;
@@ -1060,7 +1026,7 @@ begin
         if sample_place_next_frame_choice then
           sample_place_next_frame <= sample_place_next_frame_choice_2;
         else
-          sample_place_next_frame <= sample_place_next_frame_is_equal_2 and delay_held_10_start_of_frame and
+          sample_place_next_frame <= sample_place_next_frame_is_equal_2 and delay_held_start_of_frame(10) and
             sample_place_column_is_equal;
         end if;
       end if;
@@ -1071,18 +1037,18 @@ begin
       end if;
       sample_place_group_differs := sample_place_group /= 497;
       if sample_place_next_frame_is_equal and sample_place_next_frame then
-        sample_place_group_choice_2 := 17;
+        sample_place_group_choices(2) := 17;
       else
-        sample_place_group_choice_2 := (sample_place_group + 1) mod 512;
+        sample_place_group_choices(2) := (sample_place_group + 1) mod 512;
       end if;
-      if sample_place_column_is_equal and delay_held_10_valid and sample_place_group_differs then
-        sample_place_group_choice_3 := sample_place_group_choice_2;
+      if sample_place_column_is_equal and delay_held_valid(10) and sample_place_group_differs then
+        sample_place_group_choices(3) := sample_place_group_choices(2);
       else
-        sample_place_group_choice_3 := sample_place_group;
+        sample_place_group_choices(3) := sample_place_group;
       end if;
-      sample_pixels_left <= delay_held_10_left;
-      sample_pixels_right <= delay_held_10_right;
-      sample_pixels_valid <= delay_held_10_valid;
+      sample_pixels_left <= delay_held_left(10);
+      sample_pixels_right <= delay_held_right(10);
+      sample_pixels_valid <= delay_held_valid(10);
       sample_row <= (sample_place_group + 495) mod 512;
       sample_leaves <= sample_place_group_differs and (16 < sample_place_group);
       sample_starts <= (sample_place_group = 17) and (sample_place_column = 0);
@@ -1097,12 +1063,12 @@ begin
       sample_kept_pixels_right <= sample_taken_pixels_right;
       sample_kept_pixels_valid <= sample_taken_pixels_valid;
       sample_kept_starts <= sample_starts;
-      if delay_held_10_start_of_frame and delay_held_10_valid then
+      if delay_held_start_of_frame(10) and delay_held_valid(10) then
         sample_place_group <= sample_place_group_choice * 32;
       else
-        sample_place_group <= sample_place_group_choice_3;
+        sample_place_group <= sample_place_group_choices(3);
       end if;
-      if sample_place_column_is_equal and delay_held_10_valid then
+      if sample_place_column_is_equal and delay_held_valid(10) then
         if sample_slot = 33 then
           sample_slot <= 0;
         else
@@ -1116,70 +1082,70 @@ begin
       lefttaps_taps_row_is_not_less := (lefttaps_offset_y / 32) >= 495;
       lefttaps_taps_row_is_less := (lefttaps_offset_y / 32) < 529;
       lefttaps_taps_row_value := (((lefttaps_taps_row_difference mod 64) / 2) mod 2) = 1;
-      if (not ((sample_taken_row mod 2) = 1)) and ((lefttaps_taps_row_difference mod 2) = 1) and
+      if (not is_set(sample_taken_row, 0)) and is_set(lefttaps_taps_row_difference, 0) and
         lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less then
-        lefttaps_taps_row_choice := (not (((sample_taken_row / 2) mod 2) = 1)) or (lefttaps_taps_row_value and
+        lefttaps_taps_row_choice := (not is_set(sample_taken_row, 1)) or (lefttaps_taps_row_value and
           lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less);
       else
-        lefttaps_taps_row_choice := (not (((sample_taken_row / 2) mod 2) = 1)) and lefttaps_taps_row_value and
+        lefttaps_taps_row_choice := (not is_set(sample_taken_row, 1)) and lefttaps_taps_row_value and
           lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less;
       end if;
-      lefttaps_taps_row_value_2 := ((sample_taken_row / 4) mod 2) = 1;
+      lefttaps_taps_row_values(2) := is_set(sample_taken_row, 2);
       lefttaps_taps_row_all := lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less;
       if lefttaps_taps_row_choice then
-        lefttaps_taps_row_choice_2 := lefttaps_taps_row_value_2 and ((not ((((lefttaps_taps_row_difference mod 64) / 4)
-          mod 2) = 1)) or (not lefttaps_taps_row_all));
+        lefttaps_taps_row_choices(2) := lefttaps_taps_row_values(2) and ((not ((((lefttaps_taps_row_difference mod 64)
+          / 4) mod 2) = 1)) or (not lefttaps_taps_row_all));
       else
-        lefttaps_taps_row_choice_2 := lefttaps_taps_row_value_2 or (not ((((lefttaps_taps_row_difference mod 64) / 4)
-          mod 2) = 1)) or (not lefttaps_taps_row_all);
+        lefttaps_taps_row_choices(2) := lefttaps_taps_row_values(2) or (not ((((lefttaps_taps_row_difference mod 64) /
+          4) mod 2) = 1)) or (not lefttaps_taps_row_all);
       end if;
-      lefttaps_taps_row_value_3 := ((sample_taken_row / 8) mod 2) = 1;
-      if lefttaps_taps_row_choice_2 then
-        lefttaps_taps_row_choice_3 := lefttaps_taps_row_value_3 or (not ((((lefttaps_taps_row_difference mod 64) / 8)
-          mod 2) = 1)) or (not lefttaps_taps_row_all);
+      lefttaps_taps_row_values(3) := is_set(sample_taken_row, 3);
+      if lefttaps_taps_row_choices(2) then
+        lefttaps_taps_row_choices(3) := lefttaps_taps_row_values(3) or (not ((((lefttaps_taps_row_difference mod 64) /
+          8) mod 2) = 1)) or (not lefttaps_taps_row_all);
       else
-        lefttaps_taps_row_choice_3 := lefttaps_taps_row_value_3 and ((not ((((lefttaps_taps_row_difference mod 64) / 8)
-          mod 2) = 1)) or (not lefttaps_taps_row_all));
+        lefttaps_taps_row_choices(3) := lefttaps_taps_row_values(3) and ((not ((((lefttaps_taps_row_difference mod 64)
+          / 8) mod 2) = 1)) or (not lefttaps_taps_row_all));
       end if;
-      lefttaps_taps_row_value_4 := ((sample_taken_row / 16) mod 2) = 1;
-      if lefttaps_taps_row_choice_3 then
-        lefttaps_taps_row_choice_4 := lefttaps_taps_row_value_4 or (not ((((lefttaps_taps_row_difference mod 64) / 16)
-          mod 2) = 1)) or (not lefttaps_taps_row_all);
+      lefttaps_taps_row_values(4) := is_set(sample_taken_row, 4);
+      if lefttaps_taps_row_choices(3) then
+        lefttaps_taps_row_choices(4) := lefttaps_taps_row_values(4) or (not ((((lefttaps_taps_row_difference mod 64) /
+          16) mod 2) = 1)) or (not lefttaps_taps_row_all);
       else
-        lefttaps_taps_row_choice_4 := lefttaps_taps_row_value_4 and ((not ((((lefttaps_taps_row_difference mod 64) /
-          16) mod 2) = 1)) or (not lefttaps_taps_row_all));
+        lefttaps_taps_row_choices(4) := lefttaps_taps_row_values(4) and ((not ((((lefttaps_taps_row_difference mod 64)
+          / 16) mod 2) = 1)) or (not lefttaps_taps_row_all));
       end if;
-      lefttaps_taps_row_value_5 := ((lefttaps_taps_row_difference mod 64) / 32) = 1;
-      if lefttaps_taps_row_choice_4 then
-        lefttaps_taps_row_choice_5 := (not ((sample_taken_row / 32) = 1)) and lefttaps_taps_row_value_5 and
+      lefttaps_taps_row_values(5) := ((lefttaps_taps_row_difference mod 64) / 32) = 1;
+      if lefttaps_taps_row_choices(4) then
+        lefttaps_taps_row_choices(5) := (not is_set(sample_taken_row, 5)) and lefttaps_taps_row_values(5) and
           lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less;
       else
-        lefttaps_taps_row_choice_5 := (not ((sample_taken_row / 32) = 1)) or (lefttaps_taps_row_value_5 and
+        lefttaps_taps_row_choices(5) := (not is_set(sample_taken_row, 5)) or (lefttaps_taps_row_values(5) and
           lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less);
       end if;
       lefttaps_taps_row_sum := ((((sample_taken_row / 2) + 17) mod 32) * 2) + (sample_taken_row mod 2);
-      if lefttaps_taps_row_choice_5 then
-        lefttaps_taps_row_choice_6 := lefttaps_taps_row_sum;
+      if lefttaps_taps_row_choices(5) then
+        lefttaps_taps_row_choices_from_6(6) := lefttaps_taps_row_sum;
       else
-        lefttaps_taps_row_choice_6 := sample_taken_row;
+        lefttaps_taps_row_choices_from_6(6) := sample_taken_row;
       end if;
       if lefttaps_taps_row_all then
-        lefttaps_taps_row_choice_7 := lefttaps_taps_row_difference mod 64;
+        lefttaps_taps_row_choices_from_6(7) := lefttaps_taps_row_difference mod 64;
       else
-        lefttaps_taps_row_choice_7 := 0;
+        lefttaps_taps_row_choices_from_6(7) := 0;
       end if;
       lefttaps_source_x <= (((leftoffsets_x_row_value / 32) + sample_place_column) * 32) + (leftoffsets_x_row_value mod
         32);
       lefttaps_offset_y <= leftoffsets_y_row_value;
-      lefttaps_taps_row <= (lefttaps_taps_row_choice_6 - lefttaps_taps_row_choice_7) mod 64;
+      lefttaps_taps_row <= (lefttaps_taps_row_choices_from_6(6) - lefttaps_taps_row_choices_from_6(7)) mod 64;
       lefttaps_weight_x <= lefttaps_source_x mod 32;
       lefttaps_weight_y <= lefttaps_offset_y mod 32;
-      lefttaps_column_shown_0 <= sample_leaves and lefttaps_taps_column_is_less;
-      lefttaps_column_shown_1 <= ((lefttaps_source_x / 32) >= 511) and ((lefttaps_source_x / 32) < 1151) and
+      lefttaps_column_shown(0) <= sample_leaves and lefttaps_taps_column_is_less;
+      lefttaps_column_shown(1) <= ((lefttaps_source_x / 32) >= 511) and ((lefttaps_source_x / 32) < 1151) and
         sample_leaves;
-      lefttaps_row_shown_0 <= ((((((lefttaps_offset_y / 512) + 4065) mod 4096) * 16) + ((lefttaps_offset_y / 32) mod
+      lefttaps_row_shown(0) <= ((((((lefttaps_offset_y / 512) + 4065) mod 4096) * 16) + ((lefttaps_offset_y / 32) mod
         16)) < 33) and (((sample_row + (lefttaps_offset_y / 32) + 65024) mod 65536) < 480);
-      lefttaps_row_shown_1 <= lefttaps_taps_row_is_not_less and ((lefttaps_offset_y / 32) < 528) and (((sample_row +
+      lefttaps_row_shown(1) <= lefttaps_taps_row_is_not_less and ((lefttaps_offset_y / 32) < 528) and (((sample_row +
         (lefttaps_offset_y / 32) + 65025) mod 65536) < 480);
       if lefttaps_taps_column_is_less then
         lefttaps_taps_column <= ((lefttaps_source_x / 32) + 65025) mod 16384;
@@ -1195,156 +1161,156 @@ begin
       righttaps_taps_row_value := (((righttaps_taps_row_difference mod 64) / 2) mod 2) = 1;
       righttaps_taps_row_all := righttaps_taps_row_is_not_less and righttaps_taps_row_is_less;
       if righttaps_taps_row_value then
-        righttaps_taps_row_choice := righttaps_taps_row_all or (not (((sample_taken_row / 2) mod 2) = 1));
+        righttaps_taps_row_choice := righttaps_taps_row_all or (not is_set(sample_taken_row, 1));
       else
-        righttaps_taps_row_choice := not (((sample_taken_row / 2) mod 2) = 1);
+        righttaps_taps_row_choice := not is_set(sample_taken_row, 1);
       end if;
-      if ((righttaps_taps_row_difference mod 2) = 1) and righttaps_taps_row_is_not_less and righttaps_taps_row_is_less
-        and (not ((sample_taken_row mod 2) = 1)) then
-        righttaps_taps_row_choice_2 := righttaps_taps_row_choice;
+      if is_set(righttaps_taps_row_difference, 0) and righttaps_taps_row_is_not_less and righttaps_taps_row_is_less and
+        (not is_set(sample_taken_row, 0)) then
+        righttaps_taps_row_choices(2) := righttaps_taps_row_choice;
       else
-        righttaps_taps_row_choice_2 := righttaps_taps_row_value and righttaps_taps_row_is_not_less and
-          righttaps_taps_row_is_less and (not (((sample_taken_row / 2) mod 2) = 1));
+        righttaps_taps_row_choices(2) := righttaps_taps_row_value and righttaps_taps_row_is_not_less and
+          righttaps_taps_row_is_less and (not is_set(sample_taken_row, 1));
       end if;
-      righttaps_taps_row_value_2 := (((righttaps_taps_row_difference mod 64) / 4) mod 2) = 1;
-      if righttaps_taps_row_value_2 then
-        righttaps_taps_row_choice_3 := (not righttaps_taps_row_all) and lefttaps_taps_row_value_2;
+      righttaps_taps_row_values(2) := (((righttaps_taps_row_difference mod 64) / 4) mod 2) = 1;
+      if righttaps_taps_row_values(2) then
+        righttaps_taps_row_choices(3) := (not righttaps_taps_row_all) and lefttaps_taps_row_values(2);
       else
-        righttaps_taps_row_choice_3 := lefttaps_taps_row_value_2;
+        righttaps_taps_row_choices(3) := lefttaps_taps_row_values(2);
       end if;
-      if righttaps_taps_row_choice_2 then
-        righttaps_taps_row_choice_4 := righttaps_taps_row_choice_3;
+      if righttaps_taps_row_choices(2) then
+        righttaps_taps_row_choices(4) := righttaps_taps_row_choices(3);
       else
-        righttaps_taps_row_choice_4 := (not righttaps_taps_row_value_2) or (not righttaps_taps_row_all) or
-          lefttaps_taps_row_value_2;
+        righttaps_taps_row_choices(4) := (not righttaps_taps_row_values(2)) or (not righttaps_taps_row_all) or
+          lefttaps_taps_row_values(2);
       end if;
-      righttaps_taps_row_value_3 := (((righttaps_taps_row_difference mod 64) / 8) mod 2) = 1;
-      if righttaps_taps_row_value_3 then
-        righttaps_taps_row_choice_5 := (not righttaps_taps_row_all) and lefttaps_taps_row_value_3;
+      righttaps_taps_row_values(3) := (((righttaps_taps_row_difference mod 64) / 8) mod 2) = 1;
+      if righttaps_taps_row_values(3) then
+        righttaps_taps_row_choices(5) := (not righttaps_taps_row_all) and lefttaps_taps_row_values(3);
       else
-        righttaps_taps_row_choice_5 := lefttaps_taps_row_value_3;
+        righttaps_taps_row_choices(5) := lefttaps_taps_row_values(3);
       end if;
-      if righttaps_taps_row_choice_4 then
-        righttaps_taps_row_choice_6 := (not righttaps_taps_row_value_3) or (not righttaps_taps_row_all) or
-          lefttaps_taps_row_value_3;
+      if righttaps_taps_row_choices(4) then
+        righttaps_taps_row_choices(6) := (not righttaps_taps_row_values(3)) or (not righttaps_taps_row_all) or
+          lefttaps_taps_row_values(3);
       else
-        righttaps_taps_row_choice_6 := righttaps_taps_row_choice_5;
+        righttaps_taps_row_choices(6) := righttaps_taps_row_choices(5);
       end if;
-      righttaps_taps_row_value_4 := (((righttaps_taps_row_difference mod 64) / 16) mod 2) = 1;
-      if righttaps_taps_row_value_4 then
-        righttaps_taps_row_choice_7 := (not righttaps_taps_row_all) and lefttaps_taps_row_value_4;
+      righttaps_taps_row_values(4) := (((righttaps_taps_row_difference mod 64) / 16) mod 2) = 1;
+      if righttaps_taps_row_values(4) then
+        righttaps_taps_row_choices(7) := (not righttaps_taps_row_all) and lefttaps_taps_row_values(4);
       else
-        righttaps_taps_row_choice_7 := lefttaps_taps_row_value_4;
+        righttaps_taps_row_choices(7) := lefttaps_taps_row_values(4);
       end if;
-      if righttaps_taps_row_choice_6 then
-        righttaps_taps_row_choice_8 := (not righttaps_taps_row_value_4) or (not righttaps_taps_row_all) or
-          lefttaps_taps_row_value_4;
+      if righttaps_taps_row_choices(6) then
+        righttaps_taps_row_choices(8) := (not righttaps_taps_row_values(4)) or (not righttaps_taps_row_all) or
+          lefttaps_taps_row_values(4);
       else
-        righttaps_taps_row_choice_8 := righttaps_taps_row_choice_7;
+        righttaps_taps_row_choices(8) := righttaps_taps_row_choices(7);
       end if;
-      righttaps_taps_row_value_5 := ((righttaps_taps_row_difference mod 64) / 32) = 1;
-      if righttaps_taps_row_value_5 then
-        righttaps_taps_row_choice_9 := righttaps_taps_row_all or (not ((sample_taken_row / 32) = 1));
+      righttaps_taps_row_values(5) := ((righttaps_taps_row_difference mod 64) / 32) = 1;
+      if righttaps_taps_row_values(5) then
+        righttaps_taps_row_choices(9) := righttaps_taps_row_all or (not is_set(sample_taken_row, 5));
       else
-        righttaps_taps_row_choice_9 := not ((sample_taken_row / 32) = 1);
+        righttaps_taps_row_choices(9) := not is_set(sample_taken_row, 5);
       end if;
-      if righttaps_taps_row_choice_8 then
-        righttaps_taps_row_choice_10 := righttaps_taps_row_value_5 and righttaps_taps_row_is_not_less and
-          righttaps_taps_row_is_less and (not ((sample_taken_row / 32) = 1));
+      if righttaps_taps_row_choices(8) then
+        righttaps_taps_row_choices(10) := righttaps_taps_row_values(5) and righttaps_taps_row_is_not_less and
+          righttaps_taps_row_is_less and (not is_set(sample_taken_row, 5));
       else
-        righttaps_taps_row_choice_10 := righttaps_taps_row_choice_9;
+        righttaps_taps_row_choices(10) := righttaps_taps_row_choices(9);
       end if;
-      if righttaps_taps_row_choice_10 then
-        righttaps_taps_row_choice_11 := lefttaps_taps_row_sum;
+      if righttaps_taps_row_choices(10) then
+        righttaps_taps_row_choices_from_11(11) := lefttaps_taps_row_sum;
       else
-        righttaps_taps_row_choice_11 := sample_taken_row;
+        righttaps_taps_row_choices_from_11(11) := sample_taken_row;
       end if;
       if righttaps_taps_row_all then
-        righttaps_taps_row_choice_12 := righttaps_taps_row_difference mod 64;
+        righttaps_taps_row_choices_from_11(12) := righttaps_taps_row_difference mod 64;
       else
-        righttaps_taps_row_choice_12 := 0;
+        righttaps_taps_row_choices_from_11(12) := 0;
       end if;
       righttaps_source_x <= (((rightoffsets_x_row_value / 32) + sample_place_column) * 32) + (rightoffsets_x_row_value
         mod 32);
       righttaps_offset_y <= rightoffsets_y_row_value;
-      righttaps_taps_row <= (righttaps_taps_row_choice_11 - righttaps_taps_row_choice_12) mod 64;
+      righttaps_taps_row <= (righttaps_taps_row_choices_from_11(11) - righttaps_taps_row_choices_from_11(12)) mod 64;
       righttaps_weight_x <= righttaps_source_x mod 32;
       righttaps_weight_y <= righttaps_offset_y mod 32;
-      righttaps_column_shown_0 <= righttaps_taps_column_is_less and sample_leaves;
-      righttaps_column_shown_1 <= ((righttaps_source_x / 32) >= 511) and ((righttaps_source_x / 32) < 1151) and
+      righttaps_column_shown(0) <= righttaps_taps_column_is_less and sample_leaves;
+      righttaps_column_shown(1) <= ((righttaps_source_x / 32) >= 511) and ((righttaps_source_x / 32) < 1151) and
         sample_leaves;
-      righttaps_row_shown_0 <= ((((((righttaps_offset_y / 512) + 4065) mod 4096) * 16) + ((righttaps_offset_y / 32) mod
-        16)) < 33) and (((sample_row + (righttaps_offset_y / 32) + 65024) mod 65536) < 480);
-      righttaps_row_shown_1 <= righttaps_taps_row_is_not_less and ((righttaps_offset_y / 32) < 528) and (((sample_row +
-        (righttaps_offset_y / 32) + 65025) mod 65536) < 480);
+      righttaps_row_shown(0) <= ((((((righttaps_offset_y / 512) + 4065) mod 4096) * 16) + ((righttaps_offset_y / 32)
+        mod 16)) < 33) and (((sample_row + (righttaps_offset_y / 32) + 65024) mod 65536) < 480);
+      righttaps_row_shown(1) <= righttaps_taps_row_is_not_less and ((righttaps_offset_y / 32) < 528) and (((sample_row
+        + (righttaps_offset_y / 32) + 65025) mod 65536) < 480);
       if righttaps_taps_column_is_less then
         righttaps_taps_column <= ((righttaps_source_x / 32) + 65025) mod 16384;
       else
         righttaps_taps_column <= 0;
       end if;
       -- leftsampler
-      if lefttaps_row_shown_0 then
-        leftsampler_shown_held_0_choice := (as_number(lefttaps_column_shown_1) * 2) +
-          as_number(lefttaps_column_shown_0);
+      if lefttaps_row_shown(0) then
+        leftsampler_shown_held_0_choice := (as_number(lefttaps_column_shown(1)) * 2) +
+          as_number(lefttaps_column_shown(0));
       else
         leftsampler_shown_held_0_choice := 0;
       end if;
-      if leftsampler_rows_column_odd_3 then
+      if leftsampler_rows_column_odd(3) then
         leftsampler_pixel_left_from_choice := leftsampler_rows_odd_odd_ready_word;
       else
         leftsampler_pixel_left_from_choice := leftsampler_rows_odd_even_ready_word;
       end if;
-      if leftsampler_rows_column_odd_3 then
-        leftsampler_pixel_left_from_choice_2 := leftsampler_rows_even_odd_ready_word;
+      if leftsampler_rows_column_odd(3) then
+        leftsampler_pixel_left_from_choices(2) := leftsampler_rows_even_odd_ready_word;
       else
-        leftsampler_pixel_left_from_choice_2 := leftsampler_rows_even_even_ready_word;
+        leftsampler_pixel_left_from_choices(2) := leftsampler_rows_even_even_ready_word;
       end if;
-      if leftsampler_rows_row_odd_3 then
-        leftsampler_pixel_left_from_choice_3 := leftsampler_pixel_left_from_choice;
+      if leftsampler_rows_row_odd(3) then
+        leftsampler_pixel_left_from_choices(3) := leftsampler_pixel_left_from_choice;
       else
-        leftsampler_pixel_left_from_choice_3 := leftsampler_pixel_left_from_choice_2;
+        leftsampler_pixel_left_from_choices(3) := leftsampler_pixel_left_from_choices(2);
       end if;
-      if (leftsampler_shown_held_3 mod 2) = 1 then
-        leftsampler_pixel_left_from_choice_4 := leftsampler_pixel_left_from_choice_3;
+      if is_set(leftsampler_shown_held(3), 0) then
+        leftsampler_pixel_left_from_choices(4) := leftsampler_pixel_left_from_choices(3);
       else
-        leftsampler_pixel_left_from_choice_4 := 0;
+        leftsampler_pixel_left_from_choices(4) := 0;
       end if;
-      if leftsampler_rows_row_odd_3 then
-        leftsampler_pixel_left_difference_choice := leftsampler_pixel_left_from_choice_2;
+      if leftsampler_rows_row_odd(3) then
+        leftsampler_pixel_left_difference_choice := leftsampler_pixel_left_from_choices(2);
       else
         leftsampler_pixel_left_difference_choice := leftsampler_pixel_left_from_choice;
       end if;
-      if ((leftsampler_shown_held_3 / 4) mod 2) = 1 then
+      if is_set(leftsampler_shown_held(3), 2) then
         leftsampler_pixel_left_difference_choice_2 := leftsampler_pixel_left_difference_choice;
       else
         leftsampler_pixel_left_difference_choice_2 := 0;
       end if;
-      if leftsampler_rows_column_odd_3 then
+      if leftsampler_rows_column_odd(3) then
         leftsampler_pixel_right_from_choice := leftsampler_rows_odd_even_ready_word;
       else
         leftsampler_pixel_right_from_choice := leftsampler_rows_odd_odd_ready_word;
       end if;
-      if leftsampler_rows_column_odd_3 then
-        leftsampler_pixel_right_from_choice_2 := leftsampler_rows_even_even_ready_word;
+      if leftsampler_rows_column_odd(3) then
+        leftsampler_pixel_right_from_choices(2) := leftsampler_rows_even_even_ready_word;
       else
-        leftsampler_pixel_right_from_choice_2 := leftsampler_rows_even_odd_ready_word;
+        leftsampler_pixel_right_from_choices(2) := leftsampler_rows_even_odd_ready_word;
       end if;
-      if leftsampler_rows_row_odd_3 then
-        leftsampler_pixel_right_from_choice_3 := leftsampler_pixel_right_from_choice;
+      if leftsampler_rows_row_odd(3) then
+        leftsampler_pixel_right_from_choices(3) := leftsampler_pixel_right_from_choice;
       else
-        leftsampler_pixel_right_from_choice_3 := leftsampler_pixel_right_from_choice_2;
+        leftsampler_pixel_right_from_choices(3) := leftsampler_pixel_right_from_choices(2);
       end if;
-      if ((leftsampler_shown_held_3 / 2) mod 2) = 1 then
-        leftsampler_pixel_right_from_choice_4 := leftsampler_pixel_right_from_choice_3;
+      if is_set(leftsampler_shown_held(3), 1) then
+        leftsampler_pixel_right_from_choices(4) := leftsampler_pixel_right_from_choices(3);
       else
-        leftsampler_pixel_right_from_choice_4 := 0;
+        leftsampler_pixel_right_from_choices(4) := 0;
       end if;
-      if leftsampler_rows_row_odd_3 then
-        leftsampler_pixel_right_difference_choice := leftsampler_pixel_right_from_choice_2;
+      if leftsampler_rows_row_odd(3) then
+        leftsampler_pixel_right_difference_choice := leftsampler_pixel_right_from_choices(2);
       else
         leftsampler_pixel_right_difference_choice := leftsampler_pixel_right_from_choice;
       end if;
-      if (leftsampler_shown_held_3 / 8) = 1 then
+      if is_set(leftsampler_shown_held(3), 3) then
         leftsampler_pixel_right_difference_choice_2 := leftsampler_pixel_right_difference_choice;
       else
         leftsampler_pixel_right_difference_choice_2 := 0;
@@ -1354,14 +1320,14 @@ begin
       leftsampler_rows_even_column <= ((lefttaps_taps_column + 1) mod 16384) / 2;
       leftsampler_rows_odd_column <= lefttaps_taps_column / 2;
       leftsampler_rows_write_column <= sample_kept_column / 2;
-      leftsampler_rows_to_even_even <= sample_kept_pixels_valid and (not ((sample_kept_column mod 2) = 1)) and (not
-        ((sample_kept_row mod 2) = 1));
-      leftsampler_rows_to_even_odd <= sample_kept_pixels_valid and ((sample_kept_column mod 2) = 1) and (not
-        ((sample_kept_row mod 2) = 1));
-      leftsampler_rows_to_odd_even <= sample_kept_pixels_valid and (not ((sample_kept_column mod 2) = 1)) and
-        ((sample_kept_row mod 2) = 1);
-      leftsampler_rows_to_odd_odd <= sample_kept_pixels_valid and ((sample_kept_column mod 2) = 1) and
-        ((sample_kept_row mod 2) = 1);
+      leftsampler_rows_to_even_even <= sample_kept_pixels_valid and (not is_set(sample_kept_column, 0)) and (not
+        is_set(sample_kept_row, 0));
+      leftsampler_rows_to_even_odd <= sample_kept_pixels_valid and is_set(sample_kept_column, 0) and (not
+        is_set(sample_kept_row, 0));
+      leftsampler_rows_to_odd_even <= sample_kept_pixels_valid and (not is_set(sample_kept_column, 0)) and
+        is_set(sample_kept_row, 0);
+      leftsampler_rows_to_odd_odd <= sample_kept_pixels_valid and is_set(sample_kept_column, 0) and
+        is_set(sample_kept_row, 0);
       leftsampler_rows_written <= sample_kept_pixels_left;
       leftsampler_rows_even_even_read_address <= (leftsampler_rows_even_line + leftsampler_rows_even_column) mod 8192;
       leftsampler_rows_even_even_ready_word <= to_integer(leftsampler_rows_even_even_read_word);
@@ -1371,44 +1337,44 @@ begin
       leftsampler_rows_odd_even_ready_word <= to_integer(leftsampler_rows_odd_even_read_word);
       leftsampler_rows_odd_odd_read_address <= (leftsampler_rows_odd_line + leftsampler_rows_odd_column) mod 8192;
       leftsampler_rows_odd_odd_ready_word <= to_integer(leftsampler_rows_odd_odd_read_word);
-      leftsampler_rows_row_odd_0 <= (lefttaps_taps_row mod 2) = 1;
-      leftsampler_rows_row_odd_1 <= leftsampler_rows_row_odd_0;
-      leftsampler_rows_row_odd_2 <= leftsampler_rows_row_odd_1;
-      leftsampler_rows_row_odd_3 <= leftsampler_rows_row_odd_2;
-      leftsampler_rows_column_odd_0 <= (lefttaps_taps_column mod 2) = 1;
-      leftsampler_rows_column_odd_1 <= leftsampler_rows_column_odd_0;
-      leftsampler_rows_column_odd_2 <= leftsampler_rows_column_odd_1;
-      leftsampler_rows_column_odd_3 <= leftsampler_rows_column_odd_2;
-      leftsampler_weight_x_held_0 <= lefttaps_weight_x;
-      leftsampler_weight_x_held_1 <= leftsampler_weight_x_held_0;
-      leftsampler_weight_x_held_2 <= leftsampler_weight_x_held_1;
-      leftsampler_weight_x_held_3 <= leftsampler_weight_x_held_2;
-      leftsampler_weight_y_held_0 <= lefttaps_weight_y;
-      leftsampler_weight_y_held_1 <= leftsampler_weight_y_held_0;
-      leftsampler_weight_y_held_2 <= leftsampler_weight_y_held_1;
-      leftsampler_weight_y_held_3 <= leftsampler_weight_y_held_2;
-      leftsampler_shown_held_1 <= leftsampler_shown_held_0;
-      leftsampler_shown_held_2 <= leftsampler_shown_held_1;
-      leftsampler_shown_held_3 <= leftsampler_shown_held_2;
-      leftsampler_pixel_left_from <= leftsampler_pixel_left_from_choice_4;
+      leftsampler_rows_row_odd(0) <= is_set(lefttaps_taps_row, 0);
+      leftsampler_rows_row_odd(1) <= leftsampler_rows_row_odd(0);
+      leftsampler_rows_row_odd(2) <= leftsampler_rows_row_odd(1);
+      leftsampler_rows_row_odd(3) <= leftsampler_rows_row_odd(2);
+      leftsampler_rows_column_odd(0) <= is_set(lefttaps_taps_column, 0);
+      leftsampler_rows_column_odd(1) <= leftsampler_rows_column_odd(0);
+      leftsampler_rows_column_odd(2) <= leftsampler_rows_column_odd(1);
+      leftsampler_rows_column_odd(3) <= leftsampler_rows_column_odd(2);
+      leftsampler_weight_x_held(0) <= lefttaps_weight_x;
+      leftsampler_weight_x_held(1) <= leftsampler_weight_x_held(0);
+      leftsampler_weight_x_held(2) <= leftsampler_weight_x_held(1);
+      leftsampler_weight_x_held(3) <= leftsampler_weight_x_held(2);
+      leftsampler_weight_y_held(0) <= lefttaps_weight_y;
+      leftsampler_weight_y_held(1) <= leftsampler_weight_y_held(0);
+      leftsampler_weight_y_held(2) <= leftsampler_weight_y_held(1);
+      leftsampler_weight_y_held(3) <= leftsampler_weight_y_held(2);
+      leftsampler_shown_held(1) <= leftsampler_shown_held(0);
+      leftsampler_shown_held(2) <= leftsampler_shown_held(1);
+      leftsampler_shown_held(3) <= leftsampler_shown_held(2);
+      leftsampler_pixel_left_from <= leftsampler_pixel_left_from_choices(4);
       leftsampler_pixel_left_difference <= leftsampler_pixel_left_difference_choice_2 -
-        leftsampler_pixel_left_from_choice_4;
-      leftsampler_pixel_left_part <= leftsampler_weight_y_held_3;
+        leftsampler_pixel_left_from_choices(4);
+      leftsampler_pixel_left_part <= leftsampler_weight_y_held(3);
       leftsampler_pixel_left_base <= leftsampler_pixel_left_from * 32;
-      leftsampler_pixel_left_value <= ((((leftsampler_pixel_left_base / 32) + (other_11 / 32)) mod 256) * 32) +
-        (other_11 mod 32);
-      leftsampler_pixel_right_from <= leftsampler_pixel_right_from_choice_4;
+      leftsampler_pixel_left_value <= ((((leftsampler_pixel_left_base / 32) + (others_from_10(11) / 32)) mod 256) * 32)
+        + (others_from_10(11) mod 32);
+      leftsampler_pixel_right_from <= leftsampler_pixel_right_from_choices(4);
       leftsampler_pixel_right_difference <= leftsampler_pixel_right_difference_choice_2 -
-        leftsampler_pixel_right_from_choice_4;
+        leftsampler_pixel_right_from_choices(4);
       leftsampler_pixel_right_base <= leftsampler_pixel_right_from * 32;
-      leftsampler_pixel_right_value <= ((((leftsampler_pixel_right_base / 32) + (other_10 / 32)) mod 256) * 32) +
-        (other_10 mod 32);
-      leftsampler_pixel_weight_x_held_0 <= leftsampler_weight_x_held_3;
-      leftsampler_pixel_weight_x_held_1 <= leftsampler_pixel_weight_x_held_0;
-      leftsampler_pixel_weight_x_held_2 <= leftsampler_pixel_weight_x_held_1;
+      leftsampler_pixel_right_value <= ((((leftsampler_pixel_right_base / 32) + (others_from_10(10) / 32)) mod 256) *
+        32) + (others_from_10(10) mod 32);
+      leftsampler_pixel_weight_x_held(0) <= leftsampler_weight_x_held(3);
+      leftsampler_pixel_weight_x_held(1) <= leftsampler_pixel_weight_x_held(0);
+      leftsampler_pixel_weight_x_held(2) <= leftsampler_pixel_weight_x_held(1);
       leftsampler_pixel_row_from <= leftsampler_pixel_left_value;
       leftsampler_pixel_row_difference <= leftsampler_pixel_right_value - leftsampler_pixel_left_value;
-      leftsampler_pixel_row_part <= leftsampler_pixel_weight_x_held_2;
+      leftsampler_pixel_row_part <= leftsampler_pixel_weight_x_held(2);
       leftsampler_pixel_row_base <= ((((leftsampler_pixel_row_from * 32) / 512) + 1) * 512) +
         ((leftsampler_pixel_row_from mod 16) * 32);
       leftsampler_pixel_row_share <= leftsampler_pixel_row_difference * leftsampler_pixel_row_part;
@@ -1419,11 +1385,11 @@ begin
       else
         leftsampler_rows_even_line <= (((lefttaps_taps_row + 1) / 2) * 321) mod 8192;
       end if;
-      if lefttaps_row_shown_1 then
-        leftsampler_shown_held_0 <= leftsampler_shown_held_0_choice + (as_number(lefttaps_column_shown_0) * 4) +
-          (as_number(lefttaps_column_shown_1) * 8);
+      if lefttaps_row_shown(1) then
+        leftsampler_shown_held(0) <= leftsampler_shown_held_0_choice + (as_number(lefttaps_column_shown(0)) * 4) +
+          (as_number(lefttaps_column_shown(1)) * 8);
       else
-        leftsampler_shown_held_0 <= leftsampler_shown_held_0_choice;
+        leftsampler_shown_held(0) <= leftsampler_shown_held_0_choice;
       end if;
       leftsampler_rows_even_even_write_address_value := (leftsampler_rows_write_line + leftsampler_rows_write_column)
         mod 8192;
@@ -1444,68 +1410,68 @@ begin
         leftsampler_rows_odd_odd_write_word <= leftsampler_rows_written;
       end if;
       -- rightsampler
-      if righttaps_row_shown_0 then
-        rightsampler_shown_held_0_choice := (as_number(righttaps_column_shown_1) * 2) +
-          as_number(righttaps_column_shown_0);
+      if righttaps_row_shown(0) then
+        rightsampler_shown_held_0_choice := (as_number(righttaps_column_shown(1)) * 2) +
+          as_number(righttaps_column_shown(0));
       else
         rightsampler_shown_held_0_choice := 0;
       end if;
-      if rightsampler_rows_column_odd_3 then
+      if rightsampler_rows_column_odd(3) then
         rightsampler_pixel_left_from_choice := rightsampler_rows_odd_odd_ready_word;
       else
         rightsampler_pixel_left_from_choice := rightsampler_rows_odd_even_ready_word;
       end if;
-      if rightsampler_rows_column_odd_3 then
-        rightsampler_pixel_left_from_choice_2 := rightsampler_rows_even_odd_ready_word;
+      if rightsampler_rows_column_odd(3) then
+        rightsampler_pixel_left_from_choices(2) := rightsampler_rows_even_odd_ready_word;
       else
-        rightsampler_pixel_left_from_choice_2 := rightsampler_rows_even_even_ready_word;
+        rightsampler_pixel_left_from_choices(2) := rightsampler_rows_even_even_ready_word;
       end if;
-      if rightsampler_rows_row_odd_3 then
-        rightsampler_pixel_left_from_choice_3 := rightsampler_pixel_left_from_choice;
+      if rightsampler_rows_row_odd(3) then
+        rightsampler_pixel_left_from_choices(3) := rightsampler_pixel_left_from_choice;
       else
-        rightsampler_pixel_left_from_choice_3 := rightsampler_pixel_left_from_choice_2;
+        rightsampler_pixel_left_from_choices(3) := rightsampler_pixel_left_from_choices(2);
       end if;
-      if (rightsampler_shown_held_3 mod 2) = 1 then
-        rightsampler_pixel_left_from_choice_4 := rightsampler_pixel_left_from_choice_3;
+      if is_set(rightsampler_shown_held(3), 0) then
+        rightsampler_pixel_left_from_choices(4) := rightsampler_pixel_left_from_choices(3);
       else
-        rightsampler_pixel_left_from_choice_4 := 0;
+        rightsampler_pixel_left_from_choices(4) := 0;
       end if;
-      if rightsampler_rows_row_odd_3 then
-        rightsampler_pixel_left_difference_choice := rightsampler_pixel_left_from_choice_2;
+      if rightsampler_rows_row_odd(3) then
+        rightsampler_pixel_left_difference_choice := rightsampler_pixel_left_from_choices(2);
       else
         rightsampler_pixel_left_difference_choice := rightsampler_pixel_left_from_choice;
       end if;
-      if ((rightsampler_shown_held_3 / 4) mod 2) = 1 then
+      if is_set(rightsampler_shown_held(3), 2) then
         rightsampler_pixel_left_difference_choice_2 := rightsampler_pixel_left_difference_choice;
       else
         rightsampler_pixel_left_difference_choice_2 := 0;
       end if;
-      if rightsampler_rows_column_odd_3 then
+      if rightsampler_rows_column_odd(3) then
         rightsampler_pixel_right_from_choice := rightsampler_rows_odd_even_ready_word;
       else
         rightsampler_pixel_right_from_choice := rightsampler_rows_odd_odd_ready_word;
       end if;
-      if rightsampler_rows_column_odd_3 then
-        rightsampler_pixel_right_from_choice_2 := rightsampler_rows_even_even_ready_word;
+      if rightsampler_rows_column_odd(3) then
+        rightsampler_pixel_right_from_choices(2) := rightsampler_rows_even_even_ready_word;
       else
-        rightsampler_pixel_right_from_choice_2 := rightsampler_rows_even_odd_ready_word;
+        rightsampler_pixel_right_from_choices(2) := rightsampler_rows_even_odd_ready_word;
       end if;
-      if rightsampler_rows_row_odd_3 then
-        rightsampler_pixel_right_from_choice_3 := rightsampler_pixel_right_from_choice;
+      if rightsampler_rows_row_odd(3) then
+        rightsampler_pixel_right_from_choices(3) := rightsampler_pixel_right_from_choice;
       else
-        rightsampler_pixel_right_from_choice_3 := rightsampler_pixel_right_from_choice_2;
+        rightsampler_pixel_right_from_choices(3) := rightsampler_pixel_right_from_choices(2);
       end if;
-      if ((rightsampler_shown_held_3 / 2) mod 2) = 1 then
-        rightsampler_pixel_right_from_choice_4 := rightsampler_pixel_right_from_choice_3;
+      if is_set(rightsampler_shown_held(3), 1) then
+        rightsampler_pixel_right_from_choices(4) := rightsampler_pixel_right_from_choices(3);
       else
-        rightsampler_pixel_right_from_choice_4 := 0;
+        rightsampler_pixel_right_from_choices(4) := 0;
       end if;
-      if rightsampler_rows_row_odd_3 then
-        rightsampler_pixel_right_difference_choice := rightsampler_pixel_right_from_choice_2;
+      if rightsampler_rows_row_odd(3) then
+        rightsampler_pixel_right_difference_choice := rightsampler_pixel_right_from_choices(2);
       else
         rightsampler_pixel_right_difference_choice := rightsampler_pixel_right_from_choice;
       end if;
-      if (rightsampler_shown_held_3 / 8) = 1 then
+      if is_set(rightsampler_shown_held(3), 3) then
         rightsampler_pixel_right_difference_choice_2 := rightsampler_pixel_right_difference_choice;
       else
         rightsampler_pixel_right_difference_choice_2 := 0;
@@ -1523,44 +1489,44 @@ begin
       rightsampler_rows_odd_even_ready_word <= to_integer(rightsampler_rows_odd_even_read_word);
       rightsampler_rows_odd_odd_read_address <= (rightsampler_rows_odd_line + rightsampler_rows_odd_column) mod 8192;
       rightsampler_rows_odd_odd_ready_word <= to_integer(rightsampler_rows_odd_odd_read_word);
-      rightsampler_rows_row_odd_0 <= (righttaps_taps_row mod 2) = 1;
-      rightsampler_rows_row_odd_1 <= rightsampler_rows_row_odd_0;
-      rightsampler_rows_row_odd_2 <= rightsampler_rows_row_odd_1;
-      rightsampler_rows_row_odd_3 <= rightsampler_rows_row_odd_2;
-      rightsampler_rows_column_odd_0 <= (righttaps_taps_column mod 2) = 1;
-      rightsampler_rows_column_odd_1 <= rightsampler_rows_column_odd_0;
-      rightsampler_rows_column_odd_2 <= rightsampler_rows_column_odd_1;
-      rightsampler_rows_column_odd_3 <= rightsampler_rows_column_odd_2;
-      rightsampler_weight_x_held_0 <= righttaps_weight_x;
-      rightsampler_weight_x_held_1 <= rightsampler_weight_x_held_0;
-      rightsampler_weight_x_held_2 <= rightsampler_weight_x_held_1;
-      rightsampler_weight_x_held_3 <= rightsampler_weight_x_held_2;
-      rightsampler_weight_y_held_0 <= righttaps_weight_y;
-      rightsampler_weight_y_held_1 <= rightsampler_weight_y_held_0;
-      rightsampler_weight_y_held_2 <= rightsampler_weight_y_held_1;
-      rightsampler_weight_y_held_3 <= rightsampler_weight_y_held_2;
-      rightsampler_shown_held_1 <= rightsampler_shown_held_0;
-      rightsampler_shown_held_2 <= rightsampler_shown_held_1;
-      rightsampler_shown_held_3 <= rightsampler_shown_held_2;
-      rightsampler_pixel_left_from <= rightsampler_pixel_left_from_choice_4;
+      rightsampler_rows_row_odd(0) <= is_set(righttaps_taps_row, 0);
+      rightsampler_rows_row_odd(1) <= rightsampler_rows_row_odd(0);
+      rightsampler_rows_row_odd(2) <= rightsampler_rows_row_odd(1);
+      rightsampler_rows_row_odd(3) <= rightsampler_rows_row_odd(2);
+      rightsampler_rows_column_odd(0) <= is_set(righttaps_taps_column, 0);
+      rightsampler_rows_column_odd(1) <= rightsampler_rows_column_odd(0);
+      rightsampler_rows_column_odd(2) <= rightsampler_rows_column_odd(1);
+      rightsampler_rows_column_odd(3) <= rightsampler_rows_column_odd(2);
+      rightsampler_weight_x_held(0) <= righttaps_weight_x;
+      rightsampler_weight_x_held(1) <= rightsampler_weight_x_held(0);
+      rightsampler_weight_x_held(2) <= rightsampler_weight_x_held(1);
+      rightsampler_weight_x_held(3) <= rightsampler_weight_x_held(2);
+      rightsampler_weight_y_held(0) <= righttaps_weight_y;
+      rightsampler_weight_y_held(1) <= rightsampler_weight_y_held(0);
+      rightsampler_weight_y_held(2) <= rightsampler_weight_y_held(1);
+      rightsampler_weight_y_held(3) <= rightsampler_weight_y_held(2);
+      rightsampler_shown_held(1) <= rightsampler_shown_held(0);
+      rightsampler_shown_held(2) <= rightsampler_shown_held(1);
+      rightsampler_shown_held(3) <= rightsampler_shown_held(2);
+      rightsampler_pixel_left_from <= rightsampler_pixel_left_from_choices(4);
       rightsampler_pixel_left_difference <= rightsampler_pixel_left_difference_choice_2 -
-        rightsampler_pixel_left_from_choice_4;
-      rightsampler_pixel_left_part <= rightsampler_weight_y_held_3;
+        rightsampler_pixel_left_from_choices(4);
+      rightsampler_pixel_left_part <= rightsampler_weight_y_held(3);
       rightsampler_pixel_left_base <= rightsampler_pixel_left_from * 32;
       rightsampler_pixel_left_value <= ((((other_4 / 32) + (rightsampler_pixel_left_base / 32)) mod 256) * 32) +
         (other_4 mod 32);
-      rightsampler_pixel_right_from <= rightsampler_pixel_right_from_choice_4;
+      rightsampler_pixel_right_from <= rightsampler_pixel_right_from_choices(4);
       rightsampler_pixel_right_difference <= rightsampler_pixel_right_difference_choice_2 -
-        rightsampler_pixel_right_from_choice_4;
+        rightsampler_pixel_right_from_choices(4);
       rightsampler_pixel_right_base <= rightsampler_pixel_right_from * 32;
       rightsampler_pixel_right_value <= ((((other_6 / 32) + (rightsampler_pixel_right_base / 32)) mod 256) * 32) +
         (other_6 mod 32);
-      rightsampler_pixel_weight_x_held_0 <= rightsampler_weight_x_held_3;
-      rightsampler_pixel_weight_x_held_1 <= rightsampler_pixel_weight_x_held_0;
-      rightsampler_pixel_weight_x_held_2 <= rightsampler_pixel_weight_x_held_1;
+      rightsampler_pixel_weight_x_held(0) <= rightsampler_weight_x_held(3);
+      rightsampler_pixel_weight_x_held(1) <= rightsampler_pixel_weight_x_held(0);
+      rightsampler_pixel_weight_x_held(2) <= rightsampler_pixel_weight_x_held(1);
       rightsampler_pixel_row_from <= rightsampler_pixel_left_value;
       rightsampler_pixel_row_difference <= rightsampler_pixel_right_value - rightsampler_pixel_left_value;
-      rightsampler_pixel_row_part <= rightsampler_pixel_weight_x_held_2;
+      rightsampler_pixel_row_part <= rightsampler_pixel_weight_x_held(2);
       rightsampler_pixel_row_base <= ((((rightsampler_pixel_row_from * 32) / 512) + 1) * 512) +
         ((rightsampler_pixel_row_from mod 16) * 32);
       rightsampler_pixel_row_share <= rightsampler_pixel_row_part * rightsampler_pixel_row_difference;
@@ -1571,11 +1537,11 @@ begin
       else
         rightsampler_rows_even_line <= (((righttaps_taps_row + 1) / 2) * 321) mod 8192;
       end if;
-      if righttaps_row_shown_1 then
-        rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown_0) * 4) +
-          (as_number(righttaps_column_shown_1) * 8);
+      if righttaps_row_shown(1) then
+        rightsampler_shown_held(0) <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown(0)) * 4) +
+          (as_number(righttaps_column_shown(1)) * 8);
       else
-        rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice;
+        rightsampler_shown_held(0) <= rightsampler_shown_held_0_choice;
       end if;
       if leftsampler_rows_to_even_even then
         rightsampler_rows_even_even_write_word <= rightsampler_rows_written;
@@ -1590,66 +1556,36 @@ begin
         rightsampler_rows_odd_odd_write_word <= rightsampler_rows_written;
       end if;
       -- valid
-      valid_held_0 <= sample_kept_pixels_valid;
-      valid_held_1 <= valid_held_0;
-      valid_held_2 <= valid_held_1;
-      valid_held_3 <= valid_held_2;
-      valid_held_4 <= valid_held_3;
-      valid_held_5 <= valid_held_4;
-      valid_held_6 <= valid_held_5;
-      valid_held_7 <= valid_held_6;
-      valid_held_8 <= valid_held_7;
-      valid_held_9 <= valid_held_8;
+      valid_held(0) <= sample_kept_pixels_valid;
+      for i in 1 to 9 loop
+        valid_held(i) <= valid_held(i - 1);
+      end loop;
       -- starts
-      starts_held_0 <= sample_kept_starts;
-      starts_held_1 <= starts_held_0;
-      starts_held_2 <= starts_held_1;
-      starts_held_3 <= starts_held_2;
-      starts_held_4 <= starts_held_3;
-      starts_held_5 <= starts_held_4;
-      starts_held_6 <= starts_held_5;
-      starts_held_7 <= starts_held_6;
-      starts_held_8 <= starts_held_7;
-      starts_held_9 <= starts_held_8;
+      starts_held(0) <= sample_kept_starts;
+      for i in 1 to 9 loop
+        starts_held(i) <= starts_held(i - 1);
+      end loop;
       -- other
-      other_0 <= (rightoffsets_y_right_difference * leftoffsets_x_left_part) mod 1048576;
-      other_1 <= (rightoffsets_y_left_difference * leftoffsets_x_left_part) mod 1048576;
-      other_2 <= (rightoffsets_x_right_difference * leftoffsets_x_left_part) mod 1048576;
-      other_3 <= (rightoffsets_x_left_difference * leftoffsets_x_left_part) mod 1048576;
+      other(0) <= (rightoffsets_y_right_difference * leftoffsets_x_left_part) mod 1048576;
+      other(1) <= (rightoffsets_y_left_difference * leftoffsets_x_left_part) mod 1048576;
+      other(2) <= (rightoffsets_x_right_difference * leftoffsets_x_left_part) mod 1048576;
+      other(3) <= (rightoffsets_x_left_difference * leftoffsets_x_left_part) mod 1048576;
       other_4 <= (rightsampler_pixel_left_difference * rightsampler_pixel_left_part) mod 8192;
       other_5 <= (leftoffsets_y_right_difference * leftoffsets_x_left_part) mod 1048576;
       other_6 <= (rightsampler_pixel_right_difference * rightsampler_pixel_left_part) mod 8192;
-      other_7 <= (leftoffsets_y_left_difference * leftoffsets_x_left_part) mod 1048576;
-      other_8 <= (leftoffsets_x_right_difference * leftoffsets_x_left_part) mod 1048576;
-      other_9 <= (leftoffsets_x_left_difference * leftoffsets_x_left_part) mod 1048576;
-      other_10 <= (leftsampler_pixel_right_difference * leftsampler_pixel_left_part) mod 8192;
-      other_11 <= (leftsampler_pixel_left_difference * leftsampler_pixel_left_part) mod 8192;
+      others_from_7(7) <= (leftoffsets_y_left_difference * leftoffsets_x_left_part) mod 1048576;
+      others_from_7(8) <= (leftoffsets_x_right_difference * leftoffsets_x_left_part) mod 1048576;
+      others_from_7(9) <= (leftoffsets_x_left_difference * leftoffsets_x_left_part) mod 1048576;
+      others_from_10(10) <= (leftsampler_pixel_right_difference * leftsampler_pixel_left_part) mod 8192;
+      others_from_10(11) <= (leftsampler_pixel_left_difference * leftsampler_pixel_left_part) mod 8192;
       if reset = '1' then
         counter_column <= 0;
         counter_group <= 497;
         counter_next_frame <= false;
-        delay_held_0_start_of_frame <= false;
-        delay_held_0_valid <= false;
-        delay_held_1_start_of_frame <= false;
-        delay_held_1_valid <= false;
-        delay_held_2_start_of_frame <= false;
-        delay_held_2_valid <= false;
-        delay_held_3_start_of_frame <= false;
-        delay_held_3_valid <= false;
-        delay_held_4_start_of_frame <= false;
-        delay_held_4_valid <= false;
-        delay_held_5_start_of_frame <= false;
-        delay_held_5_valid <= false;
-        delay_held_6_start_of_frame <= false;
-        delay_held_6_valid <= false;
-        delay_held_7_start_of_frame <= false;
-        delay_held_7_valid <= false;
-        delay_held_8_start_of_frame <= false;
-        delay_held_8_valid <= false;
-        delay_held_9_start_of_frame <= false;
-        delay_held_9_valid <= false;
-        delay_held_10_start_of_frame <= false;
-        delay_held_10_valid <= false;
+        for i in 0 to 10 loop
+          delay_held_start_of_frame(i) <= false;
+          delay_held_valid(i) <= false;
+        end loop;
         grid_node_column <= 0;
         grid_node_row <= 0;
         leftoffsets_nodes_even_line <= 0;
@@ -1691,26 +1627,12 @@ begin
         leftsampler_rows_even_odd_write_address <= 0;
         leftsampler_rows_odd_even_write_address <= 0;
         leftsampler_rows_odd_odd_write_address <= 0;
-        valid_held_0 <= false;
-        valid_held_1 <= false;
-        valid_held_2 <= false;
-        valid_held_3 <= false;
-        valid_held_4 <= false;
-        valid_held_5 <= false;
-        valid_held_6 <= false;
-        valid_held_7 <= false;
-        valid_held_8 <= false;
-        valid_held_9 <= false;
-        starts_held_0 <= false;
-        starts_held_1 <= false;
-        starts_held_2 <= false;
-        starts_held_3 <= false;
-        starts_held_4 <= false;
-        starts_held_5 <= false;
-        starts_held_6 <= false;
-        starts_held_7 <= false;
-        starts_held_8 <= false;
-        starts_held_9 <= false;
+        for i in 0 to 9 loop
+          valid_held(i) <= false;
+        end loop;
+        for i in 0 to 9 loop
+          starts_held(i) <= false;
+        end loop;
       end if;
     end if;
   end process;

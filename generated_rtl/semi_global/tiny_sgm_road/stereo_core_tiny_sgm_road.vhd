@@ -5,6 +5,7 @@
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_sgm_road
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+-- Where a comment behind a declaration has #, the C++ has the indices.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -87,43 +88,52 @@ architecture rtl of stereo_core_tiny_sgm_road is
     return '0';
   end function;
 
-  signal in_valid : boolean;
-  signal in_start_of_frame : boolean;
-  signal in_right_pixel : natural range 0 to 255;
-  signal in_left_pixel : natural range 0 to 255;
+  -- whether the bit of this place is 1
+  function is_set(value : natural; place : natural) return boolean is
+  begin
+    return (value / 2 ** place) mod 2 = 1;
+  end function;
+
+  type boolean_1d is array (natural range <>) of boolean;
+  type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type natural_126_1d is array (natural range <>) of natural range 0 to 126;
+  type natural_127_1d is array (natural range <>) of natural range 0 to 127;
+  type natural_14_1d is array (natural range <>) of natural range 0 to 14;
+  type natural_14_2d is array (natural range <>, natural range <>) of natural range 0 to 14;
+  type natural_15_1d is array (natural range <>) of natural range 0 to 15;
+  type natural_15_2d is array (natural range <>, natural range <>) of natural range 0 to 15;
+  type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
+  type natural_16383_2d is array (natural range <>, natural range <>) of natural range 0 to 16383;
+  type natural_190_1d is array (natural range <>) of natural range 0 to 190;
+  type natural_255_1d is array (natural range <>) of natural range 0 to 255;
+  type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
+  type natural_28_1d is array (natural range <>) of natural range 0 to 28;
+  type natural_2_2d is array (natural range <>, natural range <>) of natural range 0 to 2;
+  type natural_31_1d is array (natural range <>) of natural range 0 to 31;
+  type natural_3_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 3;
+  type natural_42_1d is array (natural range <>) of natural range 0 to 42;
+  type natural_46_1d is array (natural range <>) of natural range 0 to 46;
+  type natural_63_1d is array (natural range <>) of natural range 0 to 63;
+  type natural_68_1d is array (natural range <>) of natural range 0 to 68;
+  type natural_68_2d is array (natural range <>, natural range <>) of natural range 0 to 68;
+  type natural_7_2d is array (natural range <>, natural range <>) of natural range 0 to 7;
+  type natural_84_1d is array (natural range <>) of natural range 0 to 84;
+  type unsigned_30_1d is array (natural range <>) of unsigned(29 downto 0);
+  type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
+  signal in_valid, in_start_of_frame : boolean;
+  signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
   signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_2 : natural range 0 to 255;
   signal transform_left_column_4, transform_right_column_0, transform_right_column_2 : natural range 0 to 255;
-  signal transform_right_column_4, transform_left_filter_column_0_0 : natural range 0 to 255;
-  signal transform_left_filter_column_0_2, transform_left_filter_column_0_4 : natural range 0 to 255;
-  signal transform_left_filter_column_1_0, transform_left_filter_column_1_2 : natural range 0 to 255;
-  signal transform_left_filter_column_1_4, transform_left_filter_column_2_0 : natural range 0 to 255;
-  signal transform_left_filter_column_2_2, transform_left_filter_column_2_4 : natural range 0 to 255;
-  signal transform_left_filter_column_3_0, transform_left_filter_column_3_2 : natural range 0 to 255;
-  signal transform_left_filter_column_3_4, transform_left_filter_column_4_0 : natural range 0 to 255;
-  signal transform_left_filter_column_4_2, transform_left_filter_column_4_4 : natural range 0 to 255;
-  signal transform_left_filter_column_5_0, transform_left_filter_column_5_2 : natural range 0 to 255;
-  signal transform_left_filter_column_5_4, transform_left_filter_column_6_0 : natural range 0 to 255;
-  signal transform_left_filter_column_6_2, transform_left_filter_column_6_4 : natural range 0 to 255;
-  signal transform_left_filter_column_7_0, transform_left_filter_column_7_2 : natural range 0 to 255;
-  signal transform_left_filter_column_7_4, transform_left_filter_column_8_0 : natural range 0 to 255;
-  signal transform_left_filter_column_8_2, transform_left_filter_column_8_4 : natural range 0 to 255;
-  signal transform_right_filter_column_0_0, transform_right_filter_column_0_2 : natural range 0 to 255;
-  signal transform_right_filter_column_0_4, transform_right_filter_column_1_0 : natural range 0 to 255;
-  signal transform_right_filter_column_1_2, transform_right_filter_column_1_4 : natural range 0 to 255;
-  signal transform_right_filter_column_2_0, transform_right_filter_column_2_2 : natural range 0 to 255;
-  signal transform_right_filter_column_2_4, transform_right_filter_column_3_0 : natural range 0 to 255;
-  signal transform_right_filter_column_3_2, transform_right_filter_column_3_4 : natural range 0 to 255;
-  signal transform_right_filter_column_4_0, transform_right_filter_column_4_2 : natural range 0 to 255;
-  signal transform_right_filter_column_4_4, transform_right_filter_column_5_0 : natural range 0 to 255;
-  signal transform_right_filter_column_5_2, transform_right_filter_column_5_4 : natural range 0 to 255;
-  signal transform_right_filter_column_6_0, transform_right_filter_column_6_2 : natural range 0 to 255;
-  signal transform_right_filter_column_6_4, transform_right_filter_column_7_0 : natural range 0 to 255;
-  signal transform_right_filter_column_7_2, transform_right_filter_column_7_4 : natural range 0 to 255;
-  signal transform_right_filter_column_8_0, transform_right_filter_column_8_2 : natural range 0 to 255;
-  signal transform_right_filter_column_8_4 : natural range 0 to 255;
+  signal transform_right_column_4 : natural range 0 to 255;
+  signal transform_left_filter_column_0 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_0
+  signal transform_left_filter_column_2 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_2
+  signal transform_left_filter_column_4 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_4
+  signal transform_right_filter_column_0 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_0
+  signal transform_right_filter_column_2 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_2
+  signal transform_right_filter_column_4 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_4
   signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
   signal transform_read_row_inside_2, transform_read_row_inside_4, transform_read_column_inside_0 : boolean;
   signal transform_read_column_inside_2, transform_read_column_inside_4, transform_read_column_inside_6 : boolean;
@@ -137,8 +147,9 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
   signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
   signal transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_6 : boolean;
-  signal transform_filtering_0_column_inside_8, transform_filtering_0_start_of_frame : boolean;
-  signal transform_filtering_0_valid, transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
+  signal transform_filtering_0_column_inside_8 : boolean;
+  signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- transform_filtering_#_start_of_frame
+  signal transform_filtering_valid : boolean_1d(0 to 1);  -- transform_filtering_#_valid
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
   signal transform_write_column : natural range 0 to 63;
   signal transform_counter_group : natural range 0 to 15;
@@ -156,76 +167,36 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal delay_ahead_0 : natural range 0 to 16383;
   signal delay_delayed_0 : unsigned(13 downto 0);
   signal delay_column : natural range 0 to 63;
-  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_border_column : boolean;
-  signal delay_tag_first_cost, delay_tag_map_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
-  signal delay_tag_end_of_line : boolean;
+  signal delay_row_inside : boolean_1d(0 to 2);
+  signal delay_tag_valid, delay_tag_border_column, delay_tag_first_cost, delay_tag_map_column : boolean;
+  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(27 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 16383;
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 16383;
-  signal rows_search_0, rows_search_1, rows_search_2, rows_reference_0, rows_reference_1 : natural range 0 to 16383;
-  signal rows_reference_2 : natural range 0 to 16383;
+  signal rows_search : natural_16383_1d(0 to 2);
+  signal rows_reference : natural_16383_1d(0 to 2);
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
-  signal rows_read_tag_border_column, rows_read_tag_first_cost, rows_read_tag_map_column : boolean;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_first_cost, rows_read_tag_map_column : boolean;
   signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
-  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2, rows_ready_tag_valid : boolean;
-  signal rows_ready_tag_border_column, rows_ready_tag_first_cost, rows_ready_tag_map_column : boolean;
-  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
-  signal rows_tag_valid, rows_tag_border_column, rows_tag_first_cost, rows_tag_map_column : boolean;
-  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_first_cost : boolean;
+  signal rows_ready_tag_map_column, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
+  signal rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column, rows_tag_first_cost : boolean;
+  signal rows_tag_map_column, rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- slice0shift
-  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 16383;
-  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_1_0 : natural range 0 to 16383;
-  signal slice0shift_search_1_1, slice0shift_search_1_2, slice0shift_search_1_3 : natural range 0 to 16383;
-  signal slice0shift_search_1_4, slice0shift_search_2_0, slice0shift_search_2_1 : natural range 0 to 16383;
-  signal slice0shift_search_2_2, slice0shift_search_2_3, slice0shift_search_2_4 : natural range 0 to 16383;
-  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 16383;
-  signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 16383;
+  signal slice0shift_search : natural_16383_2d(0 to 2, 0 to 4);
+  signal slice0shift_reference : natural_16383_1d(0 to 2);
+  signal slice0shift_search_out : natural_16383_1d(0 to 2);
   signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
   signal slice0shift_tag_map_column, slice0shift_tag_output_column, slice0shift_tag_start_of_frame : boolean;
   signal slice0shift_tag_end_of_line : boolean;
   -- slice0cost
-  signal slice0cost_pixels_first_0_0_count_0, slice0cost_pixels_first_0_0_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_0_0_count_2, slice0cost_pixels_first_0_0_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_0_1_count_0, slice0cost_pixels_first_0_1_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_0_1_count_2, slice0cost_pixels_first_0_1_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_0_2_count_0, slice0cost_pixels_first_0_2_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_0_2_count_2, slice0cost_pixels_first_0_2_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_0_3_count_0, slice0cost_pixels_first_0_3_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_0_3_count_2, slice0cost_pixels_first_0_3_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_0_4_count_0, slice0cost_pixels_first_0_4_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_0_4_count_2, slice0cost_pixels_first_0_4_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_1_0_count_0, slice0cost_pixels_first_1_0_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_1_0_count_2, slice0cost_pixels_first_1_0_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_1_1_count_0, slice0cost_pixels_first_1_1_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_1_1_count_2, slice0cost_pixels_first_1_1_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_1_2_count_0, slice0cost_pixels_first_1_2_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_1_2_count_2, slice0cost_pixels_first_1_2_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_1_3_count_0, slice0cost_pixels_first_1_3_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_1_3_count_2, slice0cost_pixels_first_1_3_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_1_4_count_0, slice0cost_pixels_first_1_4_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_1_4_count_2, slice0cost_pixels_first_1_4_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_2_0_count_0, slice0cost_pixels_first_2_0_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_2_0_count_2, slice0cost_pixels_first_2_0_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_2_1_count_0, slice0cost_pixels_first_2_1_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_2_1_count_2, slice0cost_pixels_first_2_1_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_2_2_count_0, slice0cost_pixels_first_2_2_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_2_2_count_2, slice0cost_pixels_first_2_2_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_2_3_count_0, slice0cost_pixels_first_2_3_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_2_3_count_2, slice0cost_pixels_first_2_3_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_2_4_count_0, slice0cost_pixels_first_2_4_count_1 : natural range 0 to 3;
-  signal slice0cost_pixels_first_2_4_count_2, slice0cost_pixels_first_2_4_count_3 : natural range 0 to 3;
-  signal slice0cost_pixels_first_0_0_count_4, slice0cost_pixels_first_0_1_count_4 : natural range 0 to 2;
-  signal slice0cost_pixels_first_0_2_count_4, slice0cost_pixels_first_0_3_count_4 : natural range 0 to 2;
-  signal slice0cost_pixels_first_0_4_count_4, slice0cost_pixels_first_1_0_count_4 : natural range 0 to 2;
-  signal slice0cost_pixels_first_1_1_count_4, slice0cost_pixels_first_1_2_count_4 : natural range 0 to 2;
-  signal slice0cost_pixels_first_1_3_count_4, slice0cost_pixels_first_1_4_count_4 : natural range 0 to 2;
-  signal slice0cost_pixels_first_2_0_count_4, slice0cost_pixels_first_2_1_count_4 : natural range 0 to 2;
-  signal slice0cost_pixels_first_2_2_count_4, slice0cost_pixels_first_2_3_count_4 : natural range 0 to 2;
-  signal slice0cost_pixels_first_2_4_count_4 : natural range 0 to 2;
+  signal slice0cost_pixels_first_count : natural_3_3d(0 to 2, 0 to 4, 0 to 3);  -- slice0cost_pixels_first_#_#_count_#
+  signal slice0cost_pixels_first_count_4 : natural_2_2d(0 to 2, 0 to 4);  -- slice0cost_pixels_first_#_#_count_4
   signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_border_column : boolean;
   signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_map_column : boolean;
   signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
@@ -238,144 +209,64 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
   signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
   signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
-  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 14;
-  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_1_0 : natural range 0 to 14;
-  signal slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3 : natural range 0 to 14;
-  signal slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1 : natural range 0 to 14;
-  signal slice0cost_pixels_cost_2_2, slice0cost_pixels_cost_2_3, slice0cost_pixels_cost_2_4 : natural range 0 to 14;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 14;
-  signal slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 14;
-  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 28;
-  signal slice0cost_pair_0_4 : natural range 0 to 28;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 42;
-  signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 42;
+  signal slice0cost_pixels_cost : natural_14_2d(0 to 2, 0 to 4);
+  signal slice0cost_single_0 : natural_14_1d(0 to 4);
+  signal slice0cost_pair_0 : natural_28_1d(0 to 4);
+  signal slice0cost_column_0 : natural_42_1d(0 to 4);
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 42;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4 : natural range 0 to 42;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 84;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4 : natural range 0 to 84;
+  signal slice0window_partial_0_0 : natural_42_1d(0 to 4);
+  signal slice0window_partial_0_1 : natural_84_1d(0 to 4);
   signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
   signal slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_map_column : boolean;
   signal slice0window_tag_output_column, slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
   signal slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 126;
-  signal slice0window_sum_0_3, slice0window_sum_0_4 : natural range 0 to 126;
+  signal slice0window_sum_0 : natural_126_1d(0 to 4);
   -- slice0
-  signal slice0_held_0_0, slice0_held_0_1, slice0_held_0_2, slice0_held_0_3, slice0_held_0_4 : natural range 0 to 15;
-  signal slice0_held_1_0, slice0_held_1_1, slice0_held_1_2, slice0_held_1_3, slice0_held_1_4 : natural range 0 to 15;
-  signal slice0_held_2_0, slice0_held_2_1, slice0_held_2_2, slice0_held_2_3, slice0_held_2_4 : natural range 0 to 15;
-  signal slice0_tag_0_valid, slice0_tag_0_map_column, slice0_tag_0_output_column, slice0_tag_0_first_column : boolean;
-  signal slice0_tag_0_start_of_frame, slice0_tag_0_end_of_line, slice0_tag_1_valid, slice0_tag_1_map_column : boolean;
-  signal slice0_tag_1_output_column, slice0_tag_1_first_column, slice0_tag_1_start_of_frame : boolean;
-  signal slice0_tag_1_end_of_line, slice0_tag_2_valid, slice0_tag_2_map_column, slice0_tag_2_output_column : boolean;
-  signal slice0_tag_2_first_column, slice0_tag_2_start_of_frame, slice0_tag_2_end_of_line : boolean;
+  signal slice0_held : natural_15_2d(0 to 2, 0 to 4);
+  signal slice0_tag_valid : boolean_1d(0 to 2);  -- slice0_tag_#_valid
+  signal slice0_tag_map_column : boolean_1d(0 to 2);  -- slice0_tag_#_map_column
+  signal slice0_tag_output_column : boolean_1d(0 to 2);  -- slice0_tag_#_output_column
+  signal slice0_tag_first_column : boolean_1d(0 to 2);  -- slice0_tag_#_first_column
+  signal slice0_tag_start_of_frame : boolean_1d(0 to 2);  -- slice0_tag_#_start_of_frame
+  signal slice0_tag_end_of_line : boolean_1d(0 to 2);  -- slice0_tag_#_end_of_line
   -- slice1shift
-  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 16383;
-  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_1_0 : natural range 0 to 16383;
-  signal slice1shift_search_1_1, slice1shift_search_1_2, slice1shift_search_1_3 : natural range 0 to 16383;
-  signal slice1shift_search_1_4, slice1shift_search_2_0, slice1shift_search_2_1 : natural range 0 to 16383;
-  signal slice1shift_search_2_2, slice1shift_search_2_3, slice1shift_search_2_4 : natural range 0 to 16383;
-  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 16383;
-  signal slice1shift_search_out_0, slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 16383;
+  signal slice1shift_search : natural_16383_2d(0 to 2, 0 to 4);
+  signal slice1shift_reference : natural_16383_1d(0 to 2);
+  signal slice1shift_search_out : natural_16383_1d(0 to 2);
   -- slice1cost
-  signal slice1cost_pixels_first_0_0_count_0, slice1cost_pixels_first_0_0_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_0_0_count_2, slice1cost_pixels_first_0_0_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_0_1_count_0, slice1cost_pixels_first_0_1_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_0_1_count_2, slice1cost_pixels_first_0_1_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_0_2_count_0, slice1cost_pixels_first_0_2_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_0_2_count_2, slice1cost_pixels_first_0_2_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_0_3_count_0, slice1cost_pixels_first_0_3_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_0_3_count_2, slice1cost_pixels_first_0_3_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_0_4_count_0, slice1cost_pixels_first_0_4_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_0_4_count_2, slice1cost_pixels_first_0_4_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_1_0_count_0, slice1cost_pixels_first_1_0_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_1_0_count_2, slice1cost_pixels_first_1_0_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_1_1_count_0, slice1cost_pixels_first_1_1_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_1_1_count_2, slice1cost_pixels_first_1_1_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_1_2_count_0, slice1cost_pixels_first_1_2_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_1_2_count_2, slice1cost_pixels_first_1_2_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_1_3_count_0, slice1cost_pixels_first_1_3_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_1_3_count_2, slice1cost_pixels_first_1_3_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_1_4_count_0, slice1cost_pixels_first_1_4_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_1_4_count_2, slice1cost_pixels_first_1_4_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_2_0_count_0, slice1cost_pixels_first_2_0_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_2_0_count_2, slice1cost_pixels_first_2_0_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_2_1_count_0, slice1cost_pixels_first_2_1_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_2_1_count_2, slice1cost_pixels_first_2_1_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_2_2_count_0, slice1cost_pixels_first_2_2_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_2_2_count_2, slice1cost_pixels_first_2_2_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_2_3_count_0, slice1cost_pixels_first_2_3_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_2_3_count_2, slice1cost_pixels_first_2_3_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_2_4_count_0, slice1cost_pixels_first_2_4_count_1 : natural range 0 to 3;
-  signal slice1cost_pixels_first_2_4_count_2, slice1cost_pixels_first_2_4_count_3 : natural range 0 to 3;
-  signal slice1cost_pixels_first_0_0_count_4, slice1cost_pixels_first_0_1_count_4 : natural range 0 to 2;
-  signal slice1cost_pixels_first_0_2_count_4, slice1cost_pixels_first_0_3_count_4 : natural range 0 to 2;
-  signal slice1cost_pixels_first_0_4_count_4, slice1cost_pixels_first_1_0_count_4 : natural range 0 to 2;
-  signal slice1cost_pixels_first_1_1_count_4, slice1cost_pixels_first_1_2_count_4 : natural range 0 to 2;
-  signal slice1cost_pixels_first_1_3_count_4, slice1cost_pixels_first_1_4_count_4 : natural range 0 to 2;
-  signal slice1cost_pixels_first_2_0_count_4, slice1cost_pixels_first_2_1_count_4 : natural range 0 to 2;
-  signal slice1cost_pixels_first_2_2_count_4, slice1cost_pixels_first_2_3_count_4 : natural range 0 to 2;
-  signal slice1cost_pixels_first_2_4_count_4 : natural range 0 to 2;
-  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 14;
-  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_1_0 : natural range 0 to 14;
-  signal slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3 : natural range 0 to 14;
-  signal slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_2_0, slice1cost_pixels_cost_2_1 : natural range 0 to 14;
-  signal slice1cost_pixels_cost_2_2, slice1cost_pixels_cost_2_3, slice1cost_pixels_cost_2_4 : natural range 0 to 14;
-  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 14;
-  signal slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 14;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 28;
-  signal slice1cost_pair_0_4 : natural range 0 to 28;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 42;
-  signal slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 42;
+  signal slice1cost_pixels_first_count : natural_3_3d(0 to 2, 0 to 4, 0 to 3);  -- slice1cost_pixels_first_#_#_count_#
+  signal slice1cost_pixels_first_count_4 : natural_2_2d(0 to 2, 0 to 4);  -- slice1cost_pixels_first_#_#_count_4
+  signal slice1cost_pixels_cost : natural_14_2d(0 to 2, 0 to 4);
+  signal slice1cost_single_0 : natural_14_1d(0 to 4);
+  signal slice1cost_pair_0 : natural_28_1d(0 to 4);
+  signal slice1cost_column_0 : natural_42_1d(0 to 4);
   signal slice1cost_tag_border_column : boolean;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 42;
-  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4 : natural range 0 to 42;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 84;
-  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4 : natural range 0 to 84;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 126;
-  signal slice1window_sum_0_3, slice1window_sum_0_4 : natural range 0 to 126;
+  signal slice1window_partial_0_0 : natural_42_1d(0 to 4);
+  signal slice1window_partial_0_1 : natural_84_1d(0 to 4);
+  signal slice1window_sum_0 : natural_126_1d(0 to 4);
   -- slice1
-  signal slice1_held_0_0, slice1_held_0_1, slice1_held_0_2, slice1_held_0_3, slice1_held_0_4 : natural range 0 to 15;
-  signal slice1_held_1_0, slice1_held_1_1, slice1_held_1_2, slice1_held_1_3, slice1_held_1_4 : natural range 0 to 15;
+  signal slice1_held : natural_15_2d(0 to 1, 0 to 4);
   -- slice2shift
-  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 16383;
-  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 16383;
-  signal slice2shift_reference_0, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 16383;
+  signal slice2shift_search : natural_16383_2d(0 to 2, 0 to 1);
+  signal slice2shift_reference : natural_16383_1d(0 to 2);
   -- slice2cost
-  signal slice2cost_pixels_first_0_0_count_0, slice2cost_pixels_first_0_0_count_1 : natural range 0 to 3;
-  signal slice2cost_pixels_first_0_0_count_2, slice2cost_pixels_first_0_0_count_3 : natural range 0 to 3;
-  signal slice2cost_pixels_first_0_1_count_0, slice2cost_pixels_first_0_1_count_1 : natural range 0 to 3;
-  signal slice2cost_pixels_first_0_1_count_2, slice2cost_pixels_first_0_1_count_3 : natural range 0 to 3;
-  signal slice2cost_pixels_first_1_0_count_0, slice2cost_pixels_first_1_0_count_1 : natural range 0 to 3;
-  signal slice2cost_pixels_first_1_0_count_2, slice2cost_pixels_first_1_0_count_3 : natural range 0 to 3;
-  signal slice2cost_pixels_first_1_1_count_0, slice2cost_pixels_first_1_1_count_1 : natural range 0 to 3;
-  signal slice2cost_pixels_first_1_1_count_2, slice2cost_pixels_first_1_1_count_3 : natural range 0 to 3;
-  signal slice2cost_pixels_first_2_0_count_0, slice2cost_pixels_first_2_0_count_1 : natural range 0 to 3;
-  signal slice2cost_pixels_first_2_0_count_2, slice2cost_pixels_first_2_0_count_3 : natural range 0 to 3;
-  signal slice2cost_pixels_first_2_1_count_0, slice2cost_pixels_first_2_1_count_1 : natural range 0 to 3;
-  signal slice2cost_pixels_first_2_1_count_2, slice2cost_pixels_first_2_1_count_3 : natural range 0 to 3;
-  signal slice2cost_pixels_first_0_0_count_4, slice2cost_pixels_first_0_1_count_4 : natural range 0 to 2;
-  signal slice2cost_pixels_first_1_0_count_4, slice2cost_pixels_first_1_1_count_4 : natural range 0 to 2;
-  signal slice2cost_pixels_first_2_0_count_4, slice2cost_pixels_first_2_1_count_4 : natural range 0 to 2;
-  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_1_0 : natural range 0 to 14;
-  signal slice2cost_pixels_cost_1_1, slice2cost_pixels_cost_2_0, slice2cost_pixels_cost_2_1 : natural range 0 to 14;
-  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 14;
-  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 28;
-  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 42;
+  signal slice2cost_pixels_first_count : natural_3_3d(0 to 2, 0 to 1, 0 to 3);  -- slice2cost_pixels_first_#_#_count_#
+  signal slice2cost_pixels_first_count_4 : natural_2_2d(0 to 2, 0 to 1);  -- slice2cost_pixels_first_#_#_count_4
+  signal slice2cost_pixels_cost : natural_14_2d(0 to 2, 0 to 1);
+  signal slice2cost_single_0 : natural_14_1d(0 to 1);
+  signal slice2cost_pair_0 : natural_28_1d(0 to 1);
+  signal slice2cost_column_0 : natural_42_1d(0 to 1);
   -- slice2window
-  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 42;
-  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 84;
-  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 126;
+  signal slice2window_partial_0_0 : natural_42_1d(0 to 1);
+  signal slice2window_partial_0_1 : natural_84_1d(0 to 1);
+  signal slice2window_sum_0 : natural_126_1d(0 to 1);
   -- slice2
-  signal slice2_held_0_0, slice2_held_0_1 : natural range 0 to 15;
+  signal slice2_held_0 : natural_15_1d(0 to 1);
   -- entry
-  signal entry_next_cost_0, entry_next_cost_1, entry_next_cost_2, entry_next_cost_3 : natural range 0 to 15;
-  signal entry_next_cost_4, entry_next_cost_5, entry_next_cost_6, entry_next_cost_7 : natural range 0 to 15;
-  signal entry_next_cost_8, entry_next_cost_9, entry_next_cost_10, entry_next_cost_11 : natural range 0 to 15;
-  signal entry_cost_0, entry_cost_1, entry_cost_2, entry_cost_3, entry_cost_4, entry_cost_5 : natural range 0 to 15;
-  signal entry_cost_6, entry_cost_7, entry_cost_8, entry_cost_9, entry_cost_10, entry_cost_11 : natural range 0 to 15;
+  signal entry_next_cost : natural_15_1d(0 to 11);
+  signal entry_cost : natural_15_1d(0 to 11);
   signal entry_next_tag_valid, entry_next_tag_map_column, entry_next_tag_first_column : boolean;
   signal entry_next_tag_end_of_line, entry_next_top, entry_order_falls, entry_order_inside : boolean;
   signal entry_order_complete, entry_order_output, entry_order_first, entry_order_held_output : boolean;
@@ -384,182 +275,107 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal entry_turned_output_column, entry_turned_first_column, entry_turned_start_of_frame : boolean;
   signal entry_next_column, entry_order_address, entry_column, entry_place : natural range 0 to 31;
   -- forward
-  signal forward_smallest_smallest_0, forward_smallest_smallest_1, forward_smallest_smallest_2 : natural range 0 to 15;
-  signal forward_smallest_smallest_3, forward_smallest_smallest_4, forward_smallest_smallest_5 : natural range 0 to 15;
-  signal forward_smallest_next_smallest_0, forward_smallest_next_smallest_1 : natural range 0 to 15;
-  signal forward_smallest_next_smallest_2, forward_smallest_next_next_smallest_0 : natural range 0 to 15;
-  signal forward_smallest_next_next_smallest_1, forward_smallest_next_next_next_smallest_0 : natural range 0 to 15;
-  signal forward_above_ready_cost_0, forward_above_ready_cost_1, forward_above_ready_cost_2 : natural range 0 to 15;
-  signal forward_above_ready_cost_3, forward_above_ready_cost_4, forward_above_ready_cost_5 : natural range 0 to 15;
-  signal forward_above_ready_cost_6, forward_above_ready_cost_7, forward_above_ready_cost_8 : natural range 0 to 15;
-  signal forward_above_ready_cost_9, forward_above_ready_cost_10, forward_above_ready_cost_11 : natural range 0 to 15;
-  signal forward_smallest_cost_0, forward_smallest_cost_1, forward_smallest_cost_2 : natural range 0 to 15;
-  signal forward_smallest_cost_3, forward_smallest_cost_4 : natural range 0 to 15;
+  signal forward_smallest_smallest : natural_15_1d(0 to 5);
+  signal forward_smallest_next_smallest : natural_15_1d(0 to 2);
+  signal forward_smallest_next_next_smallest : natural_15_1d(0 to 1);
+  signal forward_smallest_next_next_next_smallest_0 : natural range 0 to 15;
+  signal forward_above_ready_cost : natural_15_1d(0 to 11);
+  signal forward_smallest_cost : natural_15_1d(0 to 4);
   signal forward_cost_delay_ring_read_address, forward_cost_delay_ring_write_address : natural range 0 to 7;
   signal forward_above_delay_ring_read_address, forward_above_delay_ring_write_address : natural range 0 to 7;
-  signal forward_cost_0_0, forward_cost_0_1, forward_cost_0_2, forward_cost_0_3 : natural range 0 to 7;
-  signal forward_cost_0_4, forward_cost_0_5, forward_cost_0_6, forward_cost_0_7 : natural range 0 to 7;
-  signal forward_cost_0_8, forward_cost_0_9, forward_cost_0_10, forward_cost_0_11 : natural range 0 to 7;
-  signal forward_cost_1_0, forward_cost_1_1, forward_cost_1_2, forward_cost_1_3 : natural range 0 to 7;
-  signal forward_cost_1_4, forward_cost_1_5, forward_cost_1_6, forward_cost_1_7 : natural range 0 to 7;
-  signal forward_cost_1_8, forward_cost_1_9, forward_cost_1_10, forward_cost_1_11 : natural range 0 to 7;
-  signal forward_cost_2_0, forward_cost_2_1, forward_cost_2_2, forward_cost_2_3 : natural range 0 to 7;
-  signal forward_cost_2_4, forward_cost_2_5, forward_cost_2_6, forward_cost_2_7 : natural range 0 to 7;
-  signal forward_cost_2_8, forward_cost_2_9, forward_cost_2_10, forward_cost_2_11 : natural range 0 to 7;
-  signal forward_cost_3_0, forward_cost_3_1, forward_cost_3_2, forward_cost_3_3 : natural range 0 to 7;
-  signal forward_cost_3_4, forward_cost_3_5, forward_cost_3_6, forward_cost_3_7 : natural range 0 to 7;
-  signal forward_cost_3_8, forward_cost_3_9, forward_cost_3_10, forward_cost_3_11 : natural range 0 to 7;
-  signal forward_cost_delay_held_0, forward_above_read_words_0, forward_above_read_words_1 : unsigned(31 downto 0);
-  signal forward_above_ready_words_0, forward_above_ready_words_1, forward_above_write_words_0 : unsigned(31 downto 0);
-  signal forward_above_write_words_1 : unsigned(31 downto 0);
+  signal forward_cost : natural_7_2d(0 to 3, 0 to 11);
+  signal forward_cost_delay_held_0 : unsigned(31 downto 0);
+  signal forward_above_read_words : unsigned_32_1d(0 to 1);
+  signal forward_above_ready_words : unsigned_32_1d(0 to 1);
+  signal forward_above_write_words : unsigned_32_1d(0 to 1);
   signal forward_cost_delay_held_1 : unsigned(7 downto 0);
-  signal forward_left_pair_0, forward_left_pair_1, forward_left_pair_2, forward_left_pair_3 : natural range 0 to 127;
-  signal forward_left_pair_4, forward_left_pair_5, forward_left_tree_smallest_0 : natural range 0 to 127;
-  signal forward_left_tree_smallest_1, forward_left_tree_smallest_2 : natural range 0 to 127;
-  signal forward_left_tree_next_smallest_0, forward_left_tree_next_smallest_1 : natural range 0 to 127;
+  signal forward_left_pair : natural_127_1d(0 to 5);
+  signal forward_left_tree_smallest : natural_127_1d(0 to 2);
+  signal forward_left_tree_next_smallest : natural_127_1d(0 to 1);
   signal forward_left_tree_next_next_smallest_0, forward_left_smallest : natural range 0 to 127;
   signal forward_left_smallest_less, forward_left_relief_leaves, forward_left_g_copy_0 : natural range 0 to 127;
-  signal forward_left_g_less_copy_0, forward_left_stay_change_0, forward_left_stay_change_1 : natural range 0 to 127;
-  signal forward_left_stay_change_2, forward_left_stay_change_3, forward_left_stay_change_4 : natural range 0 to 127;
-  signal forward_left_stay_change_5, forward_left_stay_change_6, forward_left_stay_change_7 : natural range 0 to 127;
-  signal forward_left_stay_change_8, forward_left_stay_change_9, forward_left_stay_change_10 : natural range 0 to 127;
-  signal forward_left_stay_change_11, forward_left_step_change_0, forward_left_step_change_1 : natural range 0 to 127;
-  signal forward_left_step_change_2, forward_left_step_change_3, forward_left_step_change_4 : natural range 0 to 127;
-  signal forward_left_step_change_5, forward_left_step_change_6, forward_left_step_change_7 : natural range 0 to 127;
-  signal forward_left_step_change_8, forward_left_step_change_9, forward_left_step_change_10 : natural range 0 to 127;
-  signal forward_left_step_change_11, forward_left_cost_0, forward_left_cost_1 : natural range 0 to 127;
-  signal forward_left_cost_2, forward_left_cost_3, forward_left_cost_4, forward_left_cost_5 : natural range 0 to 127;
-  signal forward_left_cost_6, forward_left_cost_7, forward_left_cost_8, forward_left_cost_9 : natural range 0 to 127;
-  signal forward_left_cost_10, forward_left_cost_11, forward_left_arrived_0 : natural range 0 to 127;
-  signal forward_left_arrived_1, forward_left_arrived_2, forward_left_arrived_3 : natural range 0 to 127;
-  signal forward_left_arrived_4, forward_left_arrived_5, forward_left_arrived_6 : natural range 0 to 127;
-  signal forward_left_arrived_7, forward_left_arrived_8, forward_left_arrived_9 : natural range 0 to 127;
-  signal forward_left_arrived_10, forward_left_arrived_11 : natural range 0 to 127;
-  signal forward_left_start_cost_0, forward_left_start_cost_1, forward_left_start_cost_2 : natural range 0 to 63;
-  signal forward_left_start_cost_3, forward_left_start_cost_4, forward_left_start_cost_5 : natural range 0 to 63;
-  signal forward_left_start_cost_6, forward_left_room, forward_left_relief_next_0 : natural range 0 to 63;
-  signal forward_left_relief_past_0, forward_left_relief_past_1, forward_left_relief_past_2 : natural range 0 to 63;
-  signal forward_left_relief_past_3, forward_left_relief_past_4, forward_left_relief_past_5 : natural range 0 to 63;
-  signal forward_left_relief_pairs_0, forward_left_relief_pairs_1, forward_left_relief_fours_0 : natural range 0 to 63;
-  signal forward_left_relief_older, forward_left_relief_recent, forward_left_relief_largest : natural range 0 to 63;
-  signal forward_left_relief_beyond, forward_above_cost_0, forward_above_cost_1 : natural range 0 to 63;
-  signal forward_above_cost_2, forward_above_cost_3, forward_above_cost_4, forward_above_cost_5 : natural range 0 to 63;
-  signal forward_above_cost_6, forward_above_cost_7, forward_above_cost_8, forward_above_cost_9 : natural range 0 to 63;
-  signal forward_above_cost_10, forward_above_cost_11, forward_above_beside_0 : natural range 0 to 63;
-  signal forward_above_beside_1, forward_above_beside_2, forward_above_beside_3 : natural range 0 to 63;
-  signal forward_above_beside_4, forward_above_beside_5, forward_above_beside_6 : natural range 0 to 63;
-  signal forward_above_beside_7, forward_above_beside_8, forward_above_beside_9 : natural range 0 to 63;
-  signal forward_above_beside_10, forward_above_beside_11, forward_above_own_0 : natural range 0 to 63;
-  signal forward_above_own_2, forward_above_own_3, forward_above_own_4, forward_above_own_5 : natural range 0 to 63;
-  signal forward_above_own_6, forward_above_own_7, forward_above_own_8, forward_above_own_9 : natural range 0 to 63;
-  signal forward_above_own_11, forward_reliefs_moved_0, forward_reliefs_moved_1 : natural range 0 to 63;
-  signal forward_reliefs_moved_2, forward_reliefs_moved_3, forward_reliefs_moved_4 : natural range 0 to 63;
-  signal forward_reliefs_moved_5, forward_reliefs_moved_6, forward_reliefs_moved_7 : natural range 0 to 63;
-  signal forward_reliefs_moved_8 : natural range 0 to 63;
-  signal forward_left_first_0, forward_left_first_1, forward_left_first_2, forward_above_ready_top : boolean;
-  signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
-  signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
-  signal forward_above_comes_8, forward_above_comes_9, forward_above_writes_copy_0, forward_first_0 : boolean;
-  signal forward_first_1, forward_first_2, forward_first_3 : boolean;
+  signal forward_left_g_less_copy_0 : natural range 0 to 127;
+  signal forward_left_stay_change : natural_127_1d(0 to 11);
+  signal forward_left_step_change : natural_127_1d(0 to 11);
+  signal forward_left_cost : natural_127_1d(0 to 11);
+  signal forward_left_arrived : natural_127_1d(0 to 11);
+  signal forward_left_start_cost : natural_63_1d(0 to 6);
+  signal forward_left_room, forward_left_relief_next_0 : natural range 0 to 63;
+  signal forward_left_relief_past : natural_63_1d(0 to 5);
+  signal forward_left_relief_pairs : natural_63_1d(0 to 1);
+  signal forward_left_relief_fours_0, forward_left_relief_older, forward_left_relief_recent : natural range 0 to 63;
+  signal forward_left_relief_largest, forward_left_relief_beyond : natural range 0 to 63;
+  signal forward_above_cost : natural_63_1d(0 to 11);
+  signal forward_above_beside : natural_63_1d(0 to 11);
+  signal forward_above_own_0 : natural range 0 to 63;
+  signal forward_above_own : natural_63_1d(2 to 9);
+  signal forward_above_own_11 : natural range 0 to 63;
+  signal forward_reliefs_moved : natural_63_1d(0 to 8);
+  signal forward_left_first : boolean_1d(0 to 2);
+  signal forward_above_ready_top : boolean;
+  signal forward_above_comes : boolean_1d(0 to 9);
+  signal forward_above_writes_copy_0 : boolean;
+  signal forward_first : boolean_1d(0 to 3);
   signal forward_left_relief_reach_of_best : natural range 0 to 255;
   signal forward_left_relief_room_of_best : natural range 0 to 190;
   signal forward_left_relief_reach_again : natural range 0 to 254;
-  signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 46;
-  signal forward_above_total_3, forward_above_total_4, forward_above_total_5 : natural range 0 to 46;
-  signal forward_above_total_6, forward_above_total_7, forward_above_total_8 : natural range 0 to 46;
-  signal forward_above_total_9, forward_above_total_10, forward_above_total_11 : natural range 0 to 46;
-  signal forward_above_tree_smallest_0, forward_above_tree_smallest_1 : natural range 0 to 46;
-  signal forward_above_tree_smallest_2, forward_above_tree_smallest_3 : natural range 0 to 46;
-  signal forward_above_tree_smallest_4, forward_above_tree_smallest_5 : natural range 0 to 46;
-  signal forward_above_tree_next_smallest_0, forward_above_tree_next_smallest_1 : natural range 0 to 46;
-  signal forward_above_tree_next_smallest_2, forward_above_tree_next_next_smallest_0 : natural range 0 to 46;
-  signal forward_above_tree_next_next_smallest_1, forward_above_tree_next_next_next_smallest_0 : natural range 0 to 46;
-  signal forward_above_smallest_copy_0 : natural range 0 to 46;
-  signal forward_above_delay_held_0, forward_above_delay_held_1 : unsigned(29 downto 0);
+  signal forward_above_total : natural_46_1d(0 to 11);
+  signal forward_above_tree_smallest : natural_46_1d(0 to 5);
+  signal forward_above_tree_next_smallest : natural_46_1d(0 to 2);
+  signal forward_above_tree_next_next_smallest : natural_46_1d(0 to 1);
+  signal forward_above_tree_next_next_next_smallest_0, forward_above_smallest_copy_0 : natural range 0 to 46;
+  signal forward_above_delay_held : unsigned_30_1d(0 to 1);
   signal forward_above_delay_held_2 : unsigned(11 downto 0);
-  signal forward_above_step_0, forward_above_step_1, forward_above_step_2, forward_above_step_3 : natural range 0 to 68;
-  signal forward_above_step_4, forward_above_step_5, forward_above_step_6, forward_above_step_7 : natural range 0 to 68;
-  signal forward_above_step_8, forward_above_step_9, forward_above_step_10 : natural range 0 to 68;
-  signal forward_above_step_11 : natural range 0 to 68;
-  signal forward_above_stay_0, forward_above_stay_1, forward_above_stay_2, forward_above_stay_3 : natural range 0 to 31;
-  signal forward_above_stay_4, forward_above_stay_5, forward_above_stay_6, forward_above_stay_7 : natural range 0 to 31;
-  signal forward_above_stay_8, forward_above_stay_9, forward_above_stay_10 : natural range 0 to 31;
-  signal forward_above_stay_11, forward_above_column_0, forward_above_column_1 : natural range 0 to 31;
-  signal forward_above_column_2, forward_above_column_3, forward_above_column_4 : natural range 0 to 31;
-  signal forward_above_column_5, forward_above_column_6, forward_above_column_7 : natural range 0 to 31;
-  signal forward_above_column_8, forward_above_column_9, forward_above_write_column : natural range 0 to 31;
+  signal forward_above_step : natural_68_1d(0 to 11);
+  signal forward_above_stay : natural_31_1d(0 to 11);
+  signal forward_above_column : natural_31_1d(0 to 9);
+  signal forward_above_write_column : natural range 0 to 31;
   -- sums
-  signal sums_turn_read_sums_0, sums_turn_read_sums_1, sums_turn_read_sums_2 : unsigned(31 downto 0);
-  signal sums_turn_ready_sums_0, sums_turn_ready_sums_1, sums_turn_ready_sums_2 : unsigned(31 downto 0);
-  signal sums_turn_write_sums_0, sums_turn_write_sums_1, sums_turn_write_sums_2 : unsigned(31 downto 0);
-  signal sums_sum_delay_held_0, sums_sum_delay_held_1, sums_sum_delay_held_2 : unsigned(31 downto 0);
+  signal sums_turn_read_sums : unsigned_32_1d(0 to 2);
+  signal sums_turn_ready_sums : unsigned_32_1d(0 to 2);
+  signal sums_turn_write_sums : unsigned_32_1d(0 to 2);
+  signal sums_sum_delay_held : unsigned_32_1d(0 to 2);
   signal sums_turn_read_costs_0 : unsigned(29 downto 0);
   signal sums_turn_read_costs_1 : unsigned(5 downto 0);
   signal sums_turn_read_smallest_0 : unsigned(8 downto 0);
   signal sums_turn_ready_costs_0, sums_turn_write_costs_0 : natural range 0 to 1073741823;
-  signal sums_turn_ready_costs_1, sums_turn_write_costs_1, sums_right_start_cost_0 : natural range 0 to 63;
-  signal sums_right_start_cost_1, sums_right_start_cost_2, sums_right_start_cost_3 : natural range 0 to 63;
-  signal sums_right_start_cost_4, sums_right_start_cost_5, sums_right_start_cost_6 : natural range 0 to 63;
-  signal sums_right_room, sums_right_relief_next_0, sums_right_relief_past_0 : natural range 0 to 63;
-  signal sums_right_relief_past_1, sums_right_relief_past_2, sums_right_relief_past_3 : natural range 0 to 63;
-  signal sums_right_relief_past_4, sums_right_relief_past_5, sums_right_relief_pairs_0 : natural range 0 to 63;
-  signal sums_right_relief_pairs_1, sums_right_relief_fours_0, sums_right_relief_older : natural range 0 to 63;
-  signal sums_right_relief_recent, sums_right_relief_largest, sums_right_relief_beyond : natural range 0 to 63;
+  signal sums_turn_ready_costs_1, sums_turn_write_costs_1 : natural range 0 to 63;
+  signal sums_right_start_cost : natural_63_1d(0 to 6);
+  signal sums_right_room, sums_right_relief_next_0 : natural range 0 to 63;
+  signal sums_right_relief_past : natural_63_1d(0 to 5);
+  signal sums_right_relief_pairs : natural_63_1d(0 to 1);
+  signal sums_right_relief_fours_0, sums_right_relief_older, sums_right_relief_recent : natural range 0 to 63;
+  signal sums_right_relief_largest, sums_right_relief_beyond : natural range 0 to 63;
   signal sums_turn_ready_smallest_0, sums_turn_write_smallest_0 : natural range 0 to 511;
-  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_right_first_0, sums_right_first_1 : boolean;
-  signal sums_right_first_2, sums_tag_valid, sums_tag_map_column, sums_tag_output_column : boolean;
-  signal sums_tag_start_of_frame, sums_tag_end_of_line, sums_tags_held_0_output_column : boolean;
-  signal sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line, sums_tags_held_1_output_column : boolean;
-  signal sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line, sums_tags_held_2_output_column : boolean;
-  signal sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line, sums_tags_held_3_output_column : boolean;
-  signal sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line, sums_tags_held_4_output_column : boolean;
-  signal sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line, sums_tags_moved : boolean;
-  signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 31;
-  signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 31;
-  signal sums_turn_place_8, sums_turn_write_place : natural range 0 to 31;
-  signal sums_cost_0_0, sums_cost_0_1, sums_cost_0_2, sums_cost_0_3, sums_cost_0_4 : natural range 0 to 7;
-  signal sums_cost_0_5, sums_cost_0_6, sums_cost_0_7, sums_cost_0_8, sums_cost_0_9 : natural range 0 to 7;
-  signal sums_cost_0_10, sums_cost_0_11, sums_cost_1_0, sums_cost_1_1, sums_cost_1_2 : natural range 0 to 7;
-  signal sums_cost_1_3, sums_cost_1_4, sums_cost_1_5, sums_cost_1_6, sums_cost_1_7 : natural range 0 to 7;
-  signal sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 7;
-  signal sums_right_pair_0, sums_right_pair_1, sums_right_pair_2, sums_right_pair_3 : natural range 0 to 127;
-  signal sums_right_pair_4, sums_right_pair_5, sums_right_tree_smallest_0 : natural range 0 to 127;
-  signal sums_right_tree_smallest_1, sums_right_tree_smallest_2 : natural range 0 to 127;
-  signal sums_right_tree_next_smallest_0, sums_right_tree_next_smallest_1 : natural range 0 to 127;
+  signal sums_turn_ready_first, sums_turn_writes_copy_0 : boolean;
+  signal sums_right_first : boolean_1d(0 to 2);
+  signal sums_tag_valid, sums_tag_map_column, sums_tag_output_column, sums_tag_start_of_frame : boolean;
+  signal sums_tag_end_of_line : boolean;
+  signal sums_tags_held_output_column : boolean_1d(0 to 4);  -- sums_tags_held_#_output_column
+  signal sums_tags_held_start_of_frame : boolean_1d(0 to 4);  -- sums_tags_held_#_start_of_frame
+  signal sums_tags_held_end_of_line : boolean_1d(0 to 4);  -- sums_tags_held_#_end_of_line
+  signal sums_tags_moved : boolean;
+  signal sums_turn_place : natural_31_1d(0 to 8);
+  signal sums_turn_write_place : natural range 0 to 31;
+  signal sums_cost : natural_7_2d(0 to 1, 0 to 11);
+  signal sums_right_pair : natural_127_1d(0 to 5);
+  signal sums_right_tree_smallest : natural_127_1d(0 to 2);
+  signal sums_right_tree_next_smallest : natural_127_1d(0 to 1);
   signal sums_right_tree_next_next_smallest_0, sums_right_smallest, sums_right_smallest_less : natural range 0 to 127;
   signal sums_right_relief_leaves, sums_right_g_copy_0, sums_right_g_less_copy_0 : natural range 0 to 127;
-  signal sums_right_stay_change_0, sums_right_stay_change_1, sums_right_stay_change_2 : natural range 0 to 127;
-  signal sums_right_stay_change_3, sums_right_stay_change_4, sums_right_stay_change_5 : natural range 0 to 127;
-  signal sums_right_stay_change_6, sums_right_stay_change_7, sums_right_stay_change_8 : natural range 0 to 127;
-  signal sums_right_stay_change_9, sums_right_stay_change_10, sums_right_stay_change_11 : natural range 0 to 127;
-  signal sums_right_step_change_0, sums_right_step_change_1, sums_right_step_change_2 : natural range 0 to 127;
-  signal sums_right_step_change_3, sums_right_step_change_4, sums_right_step_change_5 : natural range 0 to 127;
-  signal sums_right_step_change_6, sums_right_step_change_7, sums_right_step_change_8 : natural range 0 to 127;
-  signal sums_right_step_change_9, sums_right_step_change_10, sums_right_step_change_11 : natural range 0 to 127;
-  signal sums_right_cost_0, sums_right_cost_1, sums_right_cost_2, sums_right_cost_3 : natural range 0 to 127;
-  signal sums_right_cost_4, sums_right_cost_5, sums_right_cost_6, sums_right_cost_7 : natural range 0 to 127;
-  signal sums_right_cost_8, sums_right_cost_9, sums_right_cost_10, sums_right_cost_11 : natural range 0 to 127;
-  signal sums_right_arrived_0, sums_right_arrived_1, sums_right_arrived_2 : natural range 0 to 127;
-  signal sums_right_arrived_3, sums_right_arrived_4, sums_right_arrived_5 : natural range 0 to 127;
-  signal sums_right_arrived_6, sums_right_arrived_7, sums_right_arrived_8 : natural range 0 to 127;
-  signal sums_right_arrived_9, sums_right_arrived_10, sums_right_arrived_11 : natural range 0 to 127;
-  signal sums_right_relief_reach_of_best, sums_sum_0_0, sums_sum_0_1, sums_sum_0_2 : natural range 0 to 255;
-  signal sums_sum_0_3, sums_sum_0_4, sums_sum_0_5, sums_sum_0_6, sums_sum_0_7, sums_sum_0_8 : natural range 0 to 255;
-  signal sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 255;
+  signal sums_right_stay_change : natural_127_1d(0 to 11);
+  signal sums_right_step_change : natural_127_1d(0 to 11);
+  signal sums_right_cost : natural_127_1d(0 to 11);
+  signal sums_right_arrived : natural_127_1d(0 to 11);
+  signal sums_right_relief_reach_of_best : natural range 0 to 255;
+  signal sums_sum_0 : natural_255_1d(0 to 11);
   signal sums_right_relief_room_of_best : natural range 0 to 190;
   signal sums_right_relief_reach_again : natural range 0 to 254;
   signal sums_sum_delay_ring_read_address, sums_sum_delay_ring_write_address : natural range 0 to 3;
   -- winnerswinner1
-  signal winnerswinner1_of_pair_0_0, winnerswinner1_of_pair_0_1, winnerswinner1_of_pair_0_2 : natural range 0 to 255;
-  signal winnerswinner1_of_pair_0_3, winnerswinner1_of_pair_0_4, winnerswinner1_of_pair_0_5 : natural range 0 to 255;
-  signal winnerswinner1_of_pair_0_6, winnerswinner1_of_pair_0_7, winnerswinner1_of_pair_0_8 : natural range 0 to 255;
-  signal winnerswinner1_of_pair_0_9, winnerswinner1_of_pair_0_10, winnerswinner1_of_pair_0_11 : natural range 0 to 255;
-  signal winnerswinner1_of_four_0_0, winnerswinner1_of_four_0_1, winnerswinner1_of_four_0_2 : natural range 0 to 255;
-  signal winnerswinner1_of_four_0_3, winnerswinner1_of_four_0_4, winnerswinner1_of_four_0_5 : natural range 0 to 255;
-  signal winnerswinner1_of_four_0_6, winnerswinner1_of_four_0_7, winnerswinner1_of_four_0_8 : natural range 0 to 255;
-  signal winnerswinner1_of_four_0_9, winnerswinner1_of_four_0_10, winnerswinner1_of_four_0_11 : natural range 0 to 255;
-  signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 255;
-  signal winnerswinner1_best_cost_0_2 : natural range 0 to 255;
+  signal winnerswinner1_of_pair_0 : natural_255_1d(0 to 11);
+  signal winnerswinner1_of_four_0 : natural_255_1d(0 to 11);
+  signal winnerswinner1_best_cost_0 : natural_255_1d(0 to 2);
   signal winnerswinner1_pair_index_0_0, winnerswinner1_pair_tag_valid, winnerswinner1_pair_tag_map_column : boolean;
   signal winnerswinner1_pair_tag_output_column, winnerswinner1_pair_tag_start_of_frame : boolean;
   signal winnerswinner1_pair_tag_end_of_line, winnerswinner1_four_tag_valid : boolean;
@@ -576,7 +392,7 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal winnerswinner1_pair_index_0_5, winnerswinner1_four_index_0_2 : natural range 0 to 11;
   signal winnerswinner1_best_index_0_2 : natural range 0 to 11;
   -- winnerswinner2
-  signal winnerswinner2_of_pair_0_0, winnerswinner2_of_pair_0_1, winnerswinner2_of_pair_0_2 : natural range 0 to 255;
+  signal winnerswinner2_of_pair_0 : natural_255_1d(0 to 2);
   signal winnerswinner2_pair_index_0_0 : natural range 0 to 7;
   signal winnerswinner2_pair_index_0_1, winnerswinner2_four_index_0_0 : natural range 0 to 11;
   signal winnerswinner2_best_index_0_0 : natural range 0 to 11;
@@ -603,16 +419,15 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
   -- relief
-  signal relief_centre_column_0, relief_centre_column_1, relief_centre_column_2 : natural range 0 to 255;
-  signal relief_centre_column_3, relief_centre_column_4, relief_centre_grey_0, relief_before : natural range 0 to 255;
+  signal relief_centre_column : natural_255_1d(0 to 4);
+  signal relief_centre_grey_0, relief_before : natural range 0 to 255;
   signal relief_newest, relief_rows_read_newest_0, relief_rows_ready_words_0 : natural range 0 to 63;
   signal relief_rows_ready_newest_0, relief_rows_write_words_0, relief_shown_0, relief_column_0 : natural range 0 to 63;
-  signal relief_waiting_0, relief_waiting_1, relief_waiting_2, relief_waiting_3 : natural range 0 to 63;
-  signal relief_waiting_4, relief_waiting_5, relief_waiting_6, relief_waiting_7 : natural range 0 to 63;
-  signal relief_waiting_8, relief_entering, relief_entered : natural range 0 to 63;
+  signal relief_waiting : natural_63_1d(0 to 8);
+  signal relief_entering, relief_entered : natural range 0 to 63;
   signal relief_delayed_0, relief_rows_read_words_0 : unsigned(5 downto 0);
   -- other
-  signal other_0, other_1, other_2 : unsigned(31 downto 0);
+  signal other : unsigned_32_1d(0 to 2);
   signal transform_left_rows_read_words_0_memory_read_enable : boolean;
   signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
@@ -622,40 +437,31 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal turn_read_words_0_memory_read_enable : boolean;
-  signal turn_read_words_0_memory_read_address : unsigned(4 downto 0);
-  signal turn_read_words_0_memory_write_address : unsigned(4 downto 0);
+  signal turn_read_words_0_memory_read_address, turn_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
   signal sums_sum_delay_held_2_memory_read_enable : boolean;
-  signal sums_sum_delay_held_2_memory_read_address : unsigned(1 downto 0);
-  signal sums_sum_delay_held_2_memory_write_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_2_memory_read_address, sums_sum_delay_held_2_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(31 downto 0);
   signal sums_sum_delay_held_1_memory_read_enable : boolean;
-  signal sums_sum_delay_held_1_memory_read_address : unsigned(1 downto 0);
-  signal sums_sum_delay_held_1_memory_write_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_1_memory_read_address, sums_sum_delay_held_1_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(31 downto 0);
   signal sums_sum_delay_held_0_memory_read_enable : boolean;
-  signal sums_sum_delay_held_0_memory_read_address : unsigned(1 downto 0);
-  signal sums_sum_delay_held_0_memory_write_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_0_memory_read_address, sums_sum_delay_held_0_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(31 downto 0);
   signal sums_turn_read_sums_2_memory_read_enable : boolean;
-  signal sums_turn_read_sums_2_memory_read_address : unsigned(4 downto 0);
-  signal sums_turn_read_sums_2_memory_write_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_2_memory_read_address, sums_turn_read_sums_2_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_2_memory_write_data : unsigned(31 downto 0);
   signal sums_turn_read_sums_1_memory_read_enable : boolean;
-  signal sums_turn_read_sums_1_memory_read_address : unsigned(4 downto 0);
-  signal sums_turn_read_sums_1_memory_write_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_1_memory_read_address, sums_turn_read_sums_1_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_1_memory_write_data : unsigned(31 downto 0);
   signal sums_turn_read_sums_0_memory_read_enable : boolean;
-  signal sums_turn_read_sums_0_memory_read_address : unsigned(4 downto 0);
-  signal sums_turn_read_sums_0_memory_write_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_0_memory_read_address, sums_turn_read_sums_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_0_memory_write_data : unsigned(31 downto 0);
   signal sums_turn_read_costs_1_memory_read_enable : boolean;
-  signal sums_turn_read_costs_1_memory_read_address : unsigned(4 downto 0);
-  signal sums_turn_read_costs_1_memory_write_address : unsigned(4 downto 0);
+  signal sums_turn_read_costs_1_memory_read_address, sums_turn_read_costs_1_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_costs_1_memory_write_data : unsigned(5 downto 0);
   signal sums_turn_read_costs_0_memory_read_enable : boolean;
-  signal sums_turn_read_costs_0_memory_read_address : unsigned(4 downto 0);
-  signal sums_turn_read_costs_0_memory_write_address : unsigned(4 downto 0);
+  signal sums_turn_read_costs_0_memory_read_address, sums_turn_read_costs_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_costs_0_memory_write_data : unsigned(29 downto 0);
   signal sums_turn_read_smallest_0_memory_read_enable : boolean;
   signal sums_turn_read_smallest_0_memory_read_address : unsigned(4 downto 0);
@@ -694,8 +500,7 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal relief_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal relief_rows_read_words_0_memory_write_data : unsigned(5 downto 0);
   signal relief_delayed_0_memory_read_enable : boolean;
-  signal relief_delayed_0_memory_read_address : unsigned(3 downto 0);
-  signal relief_delayed_0_memory_write_address : unsigned(3 downto 0);
+  signal relief_delayed_0_memory_read_address, relief_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal relief_delayed_0_memory_write_data : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_read_enable : boolean;
   signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
@@ -706,8 +511,7 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
   signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address : unsigned(3 downto 0);
-  signal delay_delayed_0_memory_write_address : unsigned(3 downto 0);
+  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(13 downto 0);
 
 begin
@@ -757,67 +561,67 @@ begin
   sums_sum_delay_held_2_memory_read_enable <= entry_tag_valid;
   sums_sum_delay_held_2_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
   sums_sum_delay_held_2_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
-  sums_sum_delay_held_2_memory_write_data <= sums_turn_ready_sums_2;
+  sums_sum_delay_held_2_memory_write_data <= sums_turn_ready_sums(2);
   sums_sum_delay_held_2_memory : entity work.line_memory
     generic map (depth => 4, width => 32, address_bits => 2)
     port map (
       clock => clock, read_enable => sums_sum_delay_held_2_memory_read_enable,
-      read_address => sums_sum_delay_held_2_memory_read_address, read_data => sums_sum_delay_held_2,
+      read_address => sums_sum_delay_held_2_memory_read_address, read_data => sums_sum_delay_held(2),
       write_address => sums_sum_delay_held_2_memory_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
 
   sums_sum_delay_held_1_memory_read_enable <= entry_tag_valid;
   sums_sum_delay_held_1_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
   sums_sum_delay_held_1_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
-  sums_sum_delay_held_1_memory_write_data <= sums_turn_ready_sums_1;
+  sums_sum_delay_held_1_memory_write_data <= sums_turn_ready_sums(1);
   sums_sum_delay_held_1_memory : entity work.line_memory
     generic map (depth => 4, width => 32, address_bits => 2)
     port map (
       clock => clock, read_enable => sums_sum_delay_held_1_memory_read_enable,
-      read_address => sums_sum_delay_held_1_memory_read_address, read_data => sums_sum_delay_held_1,
+      read_address => sums_sum_delay_held_1_memory_read_address, read_data => sums_sum_delay_held(1),
       write_address => sums_sum_delay_held_1_memory_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
 
   sums_sum_delay_held_0_memory_read_enable <= entry_tag_valid;
   sums_sum_delay_held_0_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
   sums_sum_delay_held_0_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
-  sums_sum_delay_held_0_memory_write_data <= sums_turn_ready_sums_0;
+  sums_sum_delay_held_0_memory_write_data <= sums_turn_ready_sums(0);
   sums_sum_delay_held_0_memory : entity work.line_memory
     generic map (depth => 4, width => 32, address_bits => 2)
     port map (
       clock => clock, read_enable => sums_sum_delay_held_0_memory_read_enable,
-      read_address => sums_sum_delay_held_0_memory_read_address, read_data => sums_sum_delay_held_0,
+      read_address => sums_sum_delay_held_0_memory_read_address, read_data => sums_sum_delay_held(0),
       write_address => sums_sum_delay_held_0_memory_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
 
   sums_turn_read_sums_2_memory_read_enable <= true;
   sums_turn_read_sums_2_memory_read_address <= to_unsigned(entry_order_address, 5);
   sums_turn_read_sums_2_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
-  sums_turn_read_sums_2_memory_write_data <= sums_turn_write_sums_2;
+  sums_turn_read_sums_2_memory_write_data <= sums_turn_write_sums(2);
   sums_turn_read_sums_2_memory : entity work.line_memory
     generic map (depth => 29, width => 32, address_bits => 5)
     port map (
       clock => clock, read_enable => sums_turn_read_sums_2_memory_read_enable,
-      read_address => sums_turn_read_sums_2_memory_read_address, read_data => sums_turn_read_sums_2,
+      read_address => sums_turn_read_sums_2_memory_read_address, read_data => sums_turn_read_sums(2),
       write_address => sums_turn_read_sums_2_memory_write_address, write_data => sums_turn_read_sums_2_memory_write_data);
 
   sums_turn_read_sums_1_memory_read_enable <= true;
   sums_turn_read_sums_1_memory_read_address <= to_unsigned(entry_order_address, 5);
   sums_turn_read_sums_1_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
-  sums_turn_read_sums_1_memory_write_data <= sums_turn_write_sums_1;
+  sums_turn_read_sums_1_memory_write_data <= sums_turn_write_sums(1);
   sums_turn_read_sums_1_memory : entity work.line_memory
     generic map (depth => 29, width => 32, address_bits => 5)
     port map (
       clock => clock, read_enable => sums_turn_read_sums_1_memory_read_enable,
-      read_address => sums_turn_read_sums_1_memory_read_address, read_data => sums_turn_read_sums_1,
+      read_address => sums_turn_read_sums_1_memory_read_address, read_data => sums_turn_read_sums(1),
       write_address => sums_turn_read_sums_1_memory_write_address, write_data => sums_turn_read_sums_1_memory_write_data);
 
   sums_turn_read_sums_0_memory_read_enable <= true;
   sums_turn_read_sums_0_memory_read_address <= to_unsigned(entry_order_address, 5);
   sums_turn_read_sums_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
-  sums_turn_read_sums_0_memory_write_data <= sums_turn_write_sums_0;
+  sums_turn_read_sums_0_memory_write_data <= sums_turn_write_sums(0);
   sums_turn_read_sums_0_memory : entity work.line_memory
     generic map (depth => 29, width => 32, address_bits => 5)
     port map (
       clock => clock, read_enable => sums_turn_read_sums_0_memory_read_enable,
-      read_address => sums_turn_read_sums_0_memory_read_address, read_data => sums_turn_read_sums_0,
+      read_address => sums_turn_read_sums_0_memory_read_address, read_data => sums_turn_read_sums(0),
       write_address => sums_turn_read_sums_0_memory_write_address, write_data => sums_turn_read_sums_0_memory_write_data);
 
   sums_turn_read_costs_1_memory_read_enable <= true;
@@ -856,29 +660,29 @@ begin
   forward_above_read_words_1_memory_read_enable <= true;
   forward_above_read_words_1_memory_read_address <= to_unsigned(entry_next_column, 5);
   forward_above_read_words_1_memory_write_address <= to_unsigned(forward_above_write_column, 5);
-  forward_above_read_words_1_memory_write_data <= forward_above_write_words_1;
+  forward_above_read_words_1_memory_write_data <= forward_above_write_words(1);
   forward_above_read_words_1_memory : entity work.line_memory
     generic map (depth => 29, width => 32, address_bits => 5)
     port map (
       clock => clock, read_enable => forward_above_read_words_1_memory_read_enable,
-      read_address => forward_above_read_words_1_memory_read_address, read_data => forward_above_read_words_1,
+      read_address => forward_above_read_words_1_memory_read_address, read_data => forward_above_read_words(1),
       write_address => forward_above_read_words_1_memory_write_address, write_data => forward_above_read_words_1_memory_write_data);
 
   forward_above_read_words_0_memory_read_enable <= true;
   forward_above_read_words_0_memory_read_address <= to_unsigned(entry_next_column, 5);
   forward_above_read_words_0_memory_write_address <= to_unsigned(forward_above_write_column, 5);
-  forward_above_read_words_0_memory_write_data <= forward_above_write_words_0;
+  forward_above_read_words_0_memory_write_data <= forward_above_write_words(0);
   forward_above_read_words_0_memory : entity work.line_memory
     generic map (depth => 29, width => 32, address_bits => 5)
     port map (
       clock => clock, read_enable => forward_above_read_words_0_memory_read_enable,
-      read_address => forward_above_read_words_0_memory_read_address, read_data => forward_above_read_words_0,
+      read_address => forward_above_read_words_0_memory_read_address, read_data => forward_above_read_words(0),
       write_address => forward_above_read_words_0_memory_write_address, write_data => forward_above_read_words_0_memory_write_data);
 
   forward_above_delay_held_2_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_2_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_2_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_2_memory_write_data <= to_unsigned(forward_above_total_11, 6) & to_unsigned(forward_above_total_10, 6);
+  forward_above_delay_held_2_memory_write_data <= to_unsigned(forward_above_total(11), 6) & to_unsigned(forward_above_total(10), 6);
   forward_above_delay_held_2_memory : entity work.line_memory
     generic map (depth => 5, width => 12, address_bits => 3)
     port map (
@@ -889,29 +693,29 @@ begin
   forward_above_delay_held_1_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_1_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_1_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total_9, 6) & to_unsigned(forward_above_total_8, 6) & to_unsigned(forward_above_total_7, 6) & to_unsigned(forward_above_total_6, 6) & to_unsigned(forward_above_total_5, 6);
+  forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total(9), 6) & to_unsigned(forward_above_total(8), 6) & to_unsigned(forward_above_total(7), 6) & to_unsigned(forward_above_total(6), 6) & to_unsigned(forward_above_total(5), 6);
   forward_above_delay_held_1_memory : entity work.line_memory
     generic map (depth => 5, width => 30, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_1_memory_read_enable,
-      read_address => forward_above_delay_held_1_memory_read_address, read_data => forward_above_delay_held_1,
+      read_address => forward_above_delay_held_1_memory_read_address, read_data => forward_above_delay_held(1),
       write_address => forward_above_delay_held_1_memory_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
   forward_above_delay_held_0_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_0_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_0_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total_4, 6) & to_unsigned(forward_above_total_3, 6) & to_unsigned(forward_above_total_2, 6) & to_unsigned(forward_above_total_1, 6) & to_unsigned(forward_above_total_0, 6);
+  forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total(4), 6) & to_unsigned(forward_above_total(3), 6) & to_unsigned(forward_above_total(2), 6) & to_unsigned(forward_above_total(1), 6) & to_unsigned(forward_above_total(0), 6);
   forward_above_delay_held_0_memory : entity work.line_memory
     generic map (depth => 5, width => 30, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_0_memory_read_enable,
-      read_address => forward_above_delay_held_0_memory_read_address, read_data => forward_above_delay_held_0,
+      read_address => forward_above_delay_held_0_memory_read_address, read_data => forward_above_delay_held(0),
       write_address => forward_above_delay_held_0_memory_write_address, write_data => forward_above_delay_held_0_memory_write_data);
 
   forward_cost_delay_held_1_memory_read_enable <= entry_tag_valid;
   forward_cost_delay_held_1_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
   forward_cost_delay_held_1_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
-  forward_cost_delay_held_1_memory_write_data <= ((to_unsigned(entry_cost_11, 5) & to_unsigned(0, 3)) or (to_unsigned(entry_cost_10, 8)));
+  forward_cost_delay_held_1_memory_write_data <= ((to_unsigned(entry_cost(11), 5) & to_unsigned(0, 3)) or (to_unsigned(entry_cost(10), 8)));
   forward_cost_delay_held_1_memory : entity work.line_memory
     generic map (depth => 5, width => 8, address_bits => 3)
     port map (
@@ -922,7 +726,7 @@ begin
   forward_cost_delay_held_0_memory_read_enable <= entry_tag_valid;
   forward_cost_delay_held_0_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
   forward_cost_delay_held_0_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
-  forward_cost_delay_held_0_memory_write_data <= ((((((((((((((((((to_unsigned(entry_cost_8, 8) & to_unsigned(0, 24)) or (to_unsigned(entry_cost_9, 5) & to_unsigned(0, 27)))) or (to_unsigned(entry_cost_7, 11) & to_unsigned(0, 21)))) or (to_unsigned(entry_cost_6, 14) & to_unsigned(0, 18)))) or (to_unsigned(entry_cost_5, 17) & to_unsigned(0, 15)))) or (to_unsigned(entry_cost_4, 20) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost_3, 23) & to_unsigned(0, 9)))) or (to_unsigned(entry_cost_2, 26) & to_unsigned(0, 6)))) or (to_unsigned(entry_cost_0, 32)))) or (to_unsigned(entry_cost_1, 29) & to_unsigned(0, 3)));
+  forward_cost_delay_held_0_memory_write_data <= ((((((((((((((((((to_unsigned(entry_cost(8), 8) & to_unsigned(0, 24)) or (to_unsigned(entry_cost(9), 5) & to_unsigned(0, 27)))) or (to_unsigned(entry_cost(7), 11) & to_unsigned(0, 21)))) or (to_unsigned(entry_cost(6), 14) & to_unsigned(0, 18)))) or (to_unsigned(entry_cost(5), 17) & to_unsigned(0, 15)))) or (to_unsigned(entry_cost(4), 20) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost(3), 23) & to_unsigned(0, 9)))) or (to_unsigned(entry_cost(2), 26) & to_unsigned(0, 6)))) or (to_unsigned(entry_cost(0), 32)))) or (to_unsigned(entry_cost(1), 29) & to_unsigned(0, 3)));
   forward_cost_delay_held_0_memory : entity work.line_memory
     generic map (depth => 5, width => 32, address_bits => 3)
     port map (
@@ -986,2044 +790,1251 @@ begin
       write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
-    variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
-    variable transform_read_column_inside_0_value, transform_read_column_inside_0_value_2 : boolean;
-    variable transform_read_column_inside_0_value_3, transform_read_column_inside_2_is_equal : boolean;
-    variable transform_read_column_inside_2_differs, transform_read_column_inside_6_choice : boolean;
-    variable transform_left_filter_feature_0_value, transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_is_equal : boolean;
-    variable transform_left_filter_feature_0_choice_2, transform_left_filter_feature_0_value_2 : boolean;
-    variable transform_left_filter_feature_0_choice_3, transform_left_filter_feature_0_value_3 : boolean;
-    variable transform_left_filter_feature_0_choice_4, transform_left_filter_feature_0_value_4 : boolean;
-    variable transform_left_filter_feature_0_choice_5, transform_left_filter_feature_0_value_5 : boolean;
-    variable transform_left_filter_feature_0_choice_6, transform_left_filter_feature_0_value_6 : boolean;
-    variable transform_left_filter_feature_0_choice_7, transform_left_filter_feature_0_choice_8 : boolean;
-    variable transform_left_filter_feature_0_choice_9, transform_left_filter_feature_0_choice_10 : boolean;
-    variable transform_left_filter_feature_0_choice_11, transform_left_filter_feature_0_choice_12 : boolean;
-    variable transform_left_filter_feature_0_choice_13, transform_left_filter_feature_0_choice_14 : boolean;
-    variable transform_left_filter_feature_0_choice_15, transform_left_filter_feature_0_choice_16 : boolean;
-    variable transform_left_filter_feature_0_choice_18, transform_left_filter_feature_0_choice_19 : boolean;
-    variable transform_left_filter_feature_0_choice_20, transform_left_filter_feature_0_choice_21 : boolean;
-    variable transform_left_filter_feature_0_choice_22, transform_left_filter_feature_0_choice_23 : boolean;
-    variable transform_left_filter_feature_0_choice_24, transform_left_filter_feature_0_all : boolean;
-    variable transform_left_filter_feature_0_choice_25, transform_left_filter_feature_0_choice_26 : boolean;
-    variable transform_left_filter_feature_0_choice_27, transform_left_filter_feature_0_choice_28 : boolean;
-    variable transform_left_filter_feature_0_value_7, transform_left_filter_feature_0_choice_29 : boolean;
-    variable transform_left_filter_feature_0_value_8, transform_left_filter_feature_0_choice_30 : boolean;
-    variable transform_left_filter_feature_0_value_9, transform_left_filter_feature_0_choice_31 : boolean;
-    variable transform_left_filter_feature_0_value_10, transform_left_filter_feature_0_choice_32 : boolean;
-    variable transform_left_filter_feature_0_value_11, transform_left_filter_feature_0_choice_33 : boolean;
-    variable transform_left_filter_feature_0_choice_34, transform_left_filter_feature_0_choice_35 : boolean;
-    variable transform_left_filter_feature_0_choice_36, transform_left_filter_feature_0_choice_37 : boolean;
-    variable transform_left_filter_feature_0_choice_38, transform_left_filter_feature_0_choice_39 : boolean;
-    variable transform_left_filter_feature_0_choice_40, transform_left_filter_feature_0_choice_41 : boolean;
-    variable transform_left_filter_feature_0_choice_42, transform_left_filter_feature_0_choice_43 : boolean;
-    variable transform_left_filter_feature_0_choice_44, transform_left_filter_feature_0_choice_45 : boolean;
-    variable transform_left_filter_feature_0_choice_46, transform_left_filter_feature_0_choice_47 : boolean;
-    variable transform_left_filter_feature_0_choice_48, transform_left_filter_feature_0_choice_49 : boolean;
-    variable transform_left_filter_feature_0_choice_50, transform_left_filter_feature_0_all_2 : boolean;
-    variable transform_left_filter_feature_0_choice_51, transform_left_filter_feature_0_choice_52 : boolean;
-    variable transform_left_filter_feature_0_choice_53, transform_left_filter_feature_0_choice_54 : boolean;
-    variable transform_left_filter_feature_0_choice_55, transform_left_filter_feature_0_choice_56 : boolean;
-    variable transform_left_filter_feature_0_choice_57, transform_left_filter_feature_0_choice_58 : boolean;
-    variable transform_left_filter_feature_0_choice_59, transform_left_filter_feature_0_choice_60 : boolean;
-    variable transform_left_filter_feature_0_choice_61, transform_left_filter_feature_0_choice_62 : boolean;
-    variable transform_left_filter_feature_0_choice_63, transform_left_filter_feature_0_choice_64 : boolean;
-    variable transform_left_filter_feature_0_choice_65, transform_left_filter_feature_0_choice_66 : boolean;
-    variable transform_left_filter_feature_0_choice_67, transform_left_filter_feature_0_choice_68 : boolean;
-    variable transform_left_filter_feature_0_choice_69, transform_left_filter_feature_0_choice_70 : boolean;
-    variable transform_left_filter_feature_0_choice_71, transform_left_filter_feature_0_choice_72 : boolean;
-    variable transform_left_filter_feature_0_choice_73, transform_left_filter_feature_0_choice_74 : boolean;
-    variable transform_left_filter_feature_0_choice_75, transform_left_filter_feature_0_choice_76 : boolean;
-    variable transform_left_filter_feature_0_all_3, transform_left_filter_feature_0_choice_77 : boolean;
-    variable transform_left_filter_feature_0_choice_78, transform_left_filter_feature_0_choice_79 : boolean;
-    variable transform_left_filter_feature_0_choice_80, transform_left_filter_feature_0_choice_81 : boolean;
-    variable transform_left_filter_feature_0_choice_82, transform_left_filter_feature_0_choice_83 : boolean;
-    variable transform_left_filter_feature_0_choice_84, transform_left_filter_feature_0_choice_85 : boolean;
-    variable transform_left_filter_feature_0_choice_86, transform_left_filter_feature_0_choice_87 : boolean;
-    variable transform_left_filter_feature_0_choice_88, transform_left_filter_feature_0_choice_89 : boolean;
-    variable transform_left_filter_feature_0_choice_90, transform_left_filter_feature_0_choice_91 : boolean;
-    variable transform_left_filter_feature_0_choice_92, transform_left_filter_feature_0_choice_93 : boolean;
-    variable transform_left_filter_feature_0_choice_94, transform_left_filter_feature_0_choice_95 : boolean;
-    variable transform_left_filter_feature_0_choice_96, transform_left_filter_feature_0_choice_97 : boolean;
-    variable transform_left_filter_feature_0_choice_98, transform_left_filter_feature_0_choice_99 : boolean;
-    variable transform_left_filter_feature_0_choice_100, transform_left_filter_feature_0_choice_101 : boolean;
-    variable transform_left_filter_feature_0_choice_102, transform_left_filter_feature_0_all_4 : boolean;
-    variable transform_left_filter_feature_0_choice_103, transform_left_filter_feature_0_choice_104 : boolean;
-    variable transform_left_filter_feature_0_choice_105, transform_left_filter_feature_0_choice_106 : boolean;
-    variable transform_left_filter_feature_0_choice_107, transform_left_filter_feature_0_choice_108 : boolean;
-    variable transform_left_filter_feature_0_choice_109, transform_left_filter_feature_0_choice_110 : boolean;
-    variable transform_left_filter_feature_0_choice_111, transform_left_filter_feature_0_choice_112 : boolean;
-    variable transform_left_filter_feature_0_choice_113, transform_left_filter_feature_0_choice_114 : boolean;
-    variable transform_left_filter_feature_0_choice_115, transform_left_filter_feature_0_choice_116 : boolean;
-    variable transform_left_filter_feature_0_choice_117, transform_left_filter_feature_0_choice_118 : boolean;
-    variable transform_left_filter_feature_0_choice_119, transform_left_filter_feature_0_choice_120 : boolean;
-    variable transform_left_filter_feature_0_choice_121, transform_right_filter_feature_0_value : boolean;
-    variable transform_right_filter_feature_0_any, transform_right_filter_feature_0_choice : boolean;
-    variable transform_right_filter_feature_0_is_equal, transform_right_filter_feature_0_choice_2 : boolean;
-    variable transform_right_filter_feature_0_value_2, transform_right_filter_feature_0_choice_3 : boolean;
-    variable transform_right_filter_feature_0_value_3, transform_right_filter_feature_0_choice_4 : boolean;
-    variable transform_right_filter_feature_0_value_4, transform_right_filter_feature_0_choice_5 : boolean;
-    variable transform_right_filter_feature_0_value_5, transform_right_filter_feature_0_choice_6 : boolean;
-    variable transform_right_filter_feature_0_value_6, transform_right_filter_feature_0_choice_7 : boolean;
-    variable transform_right_filter_feature_0_choice_8, transform_right_filter_feature_0_choice_9 : boolean;
-    variable transform_right_filter_feature_0_choice_10, transform_right_filter_feature_0_choice_11 : boolean;
-    variable transform_right_filter_feature_0_choice_12, transform_right_filter_feature_0_choice_13 : boolean;
-    variable transform_right_filter_feature_0_choice_14, transform_right_filter_feature_0_choice_15 : boolean;
-    variable transform_right_filter_feature_0_choice_16, transform_right_filter_feature_0_choice_18 : boolean;
-    variable transform_right_filter_feature_0_choice_19, transform_right_filter_feature_0_choice_20 : boolean;
-    variable transform_right_filter_feature_0_choice_21, transform_right_filter_feature_0_choice_22 : boolean;
-    variable transform_right_filter_feature_0_choice_23, transform_right_filter_feature_0_choice_24 : boolean;
-    variable transform_right_filter_feature_0_all, transform_right_filter_feature_0_choice_25 : boolean;
-    variable transform_right_filter_feature_0_choice_26, transform_right_filter_feature_0_choice_27 : boolean;
-    variable transform_right_filter_feature_0_choice_28, transform_right_filter_feature_0_value_7 : boolean;
-    variable transform_right_filter_feature_0_choice_29, transform_right_filter_feature_0_value_8 : boolean;
-    variable transform_right_filter_feature_0_choice_30, transform_right_filter_feature_0_value_9 : boolean;
-    variable transform_right_filter_feature_0_choice_31, transform_right_filter_feature_0_value_10 : boolean;
-    variable transform_right_filter_feature_0_choice_32, transform_right_filter_feature_0_value_11 : boolean;
-    variable transform_right_filter_feature_0_choice_33, transform_right_filter_feature_0_choice_34 : boolean;
-    variable transform_right_filter_feature_0_choice_35, transform_right_filter_feature_0_choice_36 : boolean;
-    variable transform_right_filter_feature_0_choice_37, transform_right_filter_feature_0_choice_38 : boolean;
-    variable transform_right_filter_feature_0_choice_39, transform_right_filter_feature_0_choice_40 : boolean;
-    variable transform_right_filter_feature_0_choice_41, transform_right_filter_feature_0_choice_42 : boolean;
-    variable transform_right_filter_feature_0_choice_43, transform_right_filter_feature_0_choice_44 : boolean;
-    variable transform_right_filter_feature_0_choice_45, transform_right_filter_feature_0_choice_46 : boolean;
-    variable transform_right_filter_feature_0_choice_47, transform_right_filter_feature_0_choice_48 : boolean;
-    variable transform_right_filter_feature_0_choice_49, transform_right_filter_feature_0_choice_50 : boolean;
-    variable transform_right_filter_feature_0_choice_51, transform_right_filter_feature_0_all_2 : boolean;
-    variable transform_right_filter_feature_0_choice_52, transform_right_filter_feature_0_choice_53 : boolean;
-    variable transform_right_filter_feature_0_choice_54, transform_right_filter_feature_0_choice_55 : boolean;
-    variable transform_right_filter_feature_0_choice_56, transform_right_filter_feature_0_choice_57 : boolean;
-    variable transform_right_filter_feature_0_choice_58, transform_right_filter_feature_0_choice_59 : boolean;
-    variable transform_right_filter_feature_0_choice_60, transform_right_filter_feature_0_choice_61 : boolean;
-    variable transform_right_filter_feature_0_choice_62, transform_right_filter_feature_0_choice_63 : boolean;
-    variable transform_right_filter_feature_0_choice_64, transform_right_filter_feature_0_choice_65 : boolean;
-    variable transform_right_filter_feature_0_choice_66, transform_right_filter_feature_0_choice_67 : boolean;
-    variable transform_right_filter_feature_0_choice_68, transform_right_filter_feature_0_choice_69 : boolean;
-    variable transform_right_filter_feature_0_choice_70, transform_right_filter_feature_0_choice_71 : boolean;
-    variable transform_right_filter_feature_0_choice_72, transform_right_filter_feature_0_choice_73 : boolean;
-    variable transform_right_filter_feature_0_choice_74, transform_right_filter_feature_0_choice_75 : boolean;
-    variable transform_right_filter_feature_0_choice_76, transform_right_filter_feature_0_choice_77 : boolean;
-    variable transform_right_filter_feature_0_choice_78, transform_right_filter_feature_0_all_3 : boolean;
-    variable transform_right_filter_feature_0_choice_79, transform_right_filter_feature_0_choice_80 : boolean;
-    variable transform_right_filter_feature_0_choice_81, transform_right_filter_feature_0_choice_82 : boolean;
-    variable transform_right_filter_feature_0_choice_83, transform_right_filter_feature_0_choice_84 : boolean;
-    variable transform_right_filter_feature_0_choice_85, transform_right_filter_feature_0_choice_86 : boolean;
-    variable transform_right_filter_feature_0_choice_87, transform_right_filter_feature_0_choice_88 : boolean;
-    variable transform_right_filter_feature_0_choice_89, transform_right_filter_feature_0_choice_90 : boolean;
-    variable transform_right_filter_feature_0_choice_91, transform_right_filter_feature_0_choice_92 : boolean;
-    variable transform_right_filter_feature_0_choice_93, transform_right_filter_feature_0_choice_94 : boolean;
-    variable transform_right_filter_feature_0_choice_95, transform_right_filter_feature_0_choice_96 : boolean;
-    variable transform_right_filter_feature_0_choice_97, transform_right_filter_feature_0_choice_98 : boolean;
-    variable transform_right_filter_feature_0_choice_99, transform_right_filter_feature_0_choice_100 : boolean;
-    variable transform_right_filter_feature_0_choice_101, transform_right_filter_feature_0_choice_102 : boolean;
-    variable transform_right_filter_feature_0_choice_103, transform_right_filter_feature_0_choice_104 : boolean;
-    variable transform_right_filter_feature_0_choice_105, transform_right_filter_feature_0_all_4 : boolean;
-    variable transform_right_filter_feature_0_choice_106, transform_right_filter_feature_0_choice_107 : boolean;
-    variable transform_right_filter_feature_0_choice_108, transform_right_filter_feature_0_choice_109 : boolean;
-    variable transform_right_filter_feature_0_choice_110, transform_right_filter_feature_0_choice_111 : boolean;
-    variable transform_right_filter_feature_0_choice_112, transform_right_filter_feature_0_choice_113 : boolean;
-    variable transform_right_filter_feature_0_choice_114, transform_right_filter_feature_0_choice_115 : boolean;
-    variable transform_right_filter_feature_0_choice_116, transform_right_filter_feature_0_choice_117 : boolean;
-    variable transform_right_filter_feature_0_choice_118, transform_right_filter_feature_0_choice_119 : boolean;
-    variable transform_right_filter_feature_0_choice_120, transform_right_filter_feature_0_choice_121 : boolean;
-    variable transform_right_filter_feature_0_choice_122, transform_right_filter_feature_0_choice_123 : boolean;
-    variable transform_right_filter_feature_0_choice_124, transform_right_filter_feature_0_choice_125 : boolean;
-    variable transform_counter_next_frame_choice, raster_place_group_is_equal, raster_place_group_is_equal_2 : boolean;
-    variable raster_place_group_all, raster_place_group_is_equal_3, raster_place_group_choice_2 : boolean;
-    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2, delay_row_inside_1_is_not_less : boolean;
-    variable delay_row_inside_1_is_less, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
-    variable delay_tag_map_column_is_less, slice0cost_pixels_first_0_0_count_0_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_value_2, slice0cost_pixels_first_0_0_count_1_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_2, slice0cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value, slice0cost_pixels_first_0_0_count_2_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value, slice0cost_pixels_first_0_0_count_3_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_3, slice0cost_pixels_first_0_0_count_4_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_value, slice0cost_pixels_first_1_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value, slice0cost_pixels_first_1_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_3, slice0cost_pixels_first_1_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_value_2, slice0cost_pixels_first_1_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_2, slice0cost_pixels_first_1_0_count_3_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value, slice0cost_pixels_first_2_0_count_0_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_value_2, slice0cost_pixels_first_2_0_count_1_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_2, slice0cost_pixels_first_2_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value, slice0cost_pixels_first_2_0_count_2_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value, slice0cost_pixels_first_2_0_count_3_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_3, slice0cost_pixels_first_2_0_count_4_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value, slice1cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value, slice1cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_3, slice1cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value_2, slice1cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_2, slice1cost_pixels_first_0_0_count_3_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value, slice1cost_pixels_first_1_0_count_0_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_value_2, slice1cost_pixels_first_1_0_count_1_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_2, slice1cost_pixels_first_1_0_count_1_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_value, slice1cost_pixels_first_1_0_count_2_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value, slice1cost_pixels_first_1_0_count_3_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_3, slice1cost_pixels_first_1_0_count_4_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_value, slice1cost_pixels_first_2_0_count_0_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value, slice1cost_pixels_first_2_0_count_1_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_3, slice1cost_pixels_first_2_0_count_2_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_value_2, slice1cost_pixels_first_2_0_count_3_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_2, slice1cost_pixels_first_2_0_count_3_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value, slice2cost_pixels_first_0_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value_2, slice2cost_pixels_first_0_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_2, slice2cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value, slice2cost_pixels_first_0_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value, slice2cost_pixels_first_0_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_3, slice2cost_pixels_first_0_0_count_4_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_value, slice2cost_pixels_first_1_0_count_0_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value, slice2cost_pixels_first_1_0_count_1_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_3, slice2cost_pixels_first_1_0_count_2_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_value_2, slice2cost_pixels_first_1_0_count_3_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_2, slice2cost_pixels_first_1_0_count_3_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value, slice2cost_pixels_first_2_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_value_2, slice2cost_pixels_first_2_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_2, slice2cost_pixels_first_2_0_count_1_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_value, slice2cost_pixels_first_2_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value, slice2cost_pixels_first_2_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_3, slice2cost_pixels_first_2_0_count_4_value : boolean;
+    variable transform_counter_group_is_equal : boolean;
+    variable transform_counter_group_is_equals : boolean_1d(2 to 3);  -- transform_counter_group_is_equal_#
+    variable transform_counter_group_all, transform_read_column_inside_0_value : boolean;
+    variable transform_read_column_inside_0_values : boolean_1d(2 to 3);  -- transform_read_column_inside_0_value_#
+    variable transform_read_column_inside_2_is_equal, transform_read_column_inside_2_differs : boolean;
+    variable transform_read_column_inside_6_choice, transform_left_filter_feature_0_value : boolean;
+    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
+    variable transform_left_filter_feature_0_is_equal : boolean;
+    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 16);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_choices_from_18 : boolean_1d(18 to 121);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_all : boolean;
+    variable transform_left_filter_feature_0_alls : boolean_1d(2 to 4);  -- transform_left_filter_feature_0_all_#
+    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
+    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
+    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 16);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_choices_from_18 : boolean_1d(18 to 125);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_all : boolean;
+    variable transform_right_filter_feature_0_alls : boolean_1d(2 to 4);  -- transform_right_filter_feature_0_all_#
+    variable transform_counter_next_frame_choice, raster_place_group_is_equal : boolean;
+    variable raster_place_group_is_equals : boolean_1d(2 to 3);  -- raster_place_group_is_equal_#
+    variable raster_place_group_all, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
+    variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
+    variable slice0cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 4);  -- slice0cost_pixels_first_#_0_count_#_value
+    variable slice0cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 3);  -- slice0cost_pixels_first_#_0_count_#_value_2
+    variable slice0cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice0cost_pixels_first_#_0_count_1_value_3
+    variable slice0cost_pixels_first_0_count_3_value_3 : boolean_1d(0 to 2);  -- slice0cost_pixels_first_#_0_count_3_value_3
+    variable slice1cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 4);  -- slice1cost_pixels_first_#_0_count_#_value
+    variable slice1cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 3);  -- slice1cost_pixels_first_#_0_count_#_value_2
+    variable slice1cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice1cost_pixels_first_#_0_count_1_value_3
+    variable slice1cost_pixels_first_0_count_3_value_3 : boolean_1d(0 to 2);  -- slice1cost_pixels_first_#_0_count_3_value_3
+    variable slice2cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 4);  -- slice2cost_pixels_first_#_0_count_#_value
+    variable slice2cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 3);  -- slice2cost_pixels_first_#_0_count_#_value_2
+    variable slice2cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice2cost_pixels_first_#_0_count_1_value_3
+    variable slice2cost_pixels_first_0_count_3_value_3 : boolean_1d(0 to 2);  -- slice2cost_pixels_first_#_0_count_3_value_3
     variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_any : boolean;
-    variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : boolean;
-    variable forward_left_start_cost_0_value, forward_left_start_cost_0_choice_3 : boolean;
-    variable forward_left_start_cost_0_value_2, forward_left_start_cost_0_choice_4 : boolean;
-    variable forward_left_start_cost_0_value_3, forward_left_start_cost_0_choice_5 : boolean;
-    variable forward_left_start_cost_0_choice_6, forward_left_start_cost_0_is_less : boolean;
-    variable sums_right_start_cost_0_any, sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2 : boolean;
-    variable sums_right_start_cost_0_value, sums_right_start_cost_0_choice_3, sums_right_start_cost_0_value_2 : boolean;
-    variable sums_right_start_cost_0_choice_4, sums_right_start_cost_0_value_3 : boolean;
-    variable sums_right_start_cost_0_choice_5, sums_right_start_cost_0_choice_6 : boolean;
+    variable forward_left_start_cost_0_choice : boolean;
+    variable forward_left_start_cost_0_choices : boolean_1d(2 to 6);  -- forward_left_start_cost_0_choice_#
+    variable forward_left_start_cost_0_value : boolean;
+    variable forward_left_start_cost_0_values : boolean_1d(2 to 3);  -- forward_left_start_cost_0_value_#
+    variable forward_left_start_cost_0_is_less, sums_right_start_cost_0_any, sums_right_start_cost_0_choice : boolean;
+    variable sums_right_start_cost_0_choices : boolean_1d(2 to 6);  -- sums_right_start_cost_0_choice_#
+    variable sums_right_start_cost_0_value : boolean;
+    variable sums_right_start_cost_0_values : boolean_1d(2 to 3);  -- sums_right_start_cost_0_value_#
     variable sums_right_start_cost_0_is_less, sums_turn_writes_copy_0_choice : boolean;
-    variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_3, winnerswinner1_of_pair_0_0_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_4, winnerswinner1_of_pair_0_0_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_5, winnerswinner1_of_pair_0_0_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_8, winnerswinner1_of_pair_0_2_choice : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_2, winnerswinner1_of_pair_0_2_value : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_3, winnerswinner1_of_pair_0_2_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_4, winnerswinner1_of_pair_0_2_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_5, winnerswinner1_of_pair_0_2_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_2_value_5 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_7, winnerswinner1_of_pair_0_2_choice_8 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice, winnerswinner1_of_pair_0_4_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_4_value, winnerswinner1_of_pair_0_4_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_2, winnerswinner1_of_pair_0_4_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_3, winnerswinner1_of_pair_0_4_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_4, winnerswinner1_of_pair_0_4_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_5, winnerswinner1_of_pair_0_4_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_8, winnerswinner1_of_pair_0_6_choice : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_2, winnerswinner1_of_pair_0_6_value : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_3, winnerswinner1_of_pair_0_6_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_4, winnerswinner1_of_pair_0_6_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_5, winnerswinner1_of_pair_0_6_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_6_value_5 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_7, winnerswinner1_of_pair_0_6_choice_8 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice, winnerswinner1_of_pair_0_8_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_8_value, winnerswinner1_of_pair_0_8_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_8_value_2, winnerswinner1_of_pair_0_8_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_8_value_3, winnerswinner1_of_pair_0_8_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_8_value_4, winnerswinner1_of_pair_0_8_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_8_value_5, winnerswinner1_of_pair_0_8_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_8, winnerswinner1_of_pair_0_10_choice : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_2, winnerswinner1_of_pair_0_10_value : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_3, winnerswinner1_of_pair_0_10_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_4, winnerswinner1_of_pair_0_10_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_5, winnerswinner1_of_pair_0_10_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_6, winnerswinner1_of_pair_0_10_value_5 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_7, winnerswinner1_of_pair_0_10_choice_8 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice : boolean;
+    variable winnerswinner1_of_pair_0_0_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_pair_0_0_choice_#
+    variable winnerswinner1_of_pair_0_0_value : boolean;
+    variable winnerswinner1_of_pair_0_0_values : boolean_1d(2 to 5);  -- winnerswinner1_of_pair_0_0_value_#
+    variable winnerswinner1_of_pair_0_2_choice : boolean;
+    variable winnerswinner1_of_pair_0_2_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_pair_0_2_choice_#
+    variable winnerswinner1_of_pair_0_2_value : boolean;
+    variable winnerswinner1_of_pair_0_2_values : boolean_1d(2 to 5);  -- winnerswinner1_of_pair_0_2_value_#
+    variable winnerswinner1_of_pair_0_4_choice : boolean;
+    variable winnerswinner1_of_pair_0_4_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_pair_0_4_choice_#
+    variable winnerswinner1_of_pair_0_4_value : boolean;
+    variable winnerswinner1_of_pair_0_4_values : boolean_1d(2 to 5);  -- winnerswinner1_of_pair_0_4_value_#
+    variable winnerswinner1_of_pair_0_6_choice : boolean;
+    variable winnerswinner1_of_pair_0_6_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_pair_0_6_choice_#
+    variable winnerswinner1_of_pair_0_6_value : boolean;
+    variable winnerswinner1_of_pair_0_6_values : boolean_1d(2 to 5);  -- winnerswinner1_of_pair_0_6_value_#
+    variable winnerswinner1_of_pair_0_8_choice : boolean;
+    variable winnerswinner1_of_pair_0_8_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_pair_0_8_choice_#
+    variable winnerswinner1_of_pair_0_8_value : boolean;
+    variable winnerswinner1_of_pair_0_8_values : boolean_1d(2 to 5);  -- winnerswinner1_of_pair_0_8_value_#
+    variable winnerswinner1_of_pair_0_10_choice : boolean;
+    variable winnerswinner1_of_pair_0_10_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_pair_0_10_choice_#
+    variable winnerswinner1_of_pair_0_10_value : boolean;
+    variable winnerswinner1_of_pair_0_10_values : boolean_1d(2 to 5);  -- winnerswinner1_of_pair_0_10_value_#
     variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value : boolean;
-    variable winnerswinner1_of_four_0_0_value_2, winnerswinner1_of_four_0_0_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_0_value_3, winnerswinner1_of_four_0_0_value_4 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_3, winnerswinner1_of_four_0_0_value_5 : boolean;
-    variable winnerswinner1_of_four_0_0_value_6, winnerswinner1_of_four_0_0_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_0_value_7, winnerswinner1_of_four_0_0_value_8 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_5, winnerswinner1_of_four_0_0_value_9 : boolean;
-    variable winnerswinner1_of_four_0_0_value_10, winnerswinner1_of_four_0_0_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_0_value_11, winnerswinner1_of_four_0_0_value_12 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_7, winnerswinner1_of_four_0_0_choice_8 : boolean;
+    variable winnerswinner1_of_four_0_0_values : boolean_1d(2 to 12);  -- winnerswinner1_of_four_0_0_value_#
+    variable winnerswinner1_of_four_0_0_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_four_0_0_choice_#
     variable winnerswinner1_of_four_0_4_choice, winnerswinner1_of_four_0_4_value : boolean;
-    variable winnerswinner1_of_four_0_4_value_2, winnerswinner1_of_four_0_4_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_4_value_3, winnerswinner1_of_four_0_4_value_4 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_3, winnerswinner1_of_four_0_4_value_5 : boolean;
-    variable winnerswinner1_of_four_0_4_value_6, winnerswinner1_of_four_0_4_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_4_value_7, winnerswinner1_of_four_0_4_value_8 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_5, winnerswinner1_of_four_0_4_value_9 : boolean;
-    variable winnerswinner1_of_four_0_4_value_10, winnerswinner1_of_four_0_4_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_4_value_11, winnerswinner1_of_four_0_4_value_12 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_7, winnerswinner1_of_four_0_4_choice_8 : boolean;
+    variable winnerswinner1_of_four_0_4_values : boolean_1d(2 to 12);  -- winnerswinner1_of_four_0_4_value_#
+    variable winnerswinner1_of_four_0_4_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_four_0_4_choice_#
     variable winnerswinner1_of_four_0_8_choice, winnerswinner1_of_four_0_8_value : boolean;
-    variable winnerswinner1_of_four_0_8_value_2, winnerswinner1_of_four_0_8_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_8_value_3, winnerswinner1_of_four_0_8_value_4 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_3, winnerswinner1_of_four_0_8_value_5 : boolean;
-    variable winnerswinner1_of_four_0_8_value_6, winnerswinner1_of_four_0_8_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_8_value_7, winnerswinner1_of_four_0_8_value_8 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_5, winnerswinner1_of_four_0_8_value_9 : boolean;
-    variable winnerswinner1_of_four_0_8_value_10, winnerswinner1_of_four_0_8_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_8_value_11, winnerswinner1_of_four_0_8_value_12 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_7, winnerswinner1_of_four_0_8_choice_8 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice, winnerswinner2_of_pair_0_0_choice_2 : boolean;
-    variable winnerswinner2_of_pair_0_0_value, winnerswinner2_of_pair_0_0_choice_3 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_2, winnerswinner2_of_pair_0_0_choice_4 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_3, winnerswinner2_of_pair_0_0_choice_5 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_4, winnerswinner2_of_pair_0_0_choice_6 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_5, winnerswinner2_of_pair_0_0_choice_7 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_8, winnerswinner2_four_index_0_0_value : boolean;
-    variable winnerswinner2_four_index_0_0_value_2, winnerswinner2_four_index_0_0_choice : boolean;
-    variable winnerswinner2_four_index_0_0_value_3, winnerswinner2_four_index_0_0_value_4 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_2, winnerswinner2_four_index_0_0_value_5 : boolean;
-    variable winnerswinner2_four_index_0_0_value_6, winnerswinner2_four_index_0_0_choice_3 : boolean;
-    variable winnerswinner2_four_index_0_0_value_7, winnerswinner2_four_index_0_0_value_8 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_4, winnerswinner2_four_index_0_0_value_9 : boolean;
-    variable winnerswinner2_four_index_0_0_value_10, winnerswinner2_four_index_0_0_choice_5 : boolean;
-    variable winnerswinner2_four_index_0_0_value_11, winnerswinner2_four_index_0_0_value_12 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_6, winnerswinner2_four_index_0_0_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_8_values : boolean_1d(2 to 12);  -- winnerswinner1_of_four_0_8_value_#
+    variable winnerswinner1_of_four_0_8_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_four_0_8_choice_#
+    variable winnerswinner2_of_pair_0_0_choice : boolean;
+    variable winnerswinner2_of_pair_0_0_choices : boolean_1d(2 to 8);  -- winnerswinner2_of_pair_0_0_choice_#
+    variable winnerswinner2_of_pair_0_0_value : boolean;
+    variable winnerswinner2_of_pair_0_0_values : boolean_1d(2 to 5);  -- winnerswinner2_of_pair_0_0_value_#
+    variable winnerswinner2_four_index_0_0_value : boolean;
+    variable winnerswinner2_four_index_0_0_values : boolean_1d(2 to 12);  -- winnerswinner2_four_index_0_0_value_#
+    variable winnerswinner2_four_index_0_0_choice : boolean;
+    variable winnerswinner2_four_index_0_0_choices : boolean_1d(2 to 7);  -- winnerswinner2_four_index_0_0_choice_#
     variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
-    variable turn_order_turned_output_column_choice, relief_newest_choice, relief_newest_choice_2 : boolean;
-    variable relief_newest_value, relief_newest_choice_3, relief_newest_value_2, relief_newest_choice_4 : boolean;
-    variable relief_newest_value_3, relief_newest_choice_5, relief_newest_value_4, relief_newest_choice_6 : boolean;
-    variable relief_newest_value_5, relief_newest_choice_7, relief_newest_choice_8, relief_newest_choice_9 : boolean;
-    variable relief_newest_choice_10, relief_newest_choice_11, relief_newest_choice_12 : boolean;
-    variable relief_newest_choice_13, relief_newest_choice_14, relief_newest_choice_15 : boolean;
-    variable relief_newest_choice_16 : boolean;
+    variable turn_order_turned_output_column_choice, relief_newest_choice : boolean;
+    variable relief_newest_choices : boolean_1d(2 to 16);  -- relief_newest_choice_#
+    variable relief_newest_value : boolean;
+    variable relief_newest_values : boolean_1d(2 to 5);  -- relief_newest_value_#
     variable transform_counter_group_choice, transform_left_filter_feature_0_choice_17 : natural range 0 to 3;
     variable transform_right_filter_feature_0_choice_17, raster_place_group_choice : natural range 0 to 3;
-    variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
-    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
+    variable transform_counter_group_choices : natural_15_1d(2 to 3);  -- transform_counter_group_choice_#
+    variable raster_place_group_choices : natural_15_1d(3 to 4);  -- raster_place_group_choice_#
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
     variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
-    variable forward_left_pair_0_choice, forward_left_pair_1_choice : natural range 0 to 127;
-    variable forward_left_pair_2_choice, forward_left_pair_3_choice : natural range 0 to 127;
-    variable forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 127;
-    variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_1_choice, forward_left_cost_1_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_2_choice, forward_left_cost_2_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_3_choice, forward_left_cost_3_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_4_choice, forward_left_cost_4_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_5_choice, forward_left_cost_5_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_6_choice, forward_left_cost_6_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_7_choice, forward_left_cost_7_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_8_choice, forward_left_cost_8_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_9_choice, forward_left_cost_9_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_10_choice, forward_left_cost_10_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_11_choice, forward_left_cost_11_choice_2 : natural range 0 to 127;
-    variable forward_left_arrived_0_choice, forward_left_arrived_1_choice : natural range 0 to 127;
-    variable forward_left_arrived_2_choice, forward_left_arrived_3_choice : natural range 0 to 127;
-    variable forward_left_arrived_3_choice_2, forward_left_arrived_4_choice : natural range 0 to 127;
-    variable forward_left_arrived_4_choice_2, forward_left_arrived_5_choice : natural range 0 to 127;
-    variable forward_left_arrived_6_choice, forward_left_arrived_7_choice : natural range 0 to 127;
-    variable forward_left_arrived_7_choice_2, forward_left_arrived_8_choice : natural range 0 to 127;
-    variable forward_left_arrived_8_choice_2, forward_left_arrived_9_choice : natural range 0 to 127;
-    variable forward_left_arrived_10_choice, forward_left_arrived_11_choice : natural range 0 to 127;
-    variable sums_right_pair_0_choice, sums_right_pair_1_choice, sums_right_pair_2_choice : natural range 0 to 127;
-    variable sums_right_pair_3_choice, sums_right_pair_4_choice, sums_right_pair_5_choice : natural range 0 to 127;
-    variable sums_right_cost_0_choice, sums_right_cost_0_choice_2, sums_right_cost_1_choice : natural range 0 to 127;
-    variable sums_right_cost_1_choice_2, sums_right_cost_2_choice, sums_right_cost_2_choice_2 : natural range 0 to 127;
-    variable sums_right_cost_3_choice, sums_right_cost_3_choice_2, sums_right_cost_4_choice : natural range 0 to 127;
-    variable sums_right_cost_4_choice_2, sums_right_cost_5_choice, sums_right_cost_5_choice_2 : natural range 0 to 127;
-    variable sums_right_cost_6_choice, sums_right_cost_6_choice_2, sums_right_cost_7_choice : natural range 0 to 127;
-    variable sums_right_cost_7_choice_2, sums_right_cost_8_choice, sums_right_cost_8_choice_2 : natural range 0 to 127;
-    variable sums_right_cost_9_choice, sums_right_cost_9_choice_2, sums_right_cost_10_choice : natural range 0 to 127;
-    variable sums_right_cost_10_choice_2, sums_right_cost_11_choice : natural range 0 to 127;
-    variable sums_right_cost_11_choice_2, sums_right_arrived_0_choice : natural range 0 to 127;
-    variable sums_right_arrived_1_choice, sums_right_arrived_2_choice : natural range 0 to 127;
-    variable sums_right_arrived_3_choice, sums_right_arrived_3_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_4_choice, sums_right_arrived_4_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_5_choice, sums_right_arrived_6_choice : natural range 0 to 127;
-    variable sums_right_arrived_7_choice, sums_right_arrived_7_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_8_choice, sums_right_arrived_8_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 127;
-    variable sums_right_arrived_11_choice : natural range 0 to 127;
-    variable forward_left_start_cost_0_choice_7, forward_left_start_cost_0_choice_8 : natural range 0 to 63;
-    variable forward_left_start_cost_0_choice_9, forward_left_room_value : natural range 0 to 63;
-    variable forward_left_room_choice, forward_left_room_choice_2, forward_left_room_choice_3 : natural range 0 to 63;
+    variable forward_left_pair_choice : natural_127_1d(0 to 5);  -- forward_left_pair_#_choice
+    variable forward_left_cost_choice : natural_127_1d(0 to 11);  -- forward_left_cost_#_choice
+    variable forward_left_cost_choice_2 : natural_127_1d(0 to 11);  -- forward_left_cost_#_choice_2
+    variable forward_left_arrived_choice : natural_127_1d(0 to 11);  -- forward_left_arrived_#_choice
+    variable forward_left_arrived_choice_2 : natural_127_1d(3 to 4);  -- forward_left_arrived_#_choice_2
+    variable forward_left_arrived_choice_2s : natural_127_1d(7 to 8);  -- forward_left_arrived_#_choice_2
+    variable sums_right_pair_choice : natural_127_1d(0 to 5);  -- sums_right_pair_#_choice
+    variable sums_right_cost_choice : natural_127_1d(0 to 11);  -- sums_right_cost_#_choice
+    variable sums_right_cost_choice_2 : natural_127_1d(0 to 11);  -- sums_right_cost_#_choice_2
+    variable sums_right_arrived_choice : natural_127_1d(0 to 11);  -- sums_right_arrived_#_choice
+    variable sums_right_arrived_choice_2 : natural_127_1d(3 to 4);  -- sums_right_arrived_#_choice_2
+    variable sums_right_arrived_choice_2s : natural_127_1d(7 to 8);  -- sums_right_arrived_#_choice_2
+    variable forward_left_start_cost_0_choices_from_7 : natural_63_1d(7 to 9);  -- forward_left_start_cost_0_choice_#
+    variable forward_left_room_value, forward_left_room_choice : natural range 0 to 63;
+    variable forward_left_room_choices : natural_63_1d(2 to 3);  -- forward_left_room_choice_#
     variable forward_left_smallest_choice, forward_left_relief_pairs_0_choice : natural range 0 to 63;
     variable forward_left_relief_recent_choice, forward_left_relief_largest_choice : natural range 0 to 63;
-    variable sums_right_start_cost_0_choice_7, sums_right_start_cost_0_choice_8 : natural range 0 to 63;
-    variable sums_right_start_cost_0_choice_9, sums_right_room_value, sums_right_room_choice : natural range 0 to 63;
-    variable sums_right_room_choice_2, sums_right_room_choice_3, sums_right_smallest_choice : natural range 0 to 63;
-    variable sums_right_relief_pairs_0_choice, sums_right_relief_recent_choice : natural range 0 to 63;
-    variable sums_right_relief_largest_choice, relief_newest_choice_17 : natural range 0 to 63;
+    variable sums_right_start_cost_0_choices_from_7 : natural_63_1d(7 to 9);  -- sums_right_start_cost_0_choice_#
+    variable sums_right_room_value, sums_right_room_choice : natural range 0 to 63;
+    variable sums_right_room_choices : natural_63_1d(2 to 3);  -- sums_right_room_choice_#
+    variable sums_right_smallest_choice, sums_right_relief_pairs_0_choice : natural range 0 to 63;
+    variable sums_right_relief_recent_choice, sums_right_relief_largest_choice : natural range 0 to 63;
+    variable relief_newest_choice_17 : natural range 0 to 63;
     variable forward_left_smallest_difference : integer range -63 to 78;
     variable forward_left_relief_reach_of_best_sum, forward_left_relief_reach_of_best_choice : natural range 0 to 190;
     variable sums_right_relief_reach_of_best_sum, sums_right_relief_reach_of_best_choice : natural range 0 to 190;
-    variable other_0_choice_4, other_1_choice_4, other_2_choice_4 : natural range 0 to 190;
-    variable forward_left_relief_reach_of_best_choice_2 : natural range 0 to 255;
-    variable forward_left_relief_reach_of_best_choice_3 : natural range 0 to 255;
-    variable sums_right_relief_reach_of_best_choice_2 : natural range 0 to 255;
-    variable sums_right_relief_reach_of_best_choice_3, relief_newest_value_6 : natural range 0 to 255;
-    variable relief_newest_value_7, other_0_choice, other_0_choice_2, other_0_choice_3 : natural range 0 to 255;
-    variable other_1_choice, other_1_choice_2, other_1_choice_3, other_2_choice : natural range 0 to 255;
-    variable other_2_choice_2, other_2_choice_3 : natural range 0 to 255;
+    variable other_choice_4 : natural_190_1d(0 to 2);  -- other_#_choice_4
+    variable forward_left_relief_reach_of_best_choices : natural_255_1d(2 to 3);  -- forward_left_relief_reach_of_best_choice_#
+    variable sums_right_relief_reach_of_best_choices : natural_255_1d(2 to 3);  -- sums_right_relief_reach_of_best_choice_#
+    variable relief_newest_values_from_6 : natural_255_1d(6 to 7);  -- relief_newest_value_#
+    variable other_choices : natural_255_1d(0 to 2);  -- other_#_choice
+    variable other_choice : natural_255_2d(0 to 2, 2 to 3);  -- other_#_choice_#
     variable forward_left_relief_leaves_choice, sums_right_relief_leaves_choice : natural range 64 to 127;
-    variable forward_above_total_0_choice, forward_above_total_1_choice : natural range 0 to 31;
-    variable forward_above_total_2_choice, forward_above_total_3_choice : natural range 0 to 31;
-    variable forward_above_total_4_choice, forward_above_total_5_choice : natural range 0 to 31;
-    variable forward_above_total_6_choice, forward_above_total_7_choice : natural range 0 to 31;
-    variable forward_above_total_8_choice, forward_above_total_9_choice : natural range 0 to 31;
-    variable forward_above_total_10_choice, forward_above_total_11_choice : natural range 0 to 31;
-    variable forward_above_write_words_0_choice, forward_above_write_words_0_choice_2 : natural range 0 to 68;
-    variable forward_above_write_words_0_choice_3, forward_above_write_words_0_choice_4 : natural range 0 to 68;
-    variable forward_above_write_words_0_choice_5, forward_above_write_words_0_choice_6 : natural range 0 to 68;
-    variable forward_above_write_words_1_choice, forward_above_write_words_1_choice_2 : natural range 0 to 68;
-    variable forward_above_write_words_1_choice_3, forward_above_write_words_1_choice_4 : natural range 0 to 68;
-    variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 68;
+    variable forward_above_total_choice : natural_31_1d(0 to 11);  -- forward_above_total_#_choice
+    variable forward_above_write_words_choice : natural_68_1d(0 to 1);  -- forward_above_write_words_#_choice
+    variable forward_above_write_words_choices : natural_68_2d(0 to 1, 2 to 6);  -- forward_above_write_words_#_choice_#
     variable sums_right_smallest_difference : integer range -63 to 63;
   begin
     if rising_edge(clock) then
       -- transform
       transform_counter_group_is_equal := transform_counter_column = 39;
-      transform_counter_group_is_equal_2 := transform_counter_group = 11;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
+      transform_counter_group_is_equals(2) := transform_counter_group = 11;
+      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equals(2);
       if transform_counter_group_all then
         transform_counter_group_choice := 3;
       else
         transform_counter_group_choice := 0;
       end if;
-      transform_counter_group_is_equal_3 := transform_counter_group = 13;
-      if transform_counter_next_frame and transform_counter_group_is_equal_3 then
-        transform_counter_group_choice_2 := 2;
+      transform_counter_group_is_equals(3) := transform_counter_group = 13;
+      if transform_counter_next_frame and transform_counter_group_is_equals(3) then
+        transform_counter_group_choices(2) := 2;
       else
-        transform_counter_group_choice_2 := (transform_counter_group + 1) mod 16;
+        transform_counter_group_choices(2) := (transform_counter_group + 1) mod 16;
       end if;
       if (transform_counter_group /= 14) and transform_counter_group_is_equal and in_valid then
-        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+        transform_counter_group_choices(3) := transform_counter_group_choices(2);
       else
-        transform_counter_group_choice_3 := transform_counter_group;
+        transform_counter_group_choices(3) := transform_counter_group;
       end if;
-      transform_read_column_inside_0_value := ((transform_counter_column / 16) mod 2) = 1;
-      transform_read_column_inside_0_value_2 := ((transform_counter_column / 8) mod 2) = 1;
-      transform_read_column_inside_0_value_3 := ((transform_counter_column / 4) mod 2) = 1;
+      transform_read_column_inside_0_value := is_set(transform_counter_column, 4);
+      transform_read_column_inside_0_values(2) := is_set(transform_counter_column, 3);
+      transform_read_column_inside_0_values(3) := is_set(transform_counter_column, 2);
       transform_read_column_inside_2_is_equal := (transform_counter_column / 4) = 0;
       transform_read_column_inside_2_differs := (transform_counter_column / 4) /= 0;
-      if ((transform_counter_column / 2) mod 2) = 1 then
-        transform_read_column_inside_6_choice := (not ((transform_counter_column / 32) = 1)) and (not
-          transform_read_column_inside_0_value) and (not transform_read_column_inside_0_value_3);
+      if is_set(transform_counter_column, 1) then
+        transform_read_column_inside_6_choice := (not is_set(transform_counter_column, 5)) and (not
+          transform_read_column_inside_0_value) and (not transform_read_column_inside_0_values(3));
       else
         transform_read_column_inside_6_choice := (transform_counter_column / 16) = 0;
       end if;
-      transform_left_filter_feature_0_value := ((transform_left_filter_column_4_2 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_value := is_set(transform_left_filter_column_2(4), 1);
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
-        ((transform_left_filter_column_4_2 mod 2) = 1));
-      if (transform_left_filter_column_4_0 mod 2) = 1 then
+        is_set(transform_left_filter_column_2(4), 0));
+      if is_set(transform_left_filter_column_0(4), 0) then
         transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
       else
         transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
       end if;
-      transform_left_filter_feature_0_is_equal := (transform_left_filter_column_4_2 mod 4) = 0;
-      if ((transform_left_filter_column_4_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      transform_left_filter_feature_0_is_equal := (transform_left_filter_column_2(4) mod 4) = 0;
+      if is_set(transform_left_filter_column_0(4), 1) then
+        transform_left_filter_feature_0_choices(2) := transform_left_filter_feature_0_choice;
       else
-        transform_left_filter_feature_0_choice_2 := ((transform_left_filter_column_4_0 mod 2) = 1) and
+        transform_left_filter_feature_0_choices(2) := is_set(transform_left_filter_column_0(4), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_4_2 / 4) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_2 then
-        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column_2(4), 2);
+      if transform_left_filter_feature_0_choices(2) then
+        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column_0(4), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column_0(4), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_4_2 / 8) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_3 then
-        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      for i in 3 to 6 loop
+        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_2(4), i);
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(4), i)) or
+            transform_left_filter_feature_0_values(i);
+        else
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(4), i)) and
+            transform_left_filter_feature_0_values(i);
+        end if;
+      end loop;
+      if transform_left_filter_feature_0_choices(7) then
+        transform_left_filter_feature_0_choices(8) := is_set(transform_left_filter_column_0(4), 7) and (not
+          is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choices(8) := is_set(transform_left_filter_column_0(4), 7) or (not
+          is_set(transform_left_filter_column_2(4), 7));
       end if;
-      transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_4_2 / 16) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_4 then
-        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if is_set(transform_left_filter_column_4(4), 0) then
+        transform_left_filter_feature_0_choices(9) := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choices(9) := not transform_left_filter_feature_0_value;
       end if;
-      transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_4_2 / 32) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_5 then
-        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if is_set(transform_left_filter_column_4(4), 1) then
+        transform_left_filter_feature_0_choices(10) := transform_left_filter_feature_0_choices(9);
       else
-        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_4_2 / 64) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_6 then
-        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_7 then
-        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
-          ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) or (not
-          ((transform_left_filter_column_4_2 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_4_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_9 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_4_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9;
-      else
-        transform_left_filter_feature_0_choice_10 := ((transform_left_filter_column_4_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choices(10) := is_set(transform_left_filter_column_4(4), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_10 then
-        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choices(10) then
+        transform_left_filter_feature_0_choices(11) := (not is_set(transform_left_filter_column_4(4), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices(11) := (not is_set(transform_left_filter_column_4(4), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      if transform_left_filter_feature_0_choice_11 then
-        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      for i in 11 to 14 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(4), i - 8)) or
+            transform_left_filter_feature_0_values(i - 8);
+        else
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(4), i - 8)) and
+            transform_left_filter_feature_0_values(i - 8);
+        end if;
+      end loop;
+      if transform_left_filter_feature_0_choices(15) then
+        transform_left_filter_feature_0_choices(16) := is_set(transform_left_filter_column_4(4), 7) and (not
+          is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_12 then
-        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_13 then
-        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_14 then
-        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_15 then
-        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
-          ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_4 / 128) = 1) or (not
-          ((transform_left_filter_column_4_2 / 128) = 1));
+        transform_left_filter_feature_0_choices(16) := is_set(transform_left_filter_column_4(4), 7) or (not
+          is_set(transform_left_filter_column_2(4), 7));
       end if;
       if transform_filtering_0_column_inside_4 then
-        transform_left_filter_feature_0_choice_17 := as_number(transform_left_filter_feature_0_choice_8) +
-          (as_number(transform_left_filter_feature_0_choice_16) * 2);
+        transform_left_filter_feature_0_choice_17 := as_number(transform_left_filter_feature_0_choices(8)) +
+          (as_number(transform_left_filter_feature_0_choices(16)) * 2);
       else
         transform_left_filter_feature_0_choice_17 := 0;
       end if;
-      if (transform_left_filter_column_0_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_any;
+      if is_set(transform_left_filter_column_2(0), 0) then
+        transform_left_filter_feature_0_choices_from_18(18) := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_18 := not transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choices_from_18(18) := not transform_left_filter_feature_0_value;
       end if;
-      if ((transform_left_filter_column_0_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_19 := transform_left_filter_feature_0_choice_18;
+      if is_set(transform_left_filter_column_2(0), 1) then
+        transform_left_filter_feature_0_choices_from_18(19) := transform_left_filter_feature_0_choices_from_18(18);
       else
-        transform_left_filter_feature_0_choice_19 := ((transform_left_filter_column_0_2 mod 2) = 1) and
+        transform_left_filter_feature_0_choices_from_18(19) := is_set(transform_left_filter_column_2(0), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_19 then
-        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choices_from_18(19) then
+        transform_left_filter_feature_0_choices_from_18(20) := (not is_set(transform_left_filter_column_2(0), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices_from_18(20) := (not is_set(transform_left_filter_column_2(0), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      if transform_left_filter_feature_0_choice_20 then
-        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
-      else
-        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
-      end if;
-      if transform_left_filter_feature_0_choice_21 then
-        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_22 then
-        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_23 then
-        transform_left_filter_feature_0_choice_24 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_24 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
+      for i in 20 to 23 loop
+        if transform_left_filter_feature_0_choices_from_18(i) then
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(0), i -
+            17)) or transform_left_filter_feature_0_values(i - 17);
+        else
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(0), i -
+            17)) and transform_left_filter_feature_0_values(i - 17);
+        end if;
+      end loop;
       transform_left_filter_feature_0_all := transform_filtering_0_column_inside_0 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_0_2 / 128) = 1 then
-        transform_left_filter_feature_0_choice_25 := transform_filtering_0_column_inside_0;
+        is_set(transform_left_filter_column_2(4), 7));
+      if is_set(transform_left_filter_column_2(0), 7) then
+        transform_left_filter_feature_0_choices_from_18(25) := transform_filtering_0_column_inside_0;
       else
-        transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_all;
+        transform_left_filter_feature_0_choices_from_18(25) := transform_left_filter_feature_0_all;
       end if;
-      if transform_left_filter_feature_0_choice_24 then
-        transform_left_filter_feature_0_choice_26 := ((transform_left_filter_column_0_2 / 128) = 1) and
-          transform_filtering_0_column_inside_0 and (not ((transform_left_filter_column_4_2 / 128) = 1));
+      if transform_left_filter_feature_0_choices_from_18(24) then
+        transform_left_filter_feature_0_choices_from_18(26) := is_set(transform_left_filter_column_2(0), 7) and
+          transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25;
+        transform_left_filter_feature_0_choices_from_18(26) := transform_left_filter_feature_0_choices_from_18(25);
       end if;
-      if (transform_left_filter_column_0_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_27 := (transform_left_filter_column_4_2 mod 4) = 3;
+      if is_set(transform_left_filter_column_0(0), 0) then
+        transform_left_filter_feature_0_choices_from_18(27) := (transform_left_filter_column_2(4) mod 4) = 3;
       else
-        transform_left_filter_feature_0_choice_27 := transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choices_from_18(27) := transform_left_filter_feature_0_value;
       end if;
-      if ((transform_left_filter_column_0_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_28 := transform_left_filter_feature_0_choice_27;
+      if is_set(transform_left_filter_column_0(0), 1) then
+        transform_left_filter_feature_0_choices_from_18(28) := transform_left_filter_feature_0_choices_from_18(27);
       else
-        transform_left_filter_feature_0_choice_28 := (not ((transform_left_filter_column_0_0 mod 2) = 1)) or
-          transform_left_filter_feature_0_value or ((transform_left_filter_column_4_2 mod 2) = 1);
+        transform_left_filter_feature_0_choices_from_18(28) := (not is_set(transform_left_filter_column_0(0), 0)) or
+          transform_left_filter_feature_0_value or is_set(transform_left_filter_column_2(4), 0);
       end if;
-      transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_28 then
-        transform_left_filter_feature_0_choice_29 := transform_left_filter_feature_0_value_7 and (not
-          transform_left_filter_feature_0_value_2);
+      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column_0(0), 2);
+      if transform_left_filter_feature_0_choices_from_18(28) then
+        transform_left_filter_feature_0_choices_from_18(29) := transform_left_filter_feature_0_values(7) and (not
+          transform_left_filter_feature_0_values(2));
       else
-        transform_left_filter_feature_0_choice_29 := transform_left_filter_feature_0_value_7 or (not
-          transform_left_filter_feature_0_value_2);
+        transform_left_filter_feature_0_choices_from_18(29) := transform_left_filter_feature_0_values(7) or (not
+          transform_left_filter_feature_0_values(2));
       end if;
-      transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_29 then
-        transform_left_filter_feature_0_choice_30 := transform_left_filter_feature_0_value_8 or (not
-          transform_left_filter_feature_0_value_3);
+      for i in 8 to 11 loop
+        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_0(0), i - 5);
+        if transform_left_filter_feature_0_choices_from_18(i + 21) then
+          transform_left_filter_feature_0_choices_from_18(i + 22) := transform_left_filter_feature_0_values(i) or (not
+            transform_left_filter_feature_0_values(i - 5));
+        else
+          transform_left_filter_feature_0_choices_from_18(i + 22) := transform_left_filter_feature_0_values(i) and (not
+            transform_left_filter_feature_0_values(i - 5));
+        end if;
+      end loop;
+      if is_set(transform_left_filter_column_0(0), 7) then
+        transform_left_filter_feature_0_choices_from_18(34) := transform_filtering_0_column_inside_0;
       else
-        transform_left_filter_feature_0_choice_30 := transform_left_filter_feature_0_value_8 and (not
-          transform_left_filter_feature_0_value_3);
+        transform_left_filter_feature_0_choices_from_18(34) := transform_left_filter_feature_0_all;
       end if;
-      transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_30 then
-        transform_left_filter_feature_0_choice_31 := transform_left_filter_feature_0_value_9 or (not
-          transform_left_filter_feature_0_value_4);
+      if transform_left_filter_feature_0_choices_from_18(33) then
+        transform_left_filter_feature_0_choices_from_18(35) := transform_left_filter_feature_0_choices_from_18(34);
       else
-        transform_left_filter_feature_0_choice_31 := transform_left_filter_feature_0_value_9 and (not
-          transform_left_filter_feature_0_value_4);
+        transform_left_filter_feature_0_choices_from_18(35) := is_set(transform_left_filter_column_0(0), 7) and
+          transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7));
       end if;
-      transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_31 then
-        transform_left_filter_feature_0_choice_32 := transform_left_filter_feature_0_value_10 or (not
-          transform_left_filter_feature_0_value_5);
+      if is_set(transform_left_filter_column_4(0), 0) then
+        transform_left_filter_feature_0_choices_from_18(36) := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_32 := transform_left_filter_feature_0_value_10 and (not
-          transform_left_filter_feature_0_value_5);
+        transform_left_filter_feature_0_choices_from_18(36) := not transform_left_filter_feature_0_value;
       end if;
-      transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
-      if transform_left_filter_feature_0_choice_32 then
-        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_value_11 or (not
-          transform_left_filter_feature_0_value_6);
+      if is_set(transform_left_filter_column_4(0), 1) then
+        transform_left_filter_feature_0_choices_from_18(37) := transform_left_filter_feature_0_choices_from_18(36);
       else
-        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_value_11 and (not
-          transform_left_filter_feature_0_value_6);
-      end if;
-      if (transform_left_filter_column_0_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_34 := transform_filtering_0_column_inside_0;
-      else
-        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_all;
-      end if;
-      if transform_left_filter_feature_0_choice_33 then
-        transform_left_filter_feature_0_choice_35 := transform_left_filter_feature_0_choice_34;
-      else
-        transform_left_filter_feature_0_choice_35 := ((transform_left_filter_column_0_0 / 128) = 1) and
-          transform_filtering_0_column_inside_0 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      end if;
-      if (transform_left_filter_column_0_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_36 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_36 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_0_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_37 := transform_left_filter_feature_0_choice_36;
-      else
-        transform_left_filter_feature_0_choice_37 := ((transform_left_filter_column_0_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choices_from_18(37) := is_set(transform_left_filter_column_4(0), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_37 then
-        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choices_from_18(37) then
+        transform_left_filter_feature_0_choices_from_18(38) := (not is_set(transform_left_filter_column_4(0), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices_from_18(38) := (not is_set(transform_left_filter_column_4(0), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      if transform_left_filter_feature_0_choice_38 then
-        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      for i in 38 to 41 loop
+        if transform_left_filter_feature_0_choices_from_18(i) then
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(0), i -
+            35)) or transform_left_filter_feature_0_values(i - 35);
+        else
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(0), i -
+            35)) and transform_left_filter_feature_0_values(i - 35);
+        end if;
+      end loop;
+      if transform_left_filter_feature_0_choices_from_18(42) then
+        transform_left_filter_feature_0_choices_from_18(43) := transform_filtering_0_column_inside_0 and
+          is_set(transform_left_filter_column_4(0), 7) and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choices_from_18(43) := transform_filtering_0_column_inside_0 and
+          (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
       end if;
-      if transform_left_filter_feature_0_choice_39 then
-        transform_left_filter_feature_0_choice_40 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if is_set(transform_left_filter_column_2(2), 0) then
+        transform_left_filter_feature_0_choices_from_18(44) := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_40 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choices_from_18(44) := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_40 then
-        transform_left_filter_feature_0_choice_41 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if is_set(transform_left_filter_column_2(2), 1) then
+        transform_left_filter_feature_0_choices_from_18(45) := transform_left_filter_feature_0_choices_from_18(44);
       else
-        transform_left_filter_feature_0_choice_41 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_41 then
-        transform_left_filter_feature_0_choice_42 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_42 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_42 then
-        transform_left_filter_feature_0_choice_43 := transform_filtering_0_column_inside_0 and
-          ((transform_left_filter_column_0_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_43 := transform_filtering_0_column_inside_0 and
-          (((transform_left_filter_column_0_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
-      end if;
-      if (transform_left_filter_column_2_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_44 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_44 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_2_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_45 := transform_left_filter_feature_0_choice_44;
-      else
-        transform_left_filter_feature_0_choice_45 := ((transform_left_filter_column_2_2 mod 2) = 1) and
+        transform_left_filter_feature_0_choices_from_18(45) := is_set(transform_left_filter_column_2(2), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_45 then
-        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choices_from_18(45) then
+        transform_left_filter_feature_0_choices_from_18(46) := (not is_set(transform_left_filter_column_2(2), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices_from_18(46) := (not is_set(transform_left_filter_column_2(2), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      if transform_left_filter_feature_0_choice_46 then
-        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      for i in 46 to 49 loop
+        if transform_left_filter_feature_0_choices_from_18(i) then
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(2), i -
+            43)) or transform_left_filter_feature_0_values(i - 43);
+        else
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(2), i -
+            43)) and transform_left_filter_feature_0_values(i - 43);
+        end if;
+      end loop;
+      transform_left_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
+        is_set(transform_left_filter_column_2(4), 7));
+      if is_set(transform_left_filter_column_2(2), 7) then
+        transform_left_filter_feature_0_choices_from_18(51) := transform_filtering_0_column_inside_2;
       else
-        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choices_from_18(51) := transform_left_filter_feature_0_alls(2);
       end if;
-      if transform_left_filter_feature_0_choice_47 then
-        transform_left_filter_feature_0_choice_48 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choices_from_18(50) then
+        transform_left_filter_feature_0_choices_from_18(52) := is_set(transform_left_filter_column_2(2), 7) and
+          transform_filtering_0_column_inside_2 and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_48 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choices_from_18(52) := transform_left_filter_feature_0_choices_from_18(51);
       end if;
-      if transform_left_filter_feature_0_choice_48 then
-        transform_left_filter_feature_0_choice_49 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if is_set(transform_left_filter_column_0(2), 0) then
+        transform_left_filter_feature_0_choices_from_18(53) := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_49 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choices_from_18(53) := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_49 then
-        transform_left_filter_feature_0_choice_50 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
+      if is_set(transform_left_filter_column_0(2), 1) then
+        transform_left_filter_feature_0_choices_from_18(54) := transform_left_filter_feature_0_choices_from_18(53);
       else
-        transform_left_filter_feature_0_choice_50 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      transform_left_filter_feature_0_all_2 := transform_filtering_0_column_inside_2 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_2_2 / 128) = 1 then
-        transform_left_filter_feature_0_choice_51 := transform_filtering_0_column_inside_2;
-      else
-        transform_left_filter_feature_0_choice_51 := transform_left_filter_feature_0_all_2;
-      end if;
-      if transform_left_filter_feature_0_choice_50 then
-        transform_left_filter_feature_0_choice_52 := ((transform_left_filter_column_2_2 / 128) = 1) and
-          transform_filtering_0_column_inside_2 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_52 := transform_left_filter_feature_0_choice_51;
-      end if;
-      if (transform_left_filter_column_2_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_53 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_53 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_54 := transform_left_filter_feature_0_choice_53;
-      else
-        transform_left_filter_feature_0_choice_54 := ((transform_left_filter_column_2_0 mod 2) = 1) and
+        transform_left_filter_feature_0_choices_from_18(54) := is_set(transform_left_filter_column_0(2), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_54 then
-        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choices_from_18(54) then
+        transform_left_filter_feature_0_choices_from_18(55) := (not is_set(transform_left_filter_column_0(2), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices_from_18(55) := (not is_set(transform_left_filter_column_0(2), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      if transform_left_filter_feature_0_choice_55 then
-        transform_left_filter_feature_0_choice_56 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      for i in 55 to 58 loop
+        if transform_left_filter_feature_0_choices_from_18(i) then
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_0(2), i -
+            52)) or transform_left_filter_feature_0_values(i - 52);
+        else
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_0(2), i -
+            52)) and transform_left_filter_feature_0_values(i - 52);
+        end if;
+      end loop;
+      if is_set(transform_left_filter_column_0(2), 7) then
+        transform_left_filter_feature_0_choices_from_18(60) := transform_filtering_0_column_inside_2;
       else
-        transform_left_filter_feature_0_choice_56 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choices_from_18(60) := transform_left_filter_feature_0_alls(2);
       end if;
-      if transform_left_filter_feature_0_choice_56 then
-        transform_left_filter_feature_0_choice_57 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choices_from_18(59) then
+        transform_left_filter_feature_0_choices_from_18(61) := is_set(transform_left_filter_column_0(2), 7) and
+          transform_filtering_0_column_inside_2 and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_57 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choices_from_18(61) := transform_left_filter_feature_0_choices_from_18(60);
       end if;
-      if transform_left_filter_feature_0_choice_57 then
-        transform_left_filter_feature_0_choice_58 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if is_set(transform_left_filter_column_4(2), 0) then
+        transform_left_filter_feature_0_choices_from_18(62) := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_58 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choices_from_18(62) := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_58 then
-        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
+      if is_set(transform_left_filter_column_4(2), 1) then
+        transform_left_filter_feature_0_choices_from_18(63) := transform_left_filter_feature_0_choices_from_18(62);
       else
-        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if (transform_left_filter_column_2_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_60 := transform_filtering_0_column_inside_2;
-      else
-        transform_left_filter_feature_0_choice_60 := transform_left_filter_feature_0_all_2;
-      end if;
-      if transform_left_filter_feature_0_choice_59 then
-        transform_left_filter_feature_0_choice_61 := ((transform_left_filter_column_2_0 / 128) = 1) and
-          transform_filtering_0_column_inside_2 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_61 := transform_left_filter_feature_0_choice_60;
-      end if;
-      if (transform_left_filter_column_2_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_62 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_62 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_2_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_63 := transform_left_filter_feature_0_choice_62;
-      else
-        transform_left_filter_feature_0_choice_63 := ((transform_left_filter_column_2_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choices_from_18(63) := is_set(transform_left_filter_column_4(2), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_63 then
-        transform_left_filter_feature_0_choice_64 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choices_from_18(63) then
+        transform_left_filter_feature_0_choices_from_18(64) := (not is_set(transform_left_filter_column_4(2), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_64 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices_from_18(64) := (not is_set(transform_left_filter_column_4(2), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      if transform_left_filter_feature_0_choice_64 then
-        transform_left_filter_feature_0_choice_65 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      for i in 64 to 67 loop
+        if transform_left_filter_feature_0_choices_from_18(i) then
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(2), i -
+            61)) or transform_left_filter_feature_0_values(i - 61);
+        else
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(2), i -
+            61)) and transform_left_filter_feature_0_values(i - 61);
+        end if;
+      end loop;
+      if transform_left_filter_feature_0_choices_from_18(68) then
+        transform_left_filter_feature_0_choices_from_18(69) := transform_filtering_0_column_inside_2 and
+          is_set(transform_left_filter_column_4(2), 7) and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_65 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choices_from_18(69) := transform_filtering_0_column_inside_2 and
+          (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
       end if;
-      if transform_left_filter_feature_0_choice_65 then
-        transform_left_filter_feature_0_choice_66 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if is_set(transform_left_filter_column_2(6), 0) then
+        transform_left_filter_feature_0_choices_from_18(70) := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_66 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choices_from_18(70) := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_66 then
-        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if is_set(transform_left_filter_column_2(6), 1) then
+        transform_left_filter_feature_0_choices_from_18(71) := transform_left_filter_feature_0_choices_from_18(70);
       else
-        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_67 then
-        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_68 then
-        transform_left_filter_feature_0_choice_69 := transform_filtering_0_column_inside_2 and
-          ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_69 := transform_filtering_0_column_inside_2 and
-          (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
-      end if;
-      if (transform_left_filter_column_6_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_70 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_70 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_6_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_71 := transform_left_filter_feature_0_choice_70;
-      else
-        transform_left_filter_feature_0_choice_71 := ((transform_left_filter_column_6_2 mod 2) = 1) and
+        transform_left_filter_feature_0_choices_from_18(71) := is_set(transform_left_filter_column_2(6), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_71 then
-        transform_left_filter_feature_0_choice_72 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choices_from_18(71) then
+        transform_left_filter_feature_0_choices_from_18(72) := (not is_set(transform_left_filter_column_2(6), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_72 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices_from_18(72) := (not is_set(transform_left_filter_column_2(6), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      if transform_left_filter_feature_0_choice_72 then
-        transform_left_filter_feature_0_choice_73 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      for i in 72 to 75 loop
+        if transform_left_filter_feature_0_choices_from_18(i) then
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(6), i -
+            69)) or transform_left_filter_feature_0_values(i - 69);
+        else
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(6), i -
+            69)) and transform_left_filter_feature_0_values(i - 69);
+        end if;
+      end loop;
+      transform_left_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
+        is_set(transform_left_filter_column_2(4), 7));
+      if is_set(transform_left_filter_column_2(6), 7) then
+        transform_left_filter_feature_0_choices_from_18(77) := transform_filtering_0_column_inside_6;
       else
-        transform_left_filter_feature_0_choice_73 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choices_from_18(77) := transform_left_filter_feature_0_alls(3);
       end if;
-      if transform_left_filter_feature_0_choice_73 then
-        transform_left_filter_feature_0_choice_74 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choices_from_18(76) then
+        transform_left_filter_feature_0_choices_from_18(78) := is_set(transform_left_filter_column_2(6), 7) and
+          transform_filtering_0_column_inside_6 and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_74 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choices_from_18(78) := transform_left_filter_feature_0_choices_from_18(77);
       end if;
-      if transform_left_filter_feature_0_choice_74 then
-        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if is_set(transform_left_filter_column_0(6), 0) then
+        transform_left_filter_feature_0_choices_from_18(79) := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choices_from_18(79) := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_75 then
-        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
+      if is_set(transform_left_filter_column_0(6), 1) then
+        transform_left_filter_feature_0_choices_from_18(80) := transform_left_filter_feature_0_choices_from_18(79);
       else
-        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      transform_left_filter_feature_0_all_3 := transform_filtering_0_column_inside_6 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_6_2 / 128) = 1 then
-        transform_left_filter_feature_0_choice_77 := transform_filtering_0_column_inside_6;
-      else
-        transform_left_filter_feature_0_choice_77 := transform_left_filter_feature_0_all_3;
-      end if;
-      if transform_left_filter_feature_0_choice_76 then
-        transform_left_filter_feature_0_choice_78 := ((transform_left_filter_column_6_2 / 128) = 1) and
-          transform_filtering_0_column_inside_6 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_78 := transform_left_filter_feature_0_choice_77;
-      end if;
-      if (transform_left_filter_column_6_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_79 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_79 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_6_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_80 := transform_left_filter_feature_0_choice_79;
-      else
-        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_6_0 mod 2) = 1) and
+        transform_left_filter_feature_0_choices_from_18(80) := is_set(transform_left_filter_column_0(6), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_80 then
-        transform_left_filter_feature_0_choice_81 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choices_from_18(80) then
+        transform_left_filter_feature_0_choices_from_18(81) := (not is_set(transform_left_filter_column_0(6), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_81 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices_from_18(81) := (not is_set(transform_left_filter_column_0(6), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      if transform_left_filter_feature_0_choice_81 then
-        transform_left_filter_feature_0_choice_82 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      for i in 81 to 84 loop
+        if transform_left_filter_feature_0_choices_from_18(i) then
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_0(6), i -
+            78)) or transform_left_filter_feature_0_values(i - 78);
+        else
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_0(6), i -
+            78)) and transform_left_filter_feature_0_values(i - 78);
+        end if;
+      end loop;
+      if is_set(transform_left_filter_column_0(6), 7) then
+        transform_left_filter_feature_0_choices_from_18(86) := transform_filtering_0_column_inside_6;
       else
-        transform_left_filter_feature_0_choice_82 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choices_from_18(86) := transform_left_filter_feature_0_alls(3);
       end if;
-      if transform_left_filter_feature_0_choice_82 then
-        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choices_from_18(85) then
+        transform_left_filter_feature_0_choices_from_18(87) := is_set(transform_left_filter_column_0(6), 7) and
+          transform_filtering_0_column_inside_6 and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choices_from_18(87) := transform_left_filter_feature_0_choices_from_18(86);
       end if;
-      if transform_left_filter_feature_0_choice_83 then
-        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if is_set(transform_left_filter_column_4(6), 0) then
+        transform_left_filter_feature_0_choices_from_18(88) := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choices_from_18(88) := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_84 then
-        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
+      if is_set(transform_left_filter_column_4(6), 1) then
+        transform_left_filter_feature_0_choices_from_18(89) := transform_left_filter_feature_0_choices_from_18(88);
       else
-        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if (transform_left_filter_column_6_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_86 := transform_filtering_0_column_inside_6;
-      else
-        transform_left_filter_feature_0_choice_86 := transform_left_filter_feature_0_all_3;
-      end if;
-      if transform_left_filter_feature_0_choice_85 then
-        transform_left_filter_feature_0_choice_87 := ((transform_left_filter_column_6_0 / 128) = 1) and
-          transform_filtering_0_column_inside_6 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_87 := transform_left_filter_feature_0_choice_86;
-      end if;
-      if (transform_left_filter_column_6_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_88 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_88 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_6_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_choice_88;
-      else
-        transform_left_filter_feature_0_choice_89 := ((transform_left_filter_column_6_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choices_from_18(89) := is_set(transform_left_filter_column_4(6), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_89 then
-        transform_left_filter_feature_0_choice_90 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choices_from_18(89) then
+        transform_left_filter_feature_0_choices_from_18(90) := (not is_set(transform_left_filter_column_4(6), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_90 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices_from_18(90) := (not is_set(transform_left_filter_column_4(6), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      if transform_left_filter_feature_0_choice_90 then
-        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      for i in 90 to 93 loop
+        if transform_left_filter_feature_0_choices_from_18(i) then
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(6), i -
+            87)) or transform_left_filter_feature_0_values(i - 87);
+        else
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(6), i -
+            87)) and transform_left_filter_feature_0_values(i - 87);
+        end if;
+      end loop;
+      if transform_left_filter_feature_0_choices_from_18(94) then
+        transform_left_filter_feature_0_choices_from_18(95) := transform_filtering_0_column_inside_6 and
+          is_set(transform_left_filter_column_4(6), 7) and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choices_from_18(95) := transform_filtering_0_column_inside_6 and
+          (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
       end if;
-      if transform_left_filter_feature_0_choice_91 then
-        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if is_set(transform_left_filter_column_2(8), 0) then
+        transform_left_filter_feature_0_choices_from_18(96) := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choices_from_18(96) := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_92 then
-        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if is_set(transform_left_filter_column_2(8), 1) then
+        transform_left_filter_feature_0_choices_from_18(97) := transform_left_filter_feature_0_choices_from_18(96);
       else
-        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_93 then
-        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_94 then
-        transform_left_filter_feature_0_choice_95 := transform_filtering_0_column_inside_6 and
-          ((transform_left_filter_column_6_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_95 := transform_filtering_0_column_inside_6 and
-          (((transform_left_filter_column_6_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
-      end if;
-      if (transform_left_filter_column_8_2 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_96 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_96 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_8_2 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_choice_96;
-      else
-        transform_left_filter_feature_0_choice_97 := ((transform_left_filter_column_8_2 mod 2) = 1) and
+        transform_left_filter_feature_0_choices_from_18(97) := is_set(transform_left_filter_column_2(8), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_97 then
-        transform_left_filter_feature_0_choice_98 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choices_from_18(97) then
+        transform_left_filter_feature_0_choices_from_18(98) := (not is_set(transform_left_filter_column_2(8), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_98 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices_from_18(98) := (not is_set(transform_left_filter_column_2(8), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      if transform_left_filter_feature_0_choice_98 then
-        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      for i in 98 to 101 loop
+        if transform_left_filter_feature_0_choices_from_18(i) then
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(8), i -
+            95)) or transform_left_filter_feature_0_values(i - 95);
+        else
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(8), i -
+            95)) and transform_left_filter_feature_0_values(i - 95);
+        end if;
+      end loop;
+      transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
+        is_set(transform_left_filter_column_2(4), 7));
+      if is_set(transform_left_filter_column_2(8), 7) then
+        transform_left_filter_feature_0_choices_from_18(103) := transform_filtering_0_column_inside_8;
       else
-        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choices_from_18(103) := transform_left_filter_feature_0_alls(4);
       end if;
-      if transform_left_filter_feature_0_choice_99 then
-        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choices_from_18(102) then
+        transform_left_filter_feature_0_choices_from_18(104) := is_set(transform_left_filter_column_2(8), 7) and
+          transform_filtering_0_column_inside_8 and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choices_from_18(104) := transform_left_filter_feature_0_choices_from_18(103);
       end if;
-      if transform_left_filter_feature_0_choice_100 then
-        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if is_set(transform_left_filter_column_0(8), 0) then
+        transform_left_filter_feature_0_choices_from_18(105) := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choices_from_18(105) := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_101 then
-        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
+      if is_set(transform_left_filter_column_0(8), 1) then
+        transform_left_filter_feature_0_choices_from_18(106) := transform_left_filter_feature_0_choices_from_18(105);
       else
-        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      transform_left_filter_feature_0_all_4 := transform_filtering_0_column_inside_8 and (not
-        ((transform_left_filter_column_4_2 / 128) = 1));
-      if (transform_left_filter_column_8_2 / 128) = 1 then
-        transform_left_filter_feature_0_choice_103 := transform_filtering_0_column_inside_8;
-      else
-        transform_left_filter_feature_0_choice_103 := transform_left_filter_feature_0_all_4;
-      end if;
-      if transform_left_filter_feature_0_choice_102 then
-        transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_8_2 / 128) = 1) and
-          transform_filtering_0_column_inside_8 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_104 := transform_left_filter_feature_0_choice_103;
-      end if;
-      if (transform_left_filter_column_8_0 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_105 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_8_0 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105;
-      else
-        transform_left_filter_feature_0_choice_106 := ((transform_left_filter_column_8_0 mod 2) = 1) and
+        transform_left_filter_feature_0_choices_from_18(106) := is_set(transform_left_filter_column_0(8), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_106 then
-        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choices_from_18(106) then
+        transform_left_filter_feature_0_choices_from_18(107) := (not is_set(transform_left_filter_column_0(8), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices_from_18(107) := (not is_set(transform_left_filter_column_0(8), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      if transform_left_filter_feature_0_choice_107 then
-        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      for i in 107 to 110 loop
+        if transform_left_filter_feature_0_choices_from_18(i) then
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_0(8), i -
+            104)) or transform_left_filter_feature_0_values(i - 104);
+        else
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_0(8), i -
+            104)) and transform_left_filter_feature_0_values(i - 104);
+        end if;
+      end loop;
+      if is_set(transform_left_filter_column_0(8), 7) then
+        transform_left_filter_feature_0_choices_from_18(112) := transform_filtering_0_column_inside_8;
       else
-        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choices_from_18(112) := transform_left_filter_feature_0_alls(4);
       end if;
-      if transform_left_filter_feature_0_choice_108 then
-        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choices_from_18(111) then
+        transform_left_filter_feature_0_choices_from_18(113) := is_set(transform_left_filter_column_0(8), 7) and
+          transform_filtering_0_column_inside_8 and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
+        transform_left_filter_feature_0_choices_from_18(113) := transform_left_filter_feature_0_choices_from_18(112);
       end if;
-      if transform_left_filter_feature_0_choice_109 then
-        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
+      if is_set(transform_left_filter_column_4(8), 0) then
+        transform_left_filter_feature_0_choices_from_18(114) := transform_left_filter_feature_0_any;
       else
-        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
+        transform_left_filter_feature_0_choices_from_18(114) := not transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choice_110 then
-        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
+      if is_set(transform_left_filter_column_4(8), 1) then
+        transform_left_filter_feature_0_choices_from_18(115) := transform_left_filter_feature_0_choices_from_18(114);
       else
-        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if (transform_left_filter_column_8_0 / 128) = 1 then
-        transform_left_filter_feature_0_choice_112 := transform_filtering_0_column_inside_8;
-      else
-        transform_left_filter_feature_0_choice_112 := transform_left_filter_feature_0_all_4;
-      end if;
-      if transform_left_filter_feature_0_choice_111 then
-        transform_left_filter_feature_0_choice_113 := ((transform_left_filter_column_8_0 / 128) = 1) and
-          transform_filtering_0_column_inside_8 and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_choice_112;
-      end if;
-      if (transform_left_filter_column_8_4 mod 2) = 1 then
-        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice_114 := not transform_left_filter_feature_0_value;
-      end if;
-      if ((transform_left_filter_column_8_4 / 2) mod 2) = 1 then
-        transform_left_filter_feature_0_choice_115 := transform_left_filter_feature_0_choice_114;
-      else
-        transform_left_filter_feature_0_choice_115 := ((transform_left_filter_column_8_4 mod 2) = 1) and
+        transform_left_filter_feature_0_choices_from_18(115) := is_set(transform_left_filter_column_4(8), 0) and
           transform_left_filter_feature_0_is_equal;
       end if;
-      if transform_left_filter_feature_0_choice_115 then
-        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choices_from_18(115) then
+        transform_left_filter_feature_0_choices_from_18(116) := (not is_set(transform_left_filter_column_4(8), 2)) and
+          transform_left_filter_feature_0_values(2);
       else
-        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_2;
+        transform_left_filter_feature_0_choices_from_18(116) := (not is_set(transform_left_filter_column_4(8), 2)) or
+          transform_left_filter_feature_0_values(2);
       end if;
-      if transform_left_filter_feature_0_choice_116 then
-        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_3;
+      for i in 116 to 119 loop
+        if transform_left_filter_feature_0_choices_from_18(i) then
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(8), i -
+            113)) or transform_left_filter_feature_0_values(i - 113);
+        else
+          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(8), i -
+            113)) and transform_left_filter_feature_0_values(i - 113);
+        end if;
+      end loop;
+      if transform_left_filter_feature_0_choices_from_18(120) then
+        transform_left_filter_feature_0_choices_from_18(121) := transform_filtering_0_column_inside_8 and
+          is_set(transform_left_filter_column_4(8), 7) and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_3;
+        transform_left_filter_feature_0_choices_from_18(121) := transform_filtering_0_column_inside_8 and
+          (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
       end if;
-      if transform_left_filter_feature_0_choice_117 then
-        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_4;
-      else
-        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_4;
-      end if;
-      if transform_left_filter_feature_0_choice_118 then
-        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_5;
-      else
-        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_5;
-      end if;
-      if transform_left_filter_feature_0_choice_119 then
-        transform_left_filter_feature_0_choice_120 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) or
-          transform_left_filter_feature_0_value_6;
-      else
-        transform_left_filter_feature_0_choice_120 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) and
-          transform_left_filter_feature_0_value_6;
-      end if;
-      if transform_left_filter_feature_0_choice_120 then
-        transform_left_filter_feature_0_choice_121 := transform_filtering_0_column_inside_8 and
-          ((transform_left_filter_column_8_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1));
-      else
-        transform_left_filter_feature_0_choice_121 := transform_filtering_0_column_inside_8 and
-          (((transform_left_filter_column_8_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
-      end if;
-      transform_right_filter_feature_0_value := ((transform_right_filter_column_4_2 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_value := is_set(transform_right_filter_column_2(4), 1);
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
-        ((transform_right_filter_column_4_2 mod 2) = 1));
-      if (transform_right_filter_column_4_0 mod 2) = 1 then
+        is_set(transform_right_filter_column_2(4), 0));
+      if is_set(transform_right_filter_column_0(4), 0) then
         transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
       else
         transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
       end if;
-      transform_right_filter_feature_0_is_equal := (transform_right_filter_column_4_2 mod 4) = 0;
-      if ((transform_right_filter_column_4_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      transform_right_filter_feature_0_is_equal := (transform_right_filter_column_2(4) mod 4) = 0;
+      if is_set(transform_right_filter_column_0(4), 1) then
+        transform_right_filter_feature_0_choices(2) := transform_right_filter_feature_0_choice;
       else
-        transform_right_filter_feature_0_choice_2 := ((transform_right_filter_column_4_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choices(2) := is_set(transform_right_filter_column_0(4), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_4_2 / 4) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_2 then
-        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column_2(4), 2);
+      if transform_right_filter_feature_0_choices(2) then
+        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column_0(4), 2)) and
+          transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column_0(4), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_4_2 / 8) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_3 then
-        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      for i in 3 to 6 loop
+        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_2(4), i);
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(4), i)) or
+            transform_right_filter_feature_0_values(i);
+        else
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(4), i)) and
+            transform_right_filter_feature_0_values(i);
+        end if;
+      end loop;
+      if transform_right_filter_feature_0_choices(7) then
+        transform_right_filter_feature_0_choices(8) := is_set(transform_right_filter_column_0(4), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choices(8) := is_set(transform_right_filter_column_0(4), 7) or (not
+          is_set(transform_right_filter_column_2(4), 7));
       end if;
-      transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_4_2 / 16) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_4 then
-        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if is_set(transform_right_filter_column_4(4), 0) then
+        transform_right_filter_feature_0_choices(9) := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choices(9) := not transform_right_filter_feature_0_value;
       end if;
-      transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_4_2 / 32) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_5 then
-        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if is_set(transform_right_filter_column_4(4), 1) then
+        transform_right_filter_feature_0_choices(10) := transform_right_filter_feature_0_choices(9);
       else
-        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_4_2 / 64) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_6 then
-        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_7 then
-        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) or (not
-          ((transform_right_filter_column_4_2 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_4_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_9 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_4_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9;
-      else
-        transform_right_filter_feature_0_choice_10 := ((transform_right_filter_column_4_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choices(10) := is_set(transform_right_filter_column_4(4), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_10 then
-        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choices(10) then
+        transform_right_filter_feature_0_choices(11) := (not is_set(transform_right_filter_column_4(4), 2)) and
+          transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices(11) := (not is_set(transform_right_filter_column_4(4), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      if transform_right_filter_feature_0_choice_11 then
-        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      for i in 11 to 14 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(4), i - 8)) or
+            transform_right_filter_feature_0_values(i - 8);
+        else
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(4), i - 8))
+            and transform_right_filter_feature_0_values(i - 8);
+        end if;
+      end loop;
+      if transform_right_filter_feature_0_choices(15) then
+        transform_right_filter_feature_0_choices(16) := is_set(transform_right_filter_column_4(4), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_12 then
-        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_13 then
-        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_14 then
-        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if transform_right_filter_feature_0_choice_15 then
-        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
-          ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_4 / 128) = 1) or (not
-          ((transform_right_filter_column_4_2 / 128) = 1));
+        transform_right_filter_feature_0_choices(16) := is_set(transform_right_filter_column_4(4), 7) or (not
+          is_set(transform_right_filter_column_2(4), 7));
       end if;
       if transform_filtering_0_column_inside_4 then
-        transform_right_filter_feature_0_choice_17 := as_number(transform_right_filter_feature_0_choice_8) +
-          (as_number(transform_right_filter_feature_0_choice_16) * 2);
+        transform_right_filter_feature_0_choice_17 := as_number(transform_right_filter_feature_0_choices(8)) +
+          (as_number(transform_right_filter_feature_0_choices(16)) * 2);
       else
         transform_right_filter_feature_0_choice_17 := 0;
       end if;
-      if (transform_right_filter_column_0_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_any;
+      if is_set(transform_right_filter_column_2(0), 0) then
+        transform_right_filter_feature_0_choices_from_18(18) := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_18 := not transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choices_from_18(18) := not transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_0_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_19 := transform_right_filter_feature_0_choice_18;
+      if is_set(transform_right_filter_column_2(0), 1) then
+        transform_right_filter_feature_0_choices_from_18(19) := transform_right_filter_feature_0_choices_from_18(18);
       else
-        transform_right_filter_feature_0_choice_19 := ((transform_right_filter_column_0_2 mod 2) = 1) and
+        transform_right_filter_feature_0_choices_from_18(19) := is_set(transform_right_filter_column_2(0), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_19 then
-        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choices_from_18(19) then
+        transform_right_filter_feature_0_choices_from_18(20) := (not is_set(transform_right_filter_column_2(0), 2)) and
+          transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices_from_18(20) := (not is_set(transform_right_filter_column_2(0), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      if transform_right_filter_feature_0_choice_20 then
-        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
-      else
-        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
-      end if;
-      if transform_right_filter_feature_0_choice_21 then
-        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
-      else
-        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_22 then
-        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_23 then
-        transform_right_filter_feature_0_choice_24 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_24 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
+      for i in 20 to 23 loop
+        if transform_right_filter_feature_0_choices_from_18(i) then
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(0), i
+            - 17)) or transform_right_filter_feature_0_values(i - 17);
+        else
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(0), i
+            - 17)) and transform_right_filter_feature_0_values(i - 17);
+        end if;
+      end loop;
       transform_right_filter_feature_0_all := transform_filtering_0_column_inside_0 and (not
-        ((transform_right_filter_column_4_2 / 128) = 1));
-      if (transform_right_filter_column_0_2 / 128) = 1 then
-        transform_right_filter_feature_0_choice_25 := transform_filtering_0_column_inside_0;
+        is_set(transform_right_filter_column_2(4), 7));
+      if is_set(transform_right_filter_column_2(0), 7) then
+        transform_right_filter_feature_0_choices_from_18(25) := transform_filtering_0_column_inside_0;
       else
-        transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_all;
+        transform_right_filter_feature_0_choices_from_18(25) := transform_right_filter_feature_0_all;
       end if;
-      if transform_right_filter_feature_0_choice_24 then
-        transform_right_filter_feature_0_choice_26 := ((transform_right_filter_column_0_2 / 128) = 1) and
-          transform_filtering_0_column_inside_0 and (not ((transform_right_filter_column_4_2 / 128) = 1));
+      if transform_right_filter_feature_0_choices_from_18(24) then
+        transform_right_filter_feature_0_choices_from_18(26) := is_set(transform_right_filter_column_2(0), 7) and
+          transform_filtering_0_column_inside_0 and (not is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25;
+        transform_right_filter_feature_0_choices_from_18(26) := transform_right_filter_feature_0_choices_from_18(25);
       end if;
-      if (transform_right_filter_column_0_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_27 := (transform_right_filter_column_4_2 mod 4) = 3;
+      if is_set(transform_right_filter_column_0(0), 0) then
+        transform_right_filter_feature_0_choices_from_18(27) := (transform_right_filter_column_2(4) mod 4) = 3;
       else
-        transform_right_filter_feature_0_choice_27 := transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choices_from_18(27) := transform_right_filter_feature_0_value;
       end if;
-      if ((transform_right_filter_column_0_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_28 := transform_right_filter_feature_0_choice_27;
+      if is_set(transform_right_filter_column_0(0), 1) then
+        transform_right_filter_feature_0_choices_from_18(28) := transform_right_filter_feature_0_choices_from_18(27);
       else
-        transform_right_filter_feature_0_choice_28 := (not ((transform_right_filter_column_0_0 mod 2) = 1)) or
-          transform_right_filter_feature_0_value or ((transform_right_filter_column_4_2 mod 2) = 1);
+        transform_right_filter_feature_0_choices_from_18(28) := (not is_set(transform_right_filter_column_0(0), 0)) or
+          transform_right_filter_feature_0_value or is_set(transform_right_filter_column_2(4), 0);
       end if;
-      transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_28 then
-        transform_right_filter_feature_0_choice_29 := transform_right_filter_feature_0_value_7 and (not
-          transform_right_filter_feature_0_value_2);
+      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column_0(0), 2);
+      if transform_right_filter_feature_0_choices_from_18(28) then
+        transform_right_filter_feature_0_choices_from_18(29) := transform_right_filter_feature_0_values(7) and (not
+          transform_right_filter_feature_0_values(2));
       else
-        transform_right_filter_feature_0_choice_29 := transform_right_filter_feature_0_value_7 or (not
-          transform_right_filter_feature_0_value_2);
+        transform_right_filter_feature_0_choices_from_18(29) := transform_right_filter_feature_0_values(7) or (not
+          transform_right_filter_feature_0_values(2));
       end if;
-      transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_29 then
-        transform_right_filter_feature_0_choice_30 := transform_right_filter_feature_0_value_8 or (not
-          transform_right_filter_feature_0_value_3);
+      for i in 8 to 11 loop
+        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_0(0), i - 5);
+        if transform_right_filter_feature_0_choices_from_18(i + 21) then
+          transform_right_filter_feature_0_choices_from_18(i + 22) := transform_right_filter_feature_0_values(i) or
+            (not transform_right_filter_feature_0_values(i - 5));
+        else
+          transform_right_filter_feature_0_choices_from_18(i + 22) := transform_right_filter_feature_0_values(i) and
+            (not transform_right_filter_feature_0_values(i - 5));
+        end if;
+      end loop;
+      if is_set(transform_right_filter_column_0(0), 7) then
+        transform_right_filter_feature_0_choices_from_18(34) := transform_filtering_0_column_inside_0;
       else
-        transform_right_filter_feature_0_choice_30 := transform_right_filter_feature_0_value_8 and (not
-          transform_right_filter_feature_0_value_3);
+        transform_right_filter_feature_0_choices_from_18(34) := transform_right_filter_feature_0_all;
       end if;
-      transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_30 then
-        transform_right_filter_feature_0_choice_31 := transform_right_filter_feature_0_value_9 or (not
-          transform_right_filter_feature_0_value_4);
+      if transform_right_filter_feature_0_choices_from_18(33) then
+        transform_right_filter_feature_0_choices_from_18(35) := transform_right_filter_feature_0_choices_from_18(34);
       else
-        transform_right_filter_feature_0_choice_31 := transform_right_filter_feature_0_value_9 and (not
-          transform_right_filter_feature_0_value_4);
+        transform_right_filter_feature_0_choices_from_18(35) := is_set(transform_right_filter_column_0(0), 7) and
+          transform_filtering_0_column_inside_0 and (not is_set(transform_right_filter_column_2(4), 7));
       end if;
-      transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_31 then
-        transform_right_filter_feature_0_choice_32 := transform_right_filter_feature_0_value_10 or (not
-          transform_right_filter_feature_0_value_5);
+      if is_set(transform_right_filter_column_4(0), 0) then
+        transform_right_filter_feature_0_choices_from_18(36) := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_32 := transform_right_filter_feature_0_value_10 and (not
-          transform_right_filter_feature_0_value_5);
+        transform_right_filter_feature_0_choices_from_18(36) := not transform_right_filter_feature_0_value;
       end if;
-      transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
-      if transform_right_filter_feature_0_choice_32 then
-        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_value_11 or (not
-          transform_right_filter_feature_0_value_6);
+      if is_set(transform_right_filter_column_4(0), 1) then
+        transform_right_filter_feature_0_choices_from_18(37) := transform_right_filter_feature_0_choices_from_18(36);
       else
-        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_value_11 and (not
-          transform_right_filter_feature_0_value_6);
-      end if;
-      if (transform_right_filter_column_0_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_34 := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_all;
-      end if;
-      if transform_right_filter_feature_0_choice_33 then
-        transform_right_filter_feature_0_choice_35 := transform_right_filter_feature_0_choice_34;
-      else
-        transform_right_filter_feature_0_choice_35 := ((transform_right_filter_column_0_0 / 128) = 1) and
-          transform_filtering_0_column_inside_0 and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      end if;
-      if (transform_right_filter_column_0_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_36 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_36 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_0_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_37 := transform_right_filter_feature_0_choice_36;
-      else
-        transform_right_filter_feature_0_choice_37 := ((transform_right_filter_column_0_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choices_from_18(37) := is_set(transform_right_filter_column_4(0), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_37 then
-        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choices_from_18(37) then
+        transform_right_filter_feature_0_choices_from_18(38) := (not is_set(transform_right_filter_column_4(0), 2)) and
+          transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices_from_18(38) := (not is_set(transform_right_filter_column_4(0), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      if transform_right_filter_feature_0_choice_38 then
-        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      for i in 38 to 41 loop
+        if transform_right_filter_feature_0_choices_from_18(i) then
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(0), i
+            - 35)) or transform_right_filter_feature_0_values(i - 35);
+        else
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(0), i
+            - 35)) and transform_right_filter_feature_0_values(i - 35);
+        end if;
+      end loop;
+      if is_set(transform_right_filter_column_4(0), 7) then
+        transform_right_filter_feature_0_choices_from_18(43) := transform_filtering_0_column_inside_0;
       else
-        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choices_from_18(43) := transform_right_filter_feature_0_all;
       end if;
-      if transform_right_filter_feature_0_choice_39 then
-        transform_right_filter_feature_0_choice_40 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choices_from_18(42) then
+        transform_right_filter_feature_0_choices_from_18(44) := is_set(transform_right_filter_column_4(0), 7) and
+          transform_filtering_0_column_inside_0 and (not is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_40 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choices_from_18(44) := transform_right_filter_feature_0_choices_from_18(43);
       end if;
-      if transform_right_filter_feature_0_choice_40 then
-        transform_right_filter_feature_0_choice_41 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if is_set(transform_right_filter_column_2(2), 0) then
+        transform_right_filter_feature_0_choices_from_18(45) := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_41 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choices_from_18(45) := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_41 then
-        transform_right_filter_feature_0_choice_42 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+      if is_set(transform_right_filter_column_2(2), 1) then
+        transform_right_filter_feature_0_choices_from_18(46) := transform_right_filter_feature_0_choices_from_18(45);
       else
-        transform_right_filter_feature_0_choice_42 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if (transform_right_filter_column_0_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_43 := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choice_43 := transform_right_filter_feature_0_all;
-      end if;
-      if transform_right_filter_feature_0_choice_42 then
-        transform_right_filter_feature_0_choice_44 := ((transform_right_filter_column_0_4 / 128) = 1) and
-          transform_filtering_0_column_inside_0 and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_44 := transform_right_filter_feature_0_choice_43;
-      end if;
-      if (transform_right_filter_column_2_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_45 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_45 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_2_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_46 := transform_right_filter_feature_0_choice_45;
-      else
-        transform_right_filter_feature_0_choice_46 := ((transform_right_filter_column_2_2 mod 2) = 1) and
+        transform_right_filter_feature_0_choices_from_18(46) := is_set(transform_right_filter_column_2(2), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_46 then
-        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choices_from_18(46) then
+        transform_right_filter_feature_0_choices_from_18(47) := (not is_set(transform_right_filter_column_2(2), 2)) and
+          transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices_from_18(47) := (not is_set(transform_right_filter_column_2(2), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      if transform_right_filter_feature_0_choice_47 then
-        transform_right_filter_feature_0_choice_48 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      for i in 47 to 50 loop
+        if transform_right_filter_feature_0_choices_from_18(i) then
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(2), i
+            - 44)) or transform_right_filter_feature_0_values(i - 44);
+        else
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(2), i
+            - 44)) and transform_right_filter_feature_0_values(i - 44);
+        end if;
+      end loop;
+      transform_right_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
+        is_set(transform_right_filter_column_2(4), 7));
+      if is_set(transform_right_filter_column_2(2), 7) then
+        transform_right_filter_feature_0_choices_from_18(52) := transform_filtering_0_column_inside_2;
       else
-        transform_right_filter_feature_0_choice_48 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choices_from_18(52) := transform_right_filter_feature_0_alls(2);
       end if;
-      if transform_right_filter_feature_0_choice_48 then
-        transform_right_filter_feature_0_choice_49 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choices_from_18(51) then
+        transform_right_filter_feature_0_choices_from_18(53) := is_set(transform_right_filter_column_2(2), 7) and
+          transform_filtering_0_column_inside_2 and (not is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_49 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choices_from_18(53) := transform_right_filter_feature_0_choices_from_18(52);
       end if;
-      if transform_right_filter_feature_0_choice_49 then
-        transform_right_filter_feature_0_choice_50 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if is_set(transform_right_filter_column_0(2), 0) then
+        transform_right_filter_feature_0_choices_from_18(54) := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_50 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choices_from_18(54) := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_50 then
-        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+      if is_set(transform_right_filter_column_0(2), 1) then
+        transform_right_filter_feature_0_choices_from_18(55) := transform_right_filter_feature_0_choices_from_18(54);
       else
-        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      transform_right_filter_feature_0_all_2 := transform_filtering_0_column_inside_2 and (not
-        ((transform_right_filter_column_4_2 / 128) = 1));
-      if (transform_right_filter_column_2_2 / 128) = 1 then
-        transform_right_filter_feature_0_choice_52 := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choice_52 := transform_right_filter_feature_0_all_2;
-      end if;
-      if transform_right_filter_feature_0_choice_51 then
-        transform_right_filter_feature_0_choice_53 := ((transform_right_filter_column_2_2 / 128) = 1) and
-          transform_filtering_0_column_inside_2 and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_53 := transform_right_filter_feature_0_choice_52;
-      end if;
-      if (transform_right_filter_column_2_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_54 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_54 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_55 := transform_right_filter_feature_0_choice_54;
-      else
-        transform_right_filter_feature_0_choice_55 := ((transform_right_filter_column_2_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choices_from_18(55) := is_set(transform_right_filter_column_0(2), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_55 then
-        transform_right_filter_feature_0_choice_56 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choices_from_18(55) then
+        transform_right_filter_feature_0_choices_from_18(56) := (not is_set(transform_right_filter_column_0(2), 2)) and
+          transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_56 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices_from_18(56) := (not is_set(transform_right_filter_column_0(2), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      if transform_right_filter_feature_0_choice_56 then
-        transform_right_filter_feature_0_choice_57 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      for i in 56 to 59 loop
+        if transform_right_filter_feature_0_choices_from_18(i) then
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_0(2), i
+            - 53)) or transform_right_filter_feature_0_values(i - 53);
+        else
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_0(2), i
+            - 53)) and transform_right_filter_feature_0_values(i - 53);
+        end if;
+      end loop;
+      if is_set(transform_right_filter_column_0(2), 7) then
+        transform_right_filter_feature_0_choices_from_18(61) := transform_filtering_0_column_inside_2;
       else
-        transform_right_filter_feature_0_choice_57 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choices_from_18(61) := transform_right_filter_feature_0_alls(2);
       end if;
-      if transform_right_filter_feature_0_choice_57 then
-        transform_right_filter_feature_0_choice_58 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choices_from_18(60) then
+        transform_right_filter_feature_0_choices_from_18(62) := is_set(transform_right_filter_column_0(2), 7) and
+          transform_filtering_0_column_inside_2 and (not is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_58 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choices_from_18(62) := transform_right_filter_feature_0_choices_from_18(61);
       end if;
-      if transform_right_filter_feature_0_choice_58 then
-        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if is_set(transform_right_filter_column_4(2), 0) then
+        transform_right_filter_feature_0_choices_from_18(63) := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choices_from_18(63) := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_59 then
-        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+      if is_set(transform_right_filter_column_4(2), 1) then
+        transform_right_filter_feature_0_choices_from_18(64) := transform_right_filter_feature_0_choices_from_18(63);
       else
-        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if (transform_right_filter_column_2_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_61 := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choice_61 := transform_right_filter_feature_0_all_2;
-      end if;
-      if transform_right_filter_feature_0_choice_60 then
-        transform_right_filter_feature_0_choice_62 := ((transform_right_filter_column_2_0 / 128) = 1) and
-          transform_filtering_0_column_inside_2 and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_62 := transform_right_filter_feature_0_choice_61;
-      end if;
-      if (transform_right_filter_column_2_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_63 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_63 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_2_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_64 := transform_right_filter_feature_0_choice_63;
-      else
-        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_2_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choices_from_18(64) := is_set(transform_right_filter_column_4(2), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_64 then
-        transform_right_filter_feature_0_choice_65 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choices_from_18(64) then
+        transform_right_filter_feature_0_choices_from_18(65) := (not is_set(transform_right_filter_column_4(2), 2)) and
+          transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_65 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices_from_18(65) := (not is_set(transform_right_filter_column_4(2), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      if transform_right_filter_feature_0_choice_65 then
-        transform_right_filter_feature_0_choice_66 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      for i in 65 to 68 loop
+        if transform_right_filter_feature_0_choices_from_18(i) then
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(2), i
+            - 62)) or transform_right_filter_feature_0_values(i - 62);
+        else
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(2), i
+            - 62)) and transform_right_filter_feature_0_values(i - 62);
+        end if;
+      end loop;
+      if is_set(transform_right_filter_column_4(2), 7) then
+        transform_right_filter_feature_0_choices_from_18(70) := transform_filtering_0_column_inside_2;
       else
-        transform_right_filter_feature_0_choice_66 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choices_from_18(70) := transform_right_filter_feature_0_alls(2);
       end if;
-      if transform_right_filter_feature_0_choice_66 then
-        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choices_from_18(69) then
+        transform_right_filter_feature_0_choices_from_18(71) := is_set(transform_right_filter_column_4(2), 7) and
+          transform_filtering_0_column_inside_2 and (not is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choices_from_18(71) := transform_right_filter_feature_0_choices_from_18(70);
       end if;
-      if transform_right_filter_feature_0_choice_67 then
-        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if is_set(transform_right_filter_column_2(6), 0) then
+        transform_right_filter_feature_0_choices_from_18(72) := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choices_from_18(72) := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_68 then
-        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+      if is_set(transform_right_filter_column_2(6), 1) then
+        transform_right_filter_feature_0_choices_from_18(73) := transform_right_filter_feature_0_choices_from_18(72);
       else
-        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if (transform_right_filter_column_2_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_70 := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choice_70 := transform_right_filter_feature_0_all_2;
-      end if;
-      if transform_right_filter_feature_0_choice_69 then
-        transform_right_filter_feature_0_choice_71 := ((transform_right_filter_column_2_4 / 128) = 1) and
-          transform_filtering_0_column_inside_2 and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_71 := transform_right_filter_feature_0_choice_70;
-      end if;
-      if (transform_right_filter_column_6_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_72 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_72 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_6_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_choice_72;
-      else
-        transform_right_filter_feature_0_choice_73 := ((transform_right_filter_column_6_2 mod 2) = 1) and
+        transform_right_filter_feature_0_choices_from_18(73) := is_set(transform_right_filter_column_2(6), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_73 then
-        transform_right_filter_feature_0_choice_74 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choices_from_18(73) then
+        transform_right_filter_feature_0_choices_from_18(74) := (not is_set(transform_right_filter_column_2(6), 2)) and
+          transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_74 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices_from_18(74) := (not is_set(transform_right_filter_column_2(6), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      if transform_right_filter_feature_0_choice_74 then
-        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      for i in 74 to 77 loop
+        if transform_right_filter_feature_0_choices_from_18(i) then
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(6), i
+            - 71)) or transform_right_filter_feature_0_values(i - 71);
+        else
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(6), i
+            - 71)) and transform_right_filter_feature_0_values(i - 71);
+        end if;
+      end loop;
+      transform_right_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
+        is_set(transform_right_filter_column_2(4), 7));
+      if is_set(transform_right_filter_column_2(6), 7) then
+        transform_right_filter_feature_0_choices_from_18(79) := transform_filtering_0_column_inside_6;
       else
-        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choices_from_18(79) := transform_right_filter_feature_0_alls(3);
       end if;
-      if transform_right_filter_feature_0_choice_75 then
-        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choices_from_18(78) then
+        transform_right_filter_feature_0_choices_from_18(80) := is_set(transform_right_filter_column_2(6), 7) and
+          transform_filtering_0_column_inside_6 and (not is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choices_from_18(80) := transform_right_filter_feature_0_choices_from_18(79);
       end if;
-      if transform_right_filter_feature_0_choice_76 then
-        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if is_set(transform_right_filter_column_0(6), 0) then
+        transform_right_filter_feature_0_choices_from_18(81) := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choices_from_18(81) := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_77 then
-        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+      if is_set(transform_right_filter_column_0(6), 1) then
+        transform_right_filter_feature_0_choices_from_18(82) := transform_right_filter_feature_0_choices_from_18(81);
       else
-        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      transform_right_filter_feature_0_all_3 := transform_filtering_0_column_inside_6 and (not
-        ((transform_right_filter_column_4_2 / 128) = 1));
-      if (transform_right_filter_column_6_2 / 128) = 1 then
-        transform_right_filter_feature_0_choice_79 := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choice_79 := transform_right_filter_feature_0_all_3;
-      end if;
-      if transform_right_filter_feature_0_choice_78 then
-        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_6_2 / 128) = 1) and
-          transform_filtering_0_column_inside_6 and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_80 := transform_right_filter_feature_0_choice_79;
-      end if;
-      if (transform_right_filter_column_6_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_81 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_6_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81;
-      else
-        transform_right_filter_feature_0_choice_82 := ((transform_right_filter_column_6_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choices_from_18(82) := is_set(transform_right_filter_column_0(6), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_82 then
-        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choices_from_18(82) then
+        transform_right_filter_feature_0_choices_from_18(83) := (not is_set(transform_right_filter_column_0(6), 2)) and
+          transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices_from_18(83) := (not is_set(transform_right_filter_column_0(6), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      if transform_right_filter_feature_0_choice_83 then
-        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      for i in 83 to 86 loop
+        if transform_right_filter_feature_0_choices_from_18(i) then
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_0(6), i
+            - 80)) or transform_right_filter_feature_0_values(i - 80);
+        else
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_0(6), i
+            - 80)) and transform_right_filter_feature_0_values(i - 80);
+        end if;
+      end loop;
+      if is_set(transform_right_filter_column_0(6), 7) then
+        transform_right_filter_feature_0_choices_from_18(88) := transform_filtering_0_column_inside_6;
       else
-        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choices_from_18(88) := transform_right_filter_feature_0_alls(3);
       end if;
-      if transform_right_filter_feature_0_choice_84 then
-        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choices_from_18(87) then
+        transform_right_filter_feature_0_choices_from_18(89) := is_set(transform_right_filter_column_0(6), 7) and
+          transform_filtering_0_column_inside_6 and (not is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choices_from_18(89) := transform_right_filter_feature_0_choices_from_18(88);
       end if;
-      if transform_right_filter_feature_0_choice_85 then
-        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if is_set(transform_right_filter_column_4(6), 0) then
+        transform_right_filter_feature_0_choices_from_18(90) := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choices_from_18(90) := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_86 then
-        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+      if is_set(transform_right_filter_column_4(6), 1) then
+        transform_right_filter_feature_0_choices_from_18(91) := transform_right_filter_feature_0_choices_from_18(90);
       else
-        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if (transform_right_filter_column_6_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choice_88 := transform_right_filter_feature_0_all_3;
-      end if;
-      if transform_right_filter_feature_0_choice_87 then
-        transform_right_filter_feature_0_choice_89 := ((transform_right_filter_column_6_0 / 128) = 1) and
-          transform_filtering_0_column_inside_6 and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_choice_88;
-      end if;
-      if (transform_right_filter_column_6_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_90 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_6_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_91 := transform_right_filter_feature_0_choice_90;
-      else
-        transform_right_filter_feature_0_choice_91 := ((transform_right_filter_column_6_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choices_from_18(91) := is_set(transform_right_filter_column_4(6), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_91 then
-        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choices_from_18(91) then
+        transform_right_filter_feature_0_choices_from_18(92) := (not is_set(transform_right_filter_column_4(6), 2)) and
+          transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices_from_18(92) := (not is_set(transform_right_filter_column_4(6), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      if transform_right_filter_feature_0_choice_92 then
-        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      for i in 92 to 95 loop
+        if transform_right_filter_feature_0_choices_from_18(i) then
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(6), i
+            - 89)) or transform_right_filter_feature_0_values(i - 89);
+        else
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(6), i
+            - 89)) and transform_right_filter_feature_0_values(i - 89);
+        end if;
+      end loop;
+      if is_set(transform_right_filter_column_4(6), 7) then
+        transform_right_filter_feature_0_choices_from_18(97) := transform_filtering_0_column_inside_6;
       else
-        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choices_from_18(97) := transform_right_filter_feature_0_alls(3);
       end if;
-      if transform_right_filter_feature_0_choice_93 then
-        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choices_from_18(96) then
+        transform_right_filter_feature_0_choices_from_18(98) := is_set(transform_right_filter_column_4(6), 7) and
+          transform_filtering_0_column_inside_6 and (not is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choices_from_18(98) := transform_right_filter_feature_0_choices_from_18(97);
       end if;
-      if transform_right_filter_feature_0_choice_94 then
-        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if is_set(transform_right_filter_column_2(8), 0) then
+        transform_right_filter_feature_0_choices_from_18(99) := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choices_from_18(99) := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_95 then
-        transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+      if is_set(transform_right_filter_column_2(8), 1) then
+        transform_right_filter_feature_0_choices_from_18(100) := transform_right_filter_feature_0_choices_from_18(99);
       else
-        transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if (transform_right_filter_column_6_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_97 := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_all_3;
-      end if;
-      if transform_right_filter_feature_0_choice_96 then
-        transform_right_filter_feature_0_choice_98 := ((transform_right_filter_column_6_4 / 128) = 1) and
-          transform_filtering_0_column_inside_6 and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97;
-      end if;
-      if (transform_right_filter_column_8_2 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_99 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_99 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_8_2 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_100 := transform_right_filter_feature_0_choice_99;
-      else
-        transform_right_filter_feature_0_choice_100 := ((transform_right_filter_column_8_2 mod 2) = 1) and
+        transform_right_filter_feature_0_choices_from_18(100) := is_set(transform_right_filter_column_2(8), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_100 then
-        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choices_from_18(100) then
+        transform_right_filter_feature_0_choices_from_18(101) := (not is_set(transform_right_filter_column_2(8), 2))
+          and transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices_from_18(101) := (not is_set(transform_right_filter_column_2(8), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      if transform_right_filter_feature_0_choice_101 then
-        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      for i in 101 to 104 loop
+        if transform_right_filter_feature_0_choices_from_18(i) then
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(8), i
+            - 98)) or transform_right_filter_feature_0_values(i - 98);
+        else
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(8), i
+            - 98)) and transform_right_filter_feature_0_values(i - 98);
+        end if;
+      end loop;
+      transform_right_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
+        is_set(transform_right_filter_column_2(4), 7));
+      if is_set(transform_right_filter_column_2(8), 7) then
+        transform_right_filter_feature_0_choices_from_18(106) := transform_filtering_0_column_inside_8;
       else
-        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choices_from_18(106) := transform_right_filter_feature_0_alls(4);
       end if;
-      if transform_right_filter_feature_0_choice_102 then
-        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choices_from_18(105) then
+        transform_right_filter_feature_0_choices_from_18(107) := is_set(transform_right_filter_column_2(8), 7) and
+          transform_filtering_0_column_inside_8 and (not is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choices_from_18(107) := transform_right_filter_feature_0_choices_from_18(106);
       end if;
-      if transform_right_filter_feature_0_choice_103 then
-        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if is_set(transform_right_filter_column_0(8), 0) then
+        transform_right_filter_feature_0_choices_from_18(108) := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choices_from_18(108) := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_104 then
-        transform_right_filter_feature_0_choice_105 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+      if is_set(transform_right_filter_column_0(8), 1) then
+        transform_right_filter_feature_0_choices_from_18(109) := transform_right_filter_feature_0_choices_from_18(108);
       else
-        transform_right_filter_feature_0_choice_105 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      transform_right_filter_feature_0_all_4 := transform_filtering_0_column_inside_8 and (not
-        ((transform_right_filter_column_4_2 / 128) = 1));
-      if (transform_right_filter_column_8_2 / 128) = 1 then
-        transform_right_filter_feature_0_choice_106 := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_all_4;
-      end if;
-      if transform_right_filter_feature_0_choice_105 then
-        transform_right_filter_feature_0_choice_107 := ((transform_right_filter_column_8_2 / 128) = 1) and
-          transform_filtering_0_column_inside_8 and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_107 := transform_right_filter_feature_0_choice_106;
-      end if;
-      if (transform_right_filter_column_8_0 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_108 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_108 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_8_0 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_109 := transform_right_filter_feature_0_choice_108;
-      else
-        transform_right_filter_feature_0_choice_109 := ((transform_right_filter_column_8_0 mod 2) = 1) and
+        transform_right_filter_feature_0_choices_from_18(109) := is_set(transform_right_filter_column_0(8), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_109 then
-        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choices_from_18(109) then
+        transform_right_filter_feature_0_choices_from_18(110) := (not is_set(transform_right_filter_column_0(8), 2))
+          and transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices_from_18(110) := (not is_set(transform_right_filter_column_0(8), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      if transform_right_filter_feature_0_choice_110 then
-        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      for i in 110 to 113 loop
+        if transform_right_filter_feature_0_choices_from_18(i) then
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_0(8), i
+            - 107)) or transform_right_filter_feature_0_values(i - 107);
+        else
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_0(8), i
+            - 107)) and transform_right_filter_feature_0_values(i - 107);
+        end if;
+      end loop;
+      if is_set(transform_right_filter_column_0(8), 7) then
+        transform_right_filter_feature_0_choices_from_18(115) := transform_filtering_0_column_inside_8;
       else
-        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choices_from_18(115) := transform_right_filter_feature_0_alls(4);
       end if;
-      if transform_right_filter_feature_0_choice_111 then
-        transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choices_from_18(114) then
+        transform_right_filter_feature_0_choices_from_18(116) := is_set(transform_right_filter_column_0(8), 7) and
+          transform_filtering_0_column_inside_8 and (not is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
+        transform_right_filter_feature_0_choices_from_18(116) := transform_right_filter_feature_0_choices_from_18(115);
       end if;
-      if transform_right_filter_feature_0_choice_112 then
-        transform_right_filter_feature_0_choice_113 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
+      if is_set(transform_right_filter_column_4(8), 0) then
+        transform_right_filter_feature_0_choices_from_18(117) := transform_right_filter_feature_0_any;
       else
-        transform_right_filter_feature_0_choice_113 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
+        transform_right_filter_feature_0_choices_from_18(117) := not transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choice_113 then
-        transform_right_filter_feature_0_choice_114 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
+      if is_set(transform_right_filter_column_4(8), 1) then
+        transform_right_filter_feature_0_choices_from_18(118) := transform_right_filter_feature_0_choices_from_18(117);
       else
-        transform_right_filter_feature_0_choice_114 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if (transform_right_filter_column_8_0 / 128) = 1 then
-        transform_right_filter_feature_0_choice_115 := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choice_115 := transform_right_filter_feature_0_all_4;
-      end if;
-      if transform_right_filter_feature_0_choice_114 then
-        transform_right_filter_feature_0_choice_116 := ((transform_right_filter_column_8_0 / 128) = 1) and
-          transform_filtering_0_column_inside_8 and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_116 := transform_right_filter_feature_0_choice_115;
-      end if;
-      if (transform_right_filter_column_8_4 mod 2) = 1 then
-        transform_right_filter_feature_0_choice_117 := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice_117 := not transform_right_filter_feature_0_value;
-      end if;
-      if ((transform_right_filter_column_8_4 / 2) mod 2) = 1 then
-        transform_right_filter_feature_0_choice_118 := transform_right_filter_feature_0_choice_117;
-      else
-        transform_right_filter_feature_0_choice_118 := ((transform_right_filter_column_8_4 mod 2) = 1) and
+        transform_right_filter_feature_0_choices_from_18(118) := is_set(transform_right_filter_column_4(8), 0) and
           transform_right_filter_feature_0_is_equal;
       end if;
-      if transform_right_filter_feature_0_choice_118 then
-        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choices_from_18(118) then
+        transform_right_filter_feature_0_choices_from_18(119) := (not is_set(transform_right_filter_column_4(8), 2))
+          and transform_right_filter_feature_0_values(2);
       else
-        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_2;
+        transform_right_filter_feature_0_choices_from_18(119) := (not is_set(transform_right_filter_column_4(8), 2)) or
+          transform_right_filter_feature_0_values(2);
       end if;
-      if transform_right_filter_feature_0_choice_119 then
-        transform_right_filter_feature_0_choice_120 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_3;
+      for i in 119 to 122 loop
+        if transform_right_filter_feature_0_choices_from_18(i) then
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(8), i
+            - 116)) or transform_right_filter_feature_0_values(i - 116);
+        else
+          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(8), i
+            - 116)) and transform_right_filter_feature_0_values(i - 116);
+        end if;
+      end loop;
+      if is_set(transform_right_filter_column_4(8), 7) then
+        transform_right_filter_feature_0_choices_from_18(124) := transform_filtering_0_column_inside_8;
       else
-        transform_right_filter_feature_0_choice_120 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_3;
+        transform_right_filter_feature_0_choices_from_18(124) := transform_right_filter_feature_0_alls(4);
       end if;
-      if transform_right_filter_feature_0_choice_120 then
-        transform_right_filter_feature_0_choice_121 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choices_from_18(123) then
+        transform_right_filter_feature_0_choices_from_18(125) := is_set(transform_right_filter_column_4(8), 7) and
+          transform_filtering_0_column_inside_8 and (not is_set(transform_right_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice_121 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_4;
-      end if;
-      if transform_right_filter_feature_0_choice_121 then
-        transform_right_filter_feature_0_choice_122 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_5;
-      else
-        transform_right_filter_feature_0_choice_122 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_5;
-      end if;
-      if transform_right_filter_feature_0_choice_122 then
-        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) or
-          transform_right_filter_feature_0_value_6;
-      else
-        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) and
-          transform_right_filter_feature_0_value_6;
-      end if;
-      if (transform_right_filter_column_8_4 / 128) = 1 then
-        transform_right_filter_feature_0_choice_124 := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choice_124 := transform_right_filter_feature_0_all_4;
-      end if;
-      if transform_right_filter_feature_0_choice_123 then
-        transform_right_filter_feature_0_choice_125 := ((transform_right_filter_column_8_4 / 128) = 1) and
-          transform_filtering_0_column_inside_8 and (not ((transform_right_filter_column_4_2 / 128) = 1));
-      else
-        transform_right_filter_feature_0_choice_125 := transform_right_filter_feature_0_choice_124;
+        transform_right_filter_feature_0_choices_from_18(125) := transform_right_filter_feature_0_choices_from_18(124);
       end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
@@ -3039,13 +2050,13 @@ begin
         (transform_counter_group mod 4)) < 12;
       transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 12;
-      transform_read_row_inside_4 <= (not ((transform_counter_group / 8) = 1)) or (not (((transform_counter_group / 4)
-        mod 2) = 1));
-      transform_read_column_inside_0 <= ((transform_counter_column / 32) = 1) or transform_read_column_inside_0_value
-        or transform_read_column_inside_0_value_2 or transform_read_column_inside_0_value_3;
+      transform_read_row_inside_4 <= (not is_set(transform_counter_group, 3)) or (not is_set(transform_counter_group,
+        2));
+      transform_read_column_inside_0 <= is_set(transform_counter_column, 5) or transform_read_column_inside_0_value or
+        transform_read_column_inside_0_values(2) or transform_read_column_inside_0_values(3);
       transform_read_column_inside_4 <= true;
-      transform_read_column_inside_8 <= ((transform_counter_column / 32) = 1) or transform_read_column_inside_0_value
-        or transform_read_column_inside_0_value_2 or (not transform_read_column_inside_0_value_3);
+      transform_read_column_inside_8 <= is_set(transform_counter_column, 5) or transform_read_column_inside_0_value or
+        transform_read_column_inside_0_values(2) or (not transform_read_column_inside_0_values(3));
       transform_read_start_of_frame <= (transform_counter_column = 4) and (transform_counter_group = 2);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
@@ -3076,52 +2087,54 @@ begin
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
       transform_left_filter_feature_0 <= (transform_left_filter_feature_0_choice_17 * 64) +
-        (as_number(transform_left_filter_feature_0_choice_26) * 2) +
-        as_number(transform_left_filter_feature_0_choice_35) + (as_number(transform_left_filter_feature_0_choice_43) *
-        4) + (as_number(transform_left_filter_feature_0_choice_52) * 16) +
-        (as_number(transform_left_filter_feature_0_choice_61) * 8) +
-        (as_number(transform_left_filter_feature_0_choice_69) * 32) +
-        (as_number(transform_left_filter_feature_0_choice_78) * 512) +
-        (as_number(transform_left_filter_feature_0_choice_87) * 256) +
-        (as_number(transform_left_filter_feature_0_choice_95) * 1024) +
-        (as_number(transform_left_filter_feature_0_choice_104) * 4096) +
-        (as_number(transform_left_filter_feature_0_choice_113) * 2048) +
-        (as_number(transform_left_filter_feature_0_choice_121) * 8192);
+        (as_number(transform_left_filter_feature_0_choices_from_18(26)) * 2) +
+        as_number(transform_left_filter_feature_0_choices_from_18(35)) +
+        (as_number(transform_left_filter_feature_0_choices_from_18(43)) * 4) +
+        (as_number(transform_left_filter_feature_0_choices_from_18(52)) * 16) +
+        (as_number(transform_left_filter_feature_0_choices_from_18(61)) * 8) +
+        (as_number(transform_left_filter_feature_0_choices_from_18(69)) * 32) +
+        (as_number(transform_left_filter_feature_0_choices_from_18(78)) * 512) +
+        (as_number(transform_left_filter_feature_0_choices_from_18(87)) * 256) +
+        (as_number(transform_left_filter_feature_0_choices_from_18(95)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choices_from_18(104)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choices_from_18(113)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choices_from_18(121)) * 8192);
       transform_right_filter_feature_0 <= (transform_right_filter_feature_0_choice_17 * 64) +
-        (as_number(transform_right_filter_feature_0_choice_26) * 2) +
-        as_number(transform_right_filter_feature_0_choice_35) + (as_number(transform_right_filter_feature_0_choice_44)
-        * 4) + (as_number(transform_right_filter_feature_0_choice_53) * 16) +
-        (as_number(transform_right_filter_feature_0_choice_62) * 8) +
-        (as_number(transform_right_filter_feature_0_choice_71) * 32) +
-        (as_number(transform_right_filter_feature_0_choice_80) * 512) +
-        (as_number(transform_right_filter_feature_0_choice_89) * 256) +
-        (as_number(transform_right_filter_feature_0_choice_98) * 1024) +
-        (as_number(transform_right_filter_feature_0_choice_107) * 4096) +
-        (as_number(transform_right_filter_feature_0_choice_116) * 2048) +
-        (as_number(transform_right_filter_feature_0_choice_125) * 8192);
+        (as_number(transform_right_filter_feature_0_choices_from_18(26)) * 2) +
+        as_number(transform_right_filter_feature_0_choices_from_18(35)) +
+        (as_number(transform_right_filter_feature_0_choices_from_18(44)) * 4) +
+        (as_number(transform_right_filter_feature_0_choices_from_18(53)) * 16) +
+        (as_number(transform_right_filter_feature_0_choices_from_18(62)) * 8) +
+        (as_number(transform_right_filter_feature_0_choices_from_18(71)) * 32) +
+        (as_number(transform_right_filter_feature_0_choices_from_18(80)) * 512) +
+        (as_number(transform_right_filter_feature_0_choices_from_18(89)) * 256) +
+        (as_number(transform_right_filter_feature_0_choices_from_18(98)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choices_from_18(107)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choices_from_18(116)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choices_from_18(125)) * 8192);
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
       transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
       transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
-      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_0_valid <= transform_columns_valid;
-      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
-      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
+      transform_filtering_valid(0) <= transform_columns_valid;
+      transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
+      transform_filtering_valid(1) <= transform_filtering_valid(0);
       if in_valid and in_start_of_frame then
         transform_counter_group <= transform_counter_group_choice * 4;
       else
-        transform_counter_group <= transform_counter_group_choice_3;
+        transform_counter_group <= transform_counter_group_choices(3);
       end if;
       if ((transform_counter_column / 2) mod 16) = 0 then
-        transform_read_column_inside_2 <= transform_read_column_inside_2_is_equal /= ((transform_counter_column / 32) =
-          1);
+        transform_read_column_inside_2 <= transform_read_column_inside_2_is_equal /= is_set(transform_counter_column,
+          5);
       else
         transform_read_column_inside_2 <= transform_read_column_inside_2_differs;
       end if;
       if transform_read_column_inside_6_choice then
         transform_read_column_inside_6 <= transform_read_column_inside_2_is_equal /=
-          transform_read_column_inside_0_value_2;
+          transform_read_column_inside_0_values(2);
       else
         transform_read_column_inside_6 <= transform_read_column_inside_2_differs;
       end if;
@@ -3136,8 +2149,8 @@ begin
         else
           transform_counter_column <= (transform_counter_column + 1) mod 64;
         end if;
-        if transform_counter_group_is_equal and transform_counter_group_is_equal_3 then
-          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+        if transform_counter_group_is_equal and transform_counter_group_is_equals(3) then
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equals(2) and
             in_start_of_frame;
         else
           transform_counter_next_frame <= transform_counter_next_frame_choice;
@@ -3151,131 +2164,93 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_columns_valid then
-        transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
-        transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
-        transform_left_filter_column_1_4 <= transform_left_filter_column_0_4;
-        transform_left_filter_column_2_0 <= transform_left_filter_column_1_0;
-        transform_left_filter_column_2_2 <= transform_left_filter_column_1_2;
-        transform_left_filter_column_2_4 <= transform_left_filter_column_1_4;
-        transform_left_filter_column_3_0 <= transform_left_filter_column_2_0;
-        transform_left_filter_column_3_2 <= transform_left_filter_column_2_2;
-        transform_left_filter_column_3_4 <= transform_left_filter_column_2_4;
-        transform_left_filter_column_4_0 <= transform_left_filter_column_3_0;
-        transform_left_filter_column_4_2 <= transform_left_filter_column_3_2;
-        transform_left_filter_column_4_4 <= transform_left_filter_column_3_4;
-        transform_left_filter_column_5_0 <= transform_left_filter_column_4_0;
-        transform_left_filter_column_5_2 <= transform_left_filter_column_4_2;
-        transform_left_filter_column_5_4 <= transform_left_filter_column_4_4;
-        transform_left_filter_column_6_0 <= transform_left_filter_column_5_0;
-        transform_left_filter_column_6_2 <= transform_left_filter_column_5_2;
-        transform_left_filter_column_6_4 <= transform_left_filter_column_5_4;
-        transform_left_filter_column_7_0 <= transform_left_filter_column_6_0;
-        transform_left_filter_column_7_2 <= transform_left_filter_column_6_2;
-        transform_left_filter_column_7_4 <= transform_left_filter_column_6_4;
-        transform_left_filter_column_8_0 <= transform_left_filter_column_7_0;
-        transform_left_filter_column_8_2 <= transform_left_filter_column_7_2;
-        transform_left_filter_column_8_4 <= transform_left_filter_column_7_4;
-        transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
-        transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
-        transform_right_filter_column_1_4 <= transform_right_filter_column_0_4;
-        transform_right_filter_column_2_0 <= transform_right_filter_column_1_0;
-        transform_right_filter_column_2_2 <= transform_right_filter_column_1_2;
-        transform_right_filter_column_2_4 <= transform_right_filter_column_1_4;
-        transform_right_filter_column_3_0 <= transform_right_filter_column_2_0;
-        transform_right_filter_column_3_2 <= transform_right_filter_column_2_2;
-        transform_right_filter_column_3_4 <= transform_right_filter_column_2_4;
-        transform_right_filter_column_4_0 <= transform_right_filter_column_3_0;
-        transform_right_filter_column_4_2 <= transform_right_filter_column_3_2;
-        transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
-        transform_right_filter_column_5_0 <= transform_right_filter_column_4_0;
-        transform_right_filter_column_5_2 <= transform_right_filter_column_4_2;
-        transform_right_filter_column_5_4 <= transform_right_filter_column_4_4;
-        transform_right_filter_column_6_0 <= transform_right_filter_column_5_0;
-        transform_right_filter_column_6_2 <= transform_right_filter_column_5_2;
-        transform_right_filter_column_6_4 <= transform_right_filter_column_5_4;
-        transform_right_filter_column_7_0 <= transform_right_filter_column_6_0;
-        transform_right_filter_column_7_2 <= transform_right_filter_column_6_2;
-        transform_right_filter_column_7_4 <= transform_right_filter_column_6_4;
-        transform_right_filter_column_8_0 <= transform_right_filter_column_7_0;
-        transform_right_filter_column_8_2 <= transform_right_filter_column_7_2;
-        transform_right_filter_column_8_4 <= transform_right_filter_column_7_4;
+        for i in 1 to 8 loop
+          transform_left_filter_column_0(i) <= transform_left_filter_column_0(i - 1);
+          transform_left_filter_column_2(i) <= transform_left_filter_column_2(i - 1);
+          transform_left_filter_column_4(i) <= transform_left_filter_column_4(i - 1);
+        end loop;
+        for i in 1 to 8 loop
+          transform_right_filter_column_0(i) <= transform_right_filter_column_0(i - 1);
+          transform_right_filter_column_2(i) <= transform_right_filter_column_2(i - 1);
+          transform_right_filter_column_4(i) <= transform_right_filter_column_4(i - 1);
+        end loop;
         if transform_columns_row_inside_0 then
-          transform_left_filter_column_0_0 <= transform_left_column_0;
-          transform_right_filter_column_0_0 <= transform_right_column_0;
+          transform_left_filter_column_0(0) <= transform_left_column_0;
+          transform_right_filter_column_0(0) <= transform_right_column_0;
         else
-          transform_left_filter_column_0_0 <= 0;
-          transform_right_filter_column_0_0 <= 0;
+          transform_left_filter_column_0(0) <= 0;
+          transform_right_filter_column_0(0) <= 0;
         end if;
         if transform_columns_row_inside_2 then
-          transform_left_filter_column_0_2 <= transform_left_column_2;
-          transform_right_filter_column_0_2 <= transform_right_column_2;
+          transform_left_filter_column_2(0) <= transform_left_column_2;
+          transform_right_filter_column_2(0) <= transform_right_column_2;
         else
-          transform_left_filter_column_0_2 <= 0;
-          transform_right_filter_column_0_2 <= 0;
+          transform_left_filter_column_2(0) <= 0;
+          transform_right_filter_column_2(0) <= 0;
         end if;
         if transform_columns_row_inside_4 then
-          transform_left_filter_column_0_4 <= transform_left_column_4;
-          transform_right_filter_column_0_4 <= transform_right_column_4;
+          transform_left_filter_column_4(0) <= transform_left_column_4;
+          transform_right_filter_column_4(0) <= transform_right_column_4;
         else
-          transform_left_filter_column_0_4 <= 0;
-          transform_right_filter_column_0_4 <= 0;
+          transform_left_filter_column_4(0) <= 0;
+          transform_right_filter_column_4(0) <= 0;
         end if;
       end if;
       -- raster
       raster_place_group_is_equal := raster_place_group = 11;
-      raster_place_group_is_equal_2 := raster_place_column = 39;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_is_equals(2) := raster_place_column = 39;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equals(2);
       if raster_place_group_all then
         raster_place_group_choice := 3;
       else
         raster_place_group_choice := 0;
       end if;
-      raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
-      if raster_place_group_is_equal_3 then
-        raster_place_group_choice_2 := raster_place_group_is_equal_2 and (not ((raster_place_group mod 2) = 1)) and
-          transform_filtering_1_valid;
+      raster_place_group_is_equals(3) := (raster_place_group / 2) = 6;
+      if raster_place_group_is_equals(3) then
+        raster_place_group_choice_2 := raster_place_group_is_equals(2) and (not is_set(raster_place_group, 0)) and
+          transform_filtering_valid(1);
       else
-        raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid;
+        raster_place_group_choice_2 := raster_place_group_is_equals(2) and transform_filtering_valid(1);
       end if;
       if raster_place_next_frame and (raster_place_group = 12) then
-        raster_place_group_choice_3 := 1;
+        raster_place_group_choices(3) := 1;
       else
-        raster_place_group_choice_3 := (raster_place_group + 1) mod 16;
+        raster_place_group_choices(3) := (raster_place_group + 1) mod 16;
       end if;
       if raster_place_group_choice_2 then
-        raster_place_group_choice_4 := raster_place_group_choice_3;
+        raster_place_group_choices(4) := raster_place_group_choices(3);
       else
-        raster_place_group_choice_4 := raster_place_group;
+        raster_place_group_choices(4) := raster_place_group;
       end if;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
-      raster_features_valid <= transform_filtering_1_valid;
-      if transform_filtering_1_start_of_frame and transform_filtering_1_valid then
+      raster_features_valid <= transform_filtering_valid(1);
+      if transform_filtering_start_of_frame(1) and transform_filtering_valid(1) then
         raster_place_group <= raster_place_group_choice * 4;
       else
-        raster_place_group <= raster_place_group_choice_4;
+        raster_place_group <= raster_place_group_choices(4);
       end if;
-      if raster_place_group_is_equal_2 then
-        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      if raster_place_group_is_equals(2) then
+        raster_place_next_frame_choice := raster_place_next_frame and is_set(raster_place_group, 0);
       else
         raster_place_next_frame_choice := raster_place_next_frame;
       end if;
-      if raster_place_group_is_equal_3 then
+      if raster_place_group_is_equals(3) then
         raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
       else
         raster_place_next_frame_choice_2 := raster_place_next_frame;
       end if;
-      if transform_filtering_1_valid then
-        if raster_place_group_is_equal_2 or transform_filtering_1_start_of_frame then
+      if transform_filtering_valid(1) then
+        if raster_place_group_is_equals(2) or transform_filtering_start_of_frame(1) then
           raster_place_column <= 0;
         else
           raster_place_column <= (raster_place_column + 1) mod 64;
         end if;
         if raster_place_next_frame_choice_2 then
-          raster_place_next_frame <= raster_place_group_all or (not transform_filtering_1_start_of_frame);
+          raster_place_next_frame <= raster_place_group_all or (not transform_filtering_start_of_frame(1));
         else
-          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
-            transform_filtering_1_start_of_frame;
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equals(2) and
+            transform_filtering_start_of_frame(1);
         end if;
       end if;
       -- delay
@@ -3294,18 +2269,18 @@ begin
       delay_tag_map_column_is_less := raster_place_column < 40;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
-      delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
+      delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
+      delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+      delay_row_inside(2) <= (not is_set(raster_place_group, 3)) or (not is_set(raster_place_group, 2));
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
-        = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
+      delay_tag_border_column <= (not (is_set(raster_place_column, 3) and (is_set(raster_place_column, 2) or
+        ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
       delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
         delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
-      delay_tag_end_of_line <= raster_place_group_is_equal_2;
+      delay_tag_end_of_line <= raster_place_group_is_equals(2);
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -3314,9 +2289,9 @@ begin
       rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside_0 <= delay_row_inside_0;
-      rows_read_inside_1 <= delay_row_inside_1;
-      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_inside(0) <= delay_row_inside(0);
+      rows_read_inside(1) <= delay_row_inside(1);
+      rows_read_inside(2) <= delay_row_inside(2);
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_border_column <= delay_tag_border_column;
       rows_read_tag_first_cost <= delay_tag_first_cost;
@@ -3325,9 +2300,9 @@ begin
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= rows_read_inside_1;
-      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_inside(0) <= rows_read_inside(0);
+      rows_ready_inside(1) <= rows_read_inside(1);
+      rows_ready_inside(2) <= rows_read_inside(2);
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_border_column <= rows_read_tag_border_column;
       rows_ready_tag_first_cost <= rows_read_tag_first_cost;
@@ -3342,26 +2317,26 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside_0 then
-        rows_search_0 <= rows_search_rows_ready_words_0 mod 16384;
-        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 16384;
+      if rows_ready_inside(0) then
+        rows_search(0) <= rows_search_rows_ready_words_0 mod 16384;
+        rows_reference(0) <= rows_reference_rows_ready_words_0 mod 16384;
       else
-        rows_search_0 <= 0;
-        rows_reference_0 <= 0;
+        rows_search(0) <= 0;
+        rows_reference(0) <= 0;
       end if;
-      if rows_ready_inside_1 then
-        rows_search_1 <= rows_search_rows_ready_words_0 / 16384;
-        rows_reference_1 <= rows_reference_rows_ready_words_0 / 16384;
+      if rows_ready_inside(1) then
+        rows_search(1) <= rows_search_rows_ready_words_0 / 16384;
+        rows_reference(1) <= rows_reference_rows_ready_words_0 / 16384;
       else
-        rows_search_1 <= 0;
-        rows_reference_1 <= 0;
+        rows_search(1) <= 0;
+        rows_reference(1) <= 0;
       end if;
-      if rows_ready_inside_2 then
-        rows_search_2 <= rows_search_rows_ready_newest_0;
-        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      if rows_ready_inside(2) then
+        rows_search(2) <= rows_search_rows_ready_newest_0;
+        rows_reference(2) <= rows_reference_rows_ready_newest_0;
       else
-        rows_search_2 <= 0;
-        rows_reference_2 <= 0;
+        rows_search(2) <= 0;
+        rows_reference(2) <= 0;
       end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 16384) + (rows_search_rows_ready_newest_0 *
@@ -3372,28 +2347,20 @@ begin
       end if;
       -- slice0shift
       if rows_tag_valid then
-        slice0shift_search_0_0 <= slice0shift_search_0_1;
-        slice0shift_search_0_1 <= slice0shift_search_0_2;
-        slice0shift_search_0_2 <= slice0shift_search_0_3;
-        slice0shift_search_0_3 <= slice0shift_search_0_4;
-        slice0shift_search_0_4 <= rows_search_0;
-        slice0shift_search_1_0 <= slice0shift_search_1_1;
-        slice0shift_search_1_1 <= slice0shift_search_1_2;
-        slice0shift_search_1_2 <= slice0shift_search_1_3;
-        slice0shift_search_1_3 <= slice0shift_search_1_4;
-        slice0shift_search_1_4 <= rows_search_1;
-        slice0shift_search_2_0 <= slice0shift_search_2_1;
-        slice0shift_search_2_1 <= slice0shift_search_2_2;
-        slice0shift_search_2_2 <= slice0shift_search_2_3;
-        slice0shift_search_2_3 <= slice0shift_search_2_4;
-        slice0shift_search_2_4 <= rows_search_2;
+        for i in 0 to 2 loop
+          slice0shift_search(i, 0) <= slice0shift_search(i, 1);
+          slice0shift_search(i, 1) <= slice0shift_search(i, 2);
+          slice0shift_search(i, 2) <= slice0shift_search(i, 3);
+          slice0shift_search(i, 3) <= slice0shift_search(i, 4);
+          slice0shift_search(i, 4) <= rows_search(i);
+        end loop;
       end if;
-      slice0shift_reference_0 <= rows_reference_0;
-      slice0shift_reference_1 <= rows_reference_1;
-      slice0shift_reference_2 <= rows_reference_2;
-      slice0shift_search_out_0 <= slice0shift_search_0_0;
-      slice0shift_search_out_1 <= slice0shift_search_1_0;
-      slice0shift_search_out_2 <= slice0shift_search_2_0;
+      slice0shift_reference(0) <= rows_reference(0);
+      slice0shift_reference(1) <= rows_reference(1);
+      slice0shift_reference(2) <= rows_reference(2);
+      slice0shift_search_out(0) <= slice0shift_search(0, 0);
+      slice0shift_search_out(1) <= slice0shift_search(1, 0);
+      slice0shift_search_out(2) <= slice0shift_search(2, 0);
       slice0shift_tag_valid <= rows_tag_valid;
       slice0shift_tag_border_column <= rows_tag_border_column;
       slice0shift_tag_first_cost <= rows_tag_first_cost;
@@ -3402,324 +2369,61 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pixels_first_0_0_count_0_value := ((slice0shift_reference_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_reference_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_reference_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_value := ((slice0shift_reference_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_reference_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value := ((slice0shift_reference_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value := ((slice0shift_reference_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_value := ((slice0shift_reference_1 / 4) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_reference_1 / 2) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_reference_1 / 32) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 16) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_value := ((slice0shift_reference_1 / 256) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_reference_1 / 64) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value := ((slice0shift_reference_1 / 512) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value := ((slice0shift_reference_1 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_value := ((slice0shift_reference_2 / 4) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_reference_2 / 2) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value := ((slice0shift_reference_2 / 8) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_reference_2 / 32) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 16) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_value := ((slice0shift_reference_2 / 256) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_reference_2 / 64) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value := ((slice0shift_reference_2 / 512) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value := ((slice0shift_reference_2 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0 <= as_number((((slice0shift_search_0_0 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value /=
-        (((slice0shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value_2 /=
-        (((slice0shift_search_0_0 / 2) mod 2) = 1)));
-      slice0cost_pixels_first_0_0_count_1 <= as_number((slice0cost_pixels_first_0_0_count_1_value /=
-        (((slice0shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_2 /=
-        (((slice0shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_3 /=
-        (((slice0shift_search_0_0 / 16) mod 2) = 1)));
-      slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_0 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number((slice0cost_pixels_first_0_0_count_2_value /= (((slice0shift_search_0_0 / 256) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_0_0_count_2_value_2 /= (((slice0shift_search_0_0 / 64) mod 2) = 1)));
-      slice0cost_pixels_first_0_0_count_3 <= as_number((slice0cost_pixels_first_0_0_count_3_value /=
-        (((slice0shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_2 /=
-        (((slice0shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_3 /=
-        (((slice0shift_search_0_0 / 1024) mod 2) = 1)));
-      slice0cost_pixels_first_0_0_count_4 <= as_number((((slice0shift_reference_0 / 8192) = 1) /=
-        ((slice0shift_search_0_0 / 8192) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value /=
-        (((slice0shift_search_0_0 / 4096) mod 2) = 1)));
-      slice0cost_pixels_first_0_1_count_0 <= as_number((((slice0shift_search_0_1 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_0_value_2));
-      slice0cost_pixels_first_0_1_count_1 <= as_number(((((slice0shift_search_0_1 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_1 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_1 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_1_value_3));
-      slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_1 / 256) mod
-        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_1 / 64) mod 2) = 1)
-        /= slice0cost_pixels_first_0_0_count_2_value_2));
-      slice0cost_pixels_first_0_1_count_3 <= as_number(((((slice0shift_search_0_1 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_1 / 2048) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_1 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_3_value_3));
-      slice0cost_pixels_first_0_1_count_4 <= as_number((((slice0shift_search_0_1 / 8192) = 1) /=
-        ((slice0shift_reference_0 / 8192) = 1))) + as_number(((((slice0shift_search_0_1 / 4096) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_4_value));
-      slice0cost_pixels_first_0_2_count_0 <= as_number((((slice0shift_search_0_2 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_0_value_2));
-      slice0cost_pixels_first_0_2_count_1 <= as_number(((((slice0shift_search_0_2 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_2 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_2 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_1_value_3));
-      slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_2 / 256) mod
-        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_2 / 64) mod 2) = 1)
-        /= slice0cost_pixels_first_0_0_count_2_value_2));
-      slice0cost_pixels_first_0_2_count_3 <= as_number(((((slice0shift_search_0_2 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_2 / 2048) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_2 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_3_value_3));
-      slice0cost_pixels_first_0_2_count_4 <= as_number((((slice0shift_search_0_2 / 8192) = 1) /=
-        ((slice0shift_reference_0 / 8192) = 1))) + as_number(((((slice0shift_search_0_2 / 4096) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_4_value));
-      slice0cost_pixels_first_0_3_count_0 <= as_number((((slice0shift_search_0_3 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_3 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_3 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_0_value_2));
-      slice0cost_pixels_first_0_3_count_1 <= as_number(((((slice0shift_search_0_3 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_3 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_3 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_1_value_3));
-      slice0cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_3 / 256) mod
-        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_3 / 64) mod 2) = 1)
-        /= slice0cost_pixels_first_0_0_count_2_value_2));
-      slice0cost_pixels_first_0_3_count_3 <= as_number(((((slice0shift_search_0_3 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_3 / 2048) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_3 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_3_value_3));
-      slice0cost_pixels_first_0_3_count_4 <= as_number((((slice0shift_search_0_3 / 8192) = 1) /=
-        ((slice0shift_reference_0 / 8192) = 1))) + as_number(((((slice0shift_search_0_3 / 4096) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_4_value));
-      slice0cost_pixels_first_0_4_count_0 <= as_number((((slice0shift_search_0_4 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_4 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_4 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_0_value_2));
-      slice0cost_pixels_first_0_4_count_1 <= as_number(((((slice0shift_search_0_4 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_4 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_4 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_1_value_3));
-      slice0cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_4 / 256) mod
-        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_4 / 64) mod 2) = 1)
-        /= slice0cost_pixels_first_0_0_count_2_value_2));
-      slice0cost_pixels_first_0_4_count_3 <= as_number(((((slice0shift_search_0_4 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_4 / 2048) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_4 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_3_value_3));
-      slice0cost_pixels_first_0_4_count_4 <= as_number((((slice0shift_search_0_4 / 8192) = 1) /=
-        ((slice0shift_reference_0 / 8192) = 1))) + as_number(((((slice0shift_search_0_4 / 4096) mod 2) = 1) /=
-        slice0cost_pixels_first_0_0_count_4_value));
-      slice0cost_pixels_first_1_0_count_0 <= as_number((((slice0shift_search_1_0 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value /=
-        (((slice0shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value_2 /=
-        (((slice0shift_search_1_0 / 2) mod 2) = 1)));
-      slice0cost_pixels_first_1_0_count_1 <= as_number((slice0cost_pixels_first_1_0_count_1_value /=
-        (((slice0shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_2 /=
-        (((slice0shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_3 /=
-        (((slice0shift_search_1_0 / 16) mod 2) = 1)));
-      slice0cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_0 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number((slice0cost_pixels_first_1_0_count_2_value /= (((slice0shift_search_1_0 / 256) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_1_0_count_2_value_2 /= (((slice0shift_search_1_0 / 64) mod 2) = 1)));
-      slice0cost_pixels_first_1_0_count_3 <= as_number((slice0cost_pixels_first_1_0_count_3_value /=
-        (((slice0shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_2 /=
-        (((slice0shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_3 /=
-        (((slice0shift_search_1_0 / 1024) mod 2) = 1)));
-      slice0cost_pixels_first_1_0_count_4 <= as_number((((slice0shift_reference_1 / 8192) = 1) /=
-        ((slice0shift_search_1_0 / 8192) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value /=
-        (((slice0shift_search_1_0 / 4096) mod 2) = 1)));
-      slice0cost_pixels_first_1_1_count_0 <= as_number((((slice0shift_search_1_1 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_0_value_2));
-      slice0cost_pixels_first_1_1_count_1 <= as_number(((((slice0shift_search_1_1 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_1 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_1 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_1_value_3));
-      slice0cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_1 / 256) mod
-        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_1 / 64) mod 2) = 1)
-        /= slice0cost_pixels_first_1_0_count_2_value_2));
-      slice0cost_pixels_first_1_1_count_3 <= as_number(((((slice0shift_search_1_1 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_1 / 2048) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_1 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_3_value_3));
-      slice0cost_pixels_first_1_1_count_4 <= as_number((((slice0shift_search_1_1 / 8192) = 1) /=
-        ((slice0shift_reference_1 / 8192) = 1))) + as_number(((((slice0shift_search_1_1 / 4096) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_4_value));
-      slice0cost_pixels_first_1_2_count_0 <= as_number((((slice0shift_search_1_2 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_0_value_2));
-      slice0cost_pixels_first_1_2_count_1 <= as_number(((((slice0shift_search_1_2 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_2 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_2 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_1_value_3));
-      slice0cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_2 / 256) mod
-        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_2 / 64) mod 2) = 1)
-        /= slice0cost_pixels_first_1_0_count_2_value_2));
-      slice0cost_pixels_first_1_2_count_3 <= as_number(((((slice0shift_search_1_2 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_2 / 2048) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_2 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_3_value_3));
-      slice0cost_pixels_first_1_2_count_4 <= as_number((((slice0shift_search_1_2 / 8192) = 1) /=
-        ((slice0shift_reference_1 / 8192) = 1))) + as_number(((((slice0shift_search_1_2 / 4096) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_4_value));
-      slice0cost_pixels_first_1_3_count_0 <= as_number((((slice0shift_search_1_3 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_3 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_3 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_0_value_2));
-      slice0cost_pixels_first_1_3_count_1 <= as_number(((((slice0shift_search_1_3 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_3 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_3 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_1_value_3));
-      slice0cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_3 / 256) mod
-        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_3 / 64) mod 2) = 1)
-        /= slice0cost_pixels_first_1_0_count_2_value_2));
-      slice0cost_pixels_first_1_3_count_3 <= as_number(((((slice0shift_search_1_3 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_3 / 2048) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_3 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_3_value_3));
-      slice0cost_pixels_first_1_3_count_4 <= as_number((((slice0shift_search_1_3 / 8192) = 1) /=
-        ((slice0shift_reference_1 / 8192) = 1))) + as_number(((((slice0shift_search_1_3 / 4096) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_4_value));
-      slice0cost_pixels_first_1_4_count_0 <= as_number((((slice0shift_search_1_4 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_4 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_4 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_0_value_2));
-      slice0cost_pixels_first_1_4_count_1 <= as_number(((((slice0shift_search_1_4 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_4 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_4 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_1_value_3));
-      slice0cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_4 / 256) mod
-        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_4 / 64) mod 2) = 1)
-        /= slice0cost_pixels_first_1_0_count_2_value_2));
-      slice0cost_pixels_first_1_4_count_3 <= as_number(((((slice0shift_search_1_4 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_4 / 2048) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_4 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_3_value_3));
-      slice0cost_pixels_first_1_4_count_4 <= as_number((((slice0shift_search_1_4 / 8192) = 1) /=
-        ((slice0shift_reference_1 / 8192) = 1))) + as_number(((((slice0shift_search_1_4 / 4096) mod 2) = 1) /=
-        slice0cost_pixels_first_1_0_count_4_value));
-      slice0cost_pixels_first_2_0_count_0 <= as_number((((slice0shift_search_2_0 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value /=
-        (((slice0shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value_2 /=
-        (((slice0shift_search_2_0 / 2) mod 2) = 1)));
-      slice0cost_pixels_first_2_0_count_1 <= as_number((slice0cost_pixels_first_2_0_count_1_value /=
-        (((slice0shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_2 /=
-        (((slice0shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_3 /=
-        (((slice0shift_search_2_0 / 16) mod 2) = 1)));
-      slice0cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_0 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number((slice0cost_pixels_first_2_0_count_2_value /= (((slice0shift_search_2_0 / 256) mod 2) = 1))) +
-        as_number((slice0cost_pixels_first_2_0_count_2_value_2 /= (((slice0shift_search_2_0 / 64) mod 2) = 1)));
-      slice0cost_pixels_first_2_0_count_3 <= as_number((slice0cost_pixels_first_2_0_count_3_value /=
-        (((slice0shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_2 /=
-        (((slice0shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_3 /=
-        (((slice0shift_search_2_0 / 1024) mod 2) = 1)));
-      slice0cost_pixels_first_2_0_count_4 <= as_number((((slice0shift_reference_2 / 8192) = 1) /=
-        ((slice0shift_search_2_0 / 8192) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value /=
-        (((slice0shift_search_2_0 / 4096) mod 2) = 1)));
-      slice0cost_pixels_first_2_1_count_0 <= as_number((((slice0shift_search_2_1 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_1 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_1 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_0_value_2));
-      slice0cost_pixels_first_2_1_count_1 <= as_number(((((slice0shift_search_2_1 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_1 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_1 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_1_value_3));
-      slice0cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_1 / 256) mod
-        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_1 / 64) mod 2) = 1)
-        /= slice0cost_pixels_first_2_0_count_2_value_2));
-      slice0cost_pixels_first_2_1_count_3 <= as_number(((((slice0shift_search_2_1 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_1 / 2048) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_1 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_3_value_3));
-      slice0cost_pixels_first_2_1_count_4 <= as_number((((slice0shift_search_2_1 / 8192) = 1) /=
-        ((slice0shift_reference_2 / 8192) = 1))) + as_number(((((slice0shift_search_2_1 / 4096) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_4_value));
-      slice0cost_pixels_first_2_2_count_0 <= as_number((((slice0shift_search_2_2 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_2 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_2 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_0_value_2));
-      slice0cost_pixels_first_2_2_count_1 <= as_number(((((slice0shift_search_2_2 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_2 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_2 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_1_value_3));
-      slice0cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_2 / 256) mod
-        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_2 / 64) mod 2) = 1)
-        /= slice0cost_pixels_first_2_0_count_2_value_2));
-      slice0cost_pixels_first_2_2_count_3 <= as_number(((((slice0shift_search_2_2 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_2 / 2048) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_2 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_3_value_3));
-      slice0cost_pixels_first_2_2_count_4 <= as_number((((slice0shift_search_2_2 / 8192) = 1) /=
-        ((slice0shift_reference_2 / 8192) = 1))) + as_number(((((slice0shift_search_2_2 / 4096) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_4_value));
-      slice0cost_pixels_first_2_3_count_0 <= as_number((((slice0shift_search_2_3 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_3 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_3 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_0_value_2));
-      slice0cost_pixels_first_2_3_count_1 <= as_number(((((slice0shift_search_2_3 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_3 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_3 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_1_value_3));
-      slice0cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_3 / 256) mod
-        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_3 / 64) mod 2) = 1)
-        /= slice0cost_pixels_first_2_0_count_2_value_2));
-      slice0cost_pixels_first_2_3_count_3 <= as_number(((((slice0shift_search_2_3 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_3 / 2048) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_3 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_3_value_3));
-      slice0cost_pixels_first_2_3_count_4 <= as_number((((slice0shift_search_2_3 / 8192) = 1) /=
-        ((slice0shift_reference_2 / 8192) = 1))) + as_number(((((slice0shift_search_2_3 / 4096) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_4_value));
-      slice0cost_pixels_first_2_4_count_0 <= as_number((((slice0shift_search_2_4 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_4 / 4) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_4 / 2) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_0_value_2));
-      slice0cost_pixels_first_2_4_count_1 <= as_number(((((slice0shift_search_2_4 / 8) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_4 / 32) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_4 / 16) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_1_value_3));
-      slice0cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_4 / 256) mod
-        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_4 / 64) mod 2) = 1)
-        /= slice0cost_pixels_first_2_0_count_2_value_2));
-      slice0cost_pixels_first_2_4_count_3 <= as_number(((((slice0shift_search_2_4 / 512) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_4 / 2048) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_4 / 1024) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_3_value_3));
-      slice0cost_pixels_first_2_4_count_4 <= as_number((((slice0shift_search_2_4 / 8192) = 1) /=
-        ((slice0shift_reference_2 / 8192) = 1))) + as_number(((((slice0shift_search_2_4 / 4096) mod 2) = 1) /=
-        slice0cost_pixels_first_2_0_count_4_value));
+      for i in 0 to 2 loop
+        slice0cost_pixels_first_0_count_value(i, 0) := is_set(slice0shift_reference(i), 2);
+        slice0cost_pixels_first_0_count_value_2(i, 0) := is_set(slice0shift_reference(i), 1);
+        slice0cost_pixels_first_0_count_value(i, 1) := is_set(slice0shift_reference(i), 3);
+        slice0cost_pixels_first_0_count_value_2(i, 1) := is_set(slice0shift_reference(i), 5);
+        slice0cost_pixels_first_0_count_1_value_3(i) := is_set(slice0shift_reference(i), 4);
+        slice0cost_pixels_first_0_count_value(i, 2) := is_set(slice0shift_reference(i), 8);
+        slice0cost_pixels_first_0_count_value_2(i, 2) := is_set(slice0shift_reference(i), 6);
+        slice0cost_pixels_first_0_count_value(i, 3) := is_set(slice0shift_reference(i), 9);
+        slice0cost_pixels_first_0_count_value_2(i, 3) := is_set(slice0shift_reference(i), 11);
+        slice0cost_pixels_first_0_count_3_value_3(i) := is_set(slice0shift_reference(i), 10);
+        slice0cost_pixels_first_0_count_value(i, 4) := is_set(slice0shift_reference(i), 12);
+      end loop;
+      for i in 0 to 2 loop
+        slice0cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice0shift_search(i, 0), 0) /=
+          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0) /=
+          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice0shift_search(i, 0), 1)));
+        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1) /=
+          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 1) /=
+          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_1_value_3(i) /=
+          is_set(slice0shift_search(i, 0), 4)));
+        slice0cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, 0) mod 256), 8)) xor
+          (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) +
+          as_number((slice0cost_pixels_first_0_count_value(i, 2) /= is_set(slice0shift_search(i, 0), 8))) +
+          as_number((slice0cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice0shift_search(i, 0), 6)));
+        slice0cost_pixels_first_count(i, 0, 3) <= as_number((slice0cost_pixels_first_0_count_value(i, 3) /=
+          is_set(slice0shift_search(i, 0), 9))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 3) /=
+          is_set(slice0shift_search(i, 0), 11))) + as_number((slice0cost_pixels_first_0_count_3_value_3(i) /=
+          is_set(slice0shift_search(i, 0), 10)));
+        slice0cost_pixels_first_count_4(i, 0) <= as_number((is_set(slice0shift_reference(i), 13) /=
+          is_set(slice0shift_search(i, 0), 13))) + as_number((slice0cost_pixels_first_0_count_value(i, 4) /=
+          is_set(slice0shift_search(i, 0), 12)));
+        for j in 1 to 4 loop
+          slice0cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice0shift_search(i, j), 0) /=
+            is_set(slice0shift_reference(i), 0))) + as_number((is_set(slice0shift_search(i, j), 2) /=
+            slice0cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice0shift_search(i, j), 1) /=
+            slice0cost_pixels_first_0_count_value_2(i, 0)));
+          slice0cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice0shift_search(i, j), 3) /=
+            slice0cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
+            slice0cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice0shift_search(i, j), 4) /=
+            slice0cost_pixels_first_0_count_1_value_3(i)));
+          slice0cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, j) mod 256), 8))
+            xor (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice0shift_search(i,
+            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice0shift_search(i, j), 6) /=
+            slice0cost_pixels_first_0_count_value_2(i, 2)));
+          slice0cost_pixels_first_count(i, j, 3) <= as_number((is_set(slice0shift_search(i, j), 9) /=
+            slice0cost_pixels_first_0_count_value(i, 3))) + as_number((is_set(slice0shift_search(i, j), 11) /=
+            slice0cost_pixels_first_0_count_value_2(i, 3))) + as_number((is_set(slice0shift_search(i, j), 10) /=
+            slice0cost_pixels_first_0_count_3_value_3(i)));
+          slice0cost_pixels_first_count_4(i, j) <= as_number((is_set(slice0shift_search(i, j), 13) /=
+            is_set(slice0shift_reference(i), 13))) + as_number((is_set(slice0shift_search(i, j), 12) /=
+            slice0cost_pixels_first_0_count_value(i, 4)));
+        end loop;
+      end loop;
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
@@ -3727,36 +2431,13 @@ begin
       slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pixels_cost_0_0 <= slice0cost_pixels_first_0_0_count_3 + slice0cost_pixels_first_0_0_count_0 +
-        slice0cost_pixels_first_0_0_count_1 + slice0cost_pixels_first_0_0_count_4 + slice0cost_pixels_first_0_0_count_2;
-      slice0cost_pixels_cost_0_1 <= slice0cost_pixels_first_0_1_count_3 + slice0cost_pixels_first_0_1_count_0 +
-        slice0cost_pixels_first_0_1_count_1 + slice0cost_pixels_first_0_1_count_4 + slice0cost_pixels_first_0_1_count_2;
-      slice0cost_pixels_cost_0_2 <= slice0cost_pixels_first_0_2_count_3 + slice0cost_pixels_first_0_2_count_0 +
-        slice0cost_pixels_first_0_2_count_1 + slice0cost_pixels_first_0_2_count_4 + slice0cost_pixels_first_0_2_count_2;
-      slice0cost_pixels_cost_0_3 <= slice0cost_pixels_first_0_3_count_3 + slice0cost_pixels_first_0_3_count_0 +
-        slice0cost_pixels_first_0_3_count_1 + slice0cost_pixels_first_0_3_count_4 + slice0cost_pixels_first_0_3_count_2;
-      slice0cost_pixels_cost_0_4 <= slice0cost_pixels_first_0_4_count_3 + slice0cost_pixels_first_0_4_count_0 +
-        slice0cost_pixels_first_0_4_count_1 + slice0cost_pixels_first_0_4_count_4 + slice0cost_pixels_first_0_4_count_2;
-      slice0cost_pixels_cost_1_0 <= slice0cost_pixels_first_1_0_count_3 + slice0cost_pixels_first_1_0_count_0 +
-        slice0cost_pixels_first_1_0_count_1 + slice0cost_pixels_first_1_0_count_4 + slice0cost_pixels_first_1_0_count_2;
-      slice0cost_pixels_cost_1_1 <= slice0cost_pixels_first_1_1_count_3 + slice0cost_pixels_first_1_1_count_0 +
-        slice0cost_pixels_first_1_1_count_1 + slice0cost_pixels_first_1_1_count_4 + slice0cost_pixels_first_1_1_count_2;
-      slice0cost_pixels_cost_1_2 <= slice0cost_pixels_first_1_2_count_3 + slice0cost_pixels_first_1_2_count_0 +
-        slice0cost_pixels_first_1_2_count_1 + slice0cost_pixels_first_1_2_count_4 + slice0cost_pixels_first_1_2_count_2;
-      slice0cost_pixels_cost_1_3 <= slice0cost_pixels_first_1_3_count_3 + slice0cost_pixels_first_1_3_count_0 +
-        slice0cost_pixels_first_1_3_count_1 + slice0cost_pixels_first_1_3_count_4 + slice0cost_pixels_first_1_3_count_2;
-      slice0cost_pixels_cost_1_4 <= slice0cost_pixels_first_1_4_count_3 + slice0cost_pixels_first_1_4_count_0 +
-        slice0cost_pixels_first_1_4_count_1 + slice0cost_pixels_first_1_4_count_4 + slice0cost_pixels_first_1_4_count_2;
-      slice0cost_pixels_cost_2_0 <= slice0cost_pixels_first_2_0_count_3 + slice0cost_pixels_first_2_0_count_0 +
-        slice0cost_pixels_first_2_0_count_1 + slice0cost_pixels_first_2_0_count_4 + slice0cost_pixels_first_2_0_count_2;
-      slice0cost_pixels_cost_2_1 <= slice0cost_pixels_first_2_1_count_3 + slice0cost_pixels_first_2_1_count_0 +
-        slice0cost_pixels_first_2_1_count_1 + slice0cost_pixels_first_2_1_count_4 + slice0cost_pixels_first_2_1_count_2;
-      slice0cost_pixels_cost_2_2 <= slice0cost_pixels_first_2_2_count_3 + slice0cost_pixels_first_2_2_count_0 +
-        slice0cost_pixels_first_2_2_count_1 + slice0cost_pixels_first_2_2_count_4 + slice0cost_pixels_first_2_2_count_2;
-      slice0cost_pixels_cost_2_3 <= slice0cost_pixels_first_2_3_count_3 + slice0cost_pixels_first_2_3_count_0 +
-        slice0cost_pixels_first_2_3_count_1 + slice0cost_pixels_first_2_3_count_4 + slice0cost_pixels_first_2_3_count_2;
-      slice0cost_pixels_cost_2_4 <= slice0cost_pixels_first_2_4_count_3 + slice0cost_pixels_first_2_4_count_0 +
-        slice0cost_pixels_first_2_4_count_1 + slice0cost_pixels_first_2_4_count_4 + slice0cost_pixels_first_2_4_count_2;
+      for i in 0 to 2 loop
+        for j in 0 to 4 loop
+          slice0cost_pixels_cost(i, j) <= slice0cost_pixels_first_count(i, j, 3) + slice0cost_pixels_first_count(i, j,
+            0) + slice0cost_pixels_first_count(i, j, 1) + slice0cost_pixels_first_count_4(i, j) +
+            slice0cost_pixels_first_count(i, j, 2);
+        end loop;
+      end loop;
       slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
       slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
       slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
@@ -3764,16 +2445,12 @@ begin
       slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
       slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
       slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
-      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
-      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
-      slice0cost_pair_0_3 <= slice0cost_pixels_cost_1_3 + slice0cost_pixels_cost_2_3;
-      slice0cost_pair_0_4 <= slice0cost_pixels_cost_1_4 + slice0cost_pixels_cost_2_4;
-      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
-      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
-      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
-      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
-      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
+      for i in 0 to 4 loop
+        slice0cost_pair_0(i) <= slice0cost_pixels_cost(1, i) + slice0cost_pixels_cost(2, i);
+      end loop;
+      for i in 0 to 4 loop
+        slice0cost_single_0(i) <= slice0cost_pixels_cost(0, i);
+      end loop;
       slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
       slice0cost_pair_tag_first_cost <= slice0cost_pixels_tag_first_cost;
@@ -3789,41 +2466,31 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       if slice0cost_pair_tag_border_column then
-        slice0cost_column_0_0 <= 0;
-        slice0cost_column_0_1 <= 0;
-        slice0cost_column_0_2 <= 0;
-        slice0cost_column_0_3 <= 0;
-        slice0cost_column_0_4 <= 0;
+        for i in 0 to 4 loop
+          slice0cost_column_0(i) <= 0;
+        end loop;
       else
-        slice0cost_column_0_0 <= slice0cost_pair_0_0 + slice0cost_single_0_0;
-        slice0cost_column_0_1 <= slice0cost_pair_0_1 + slice0cost_single_0_1;
-        slice0cost_column_0_2 <= slice0cost_pair_0_2 + slice0cost_single_0_2;
-        slice0cost_column_0_3 <= slice0cost_pair_0_3 + slice0cost_single_0_3;
-        slice0cost_column_0_4 <= slice0cost_pair_0_4 + slice0cost_single_0_4;
+        for i in 0 to 4 loop
+          slice0cost_column_0(i) <= slice0cost_pair_0(i) + slice0cost_single_0(i);
+        end loop;
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
-        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
-        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
-        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
-        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
-        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
-        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
-        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
-        slice0window_partial_0_1_3 <= slice0cost_column_0_3 + slice0window_partial_0_0_3;
-        slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
+        for i in 0 to 4 loop
+          slice0window_partial_0_0(i) <= slice0cost_column_0(i);
+        end loop;
+        for i in 0 to 4 loop
+          slice0window_partial_0_1(i) <= slice0cost_column_0(i) + slice0window_partial_0_0(i);
+        end loop;
         slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
         slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
         slice0window_centre_first_column_0 <= slice0cost_tag_first_cost;
         slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
         slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
       end if;
-      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
-      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
-      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
-      slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_1_3;
-      slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
+      for i in 0 to 4 loop
+        slice0window_sum_0(i) <= slice0cost_column_0(i) + slice0window_partial_0_1(i);
+      end loop;
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_map_column <= slice0window_centre_map_column_0;
       slice0window_tag_output_column <= slice0window_centre_output_column_0;
@@ -3831,750 +2498,280 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0
-      slice0_held_1_0 <= slice0_held_0_0;
-      slice0_held_1_1 <= slice0_held_0_1;
-      slice0_held_1_2 <= slice0_held_0_2;
-      slice0_held_1_3 <= slice0_held_0_3;
-      slice0_held_1_4 <= slice0_held_0_4;
-      slice0_held_2_0 <= slice0_held_1_0;
-      slice0_held_2_1 <= slice0_held_1_1;
-      slice0_held_2_2 <= slice0_held_1_2;
-      slice0_held_2_3 <= slice0_held_1_3;
-      slice0_held_2_4 <= slice0_held_1_4;
-      slice0_tag_0_valid <= slice0window_tag_valid;
-      slice0_tag_0_map_column <= slice0window_tag_map_column;
-      slice0_tag_0_output_column <= slice0window_tag_output_column;
-      slice0_tag_0_first_column <= slice0window_tag_first_column;
-      slice0_tag_0_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0_tag_0_end_of_line <= slice0window_tag_end_of_line;
-      slice0_tag_1_valid <= slice0_tag_0_valid;
-      slice0_tag_1_map_column <= slice0_tag_0_map_column;
-      slice0_tag_1_output_column <= slice0_tag_0_output_column;
-      slice0_tag_1_first_column <= slice0_tag_0_first_column;
-      slice0_tag_1_start_of_frame <= slice0_tag_0_start_of_frame;
-      slice0_tag_1_end_of_line <= slice0_tag_0_end_of_line;
-      slice0_tag_2_valid <= slice0_tag_1_valid;
-      slice0_tag_2_map_column <= slice0_tag_1_map_column;
-      slice0_tag_2_output_column <= slice0_tag_1_output_column;
-      slice0_tag_2_first_column <= slice0_tag_1_first_column;
-      slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
-      slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
-      if ((slice0window_sum_0_0 / 64) = 1) or (((slice0window_sum_0_0 / 16) mod 4) = 3) then
-        slice0_held_0_0 <= 5;
-      else
-        slice0_held_0_0 <= slice0window_sum_0_0 / 8;
-      end if;
-      if ((slice0window_sum_0_1 / 64) = 1) or (((slice0window_sum_0_1 / 16) mod 4) = 3) then
-        slice0_held_0_1 <= 5;
-      else
-        slice0_held_0_1 <= slice0window_sum_0_1 / 8;
-      end if;
-      if ((slice0window_sum_0_2 / 64) = 1) or (((slice0window_sum_0_2 / 16) mod 4) = 3) then
-        slice0_held_0_2 <= 5;
-      else
-        slice0_held_0_2 <= slice0window_sum_0_2 / 8;
-      end if;
-      if ((slice0window_sum_0_3 / 64) = 1) or (((slice0window_sum_0_3 / 16) mod 4) = 3) then
-        slice0_held_0_3 <= 5;
-      else
-        slice0_held_0_3 <= slice0window_sum_0_3 / 8;
-      end if;
-      if ((slice0window_sum_0_4 / 64) = 1) or (((slice0window_sum_0_4 / 16) mod 4) = 3) then
-        slice0_held_0_4 <= 5;
-      else
-        slice0_held_0_4 <= slice0window_sum_0_4 / 8;
-      end if;
+      for i in 0 to 4 loop
+        slice0_held(1, i) <= slice0_held(0, i);
+      end loop;
+      for i in 0 to 4 loop
+        slice0_held(2, i) <= slice0_held(1, i);
+      end loop;
+      slice0_tag_valid(0) <= slice0window_tag_valid;
+      slice0_tag_map_column(0) <= slice0window_tag_map_column;
+      slice0_tag_output_column(0) <= slice0window_tag_output_column;
+      slice0_tag_first_column(0) <= slice0window_tag_first_column;
+      slice0_tag_start_of_frame(0) <= slice0window_tag_start_of_frame;
+      slice0_tag_end_of_line(0) <= slice0window_tag_end_of_line;
+      for i in 1 to 2 loop
+        slice0_tag_valid(i) <= slice0_tag_valid(i - 1);
+        slice0_tag_map_column(i) <= slice0_tag_map_column(i - 1);
+        slice0_tag_output_column(i) <= slice0_tag_output_column(i - 1);
+        slice0_tag_first_column(i) <= slice0_tag_first_column(i - 1);
+        slice0_tag_start_of_frame(i) <= slice0_tag_start_of_frame(i - 1);
+        slice0_tag_end_of_line(i) <= slice0_tag_end_of_line(i - 1);
+      end loop;
+      for i in 0 to 4 loop
+        if is_set(slice0window_sum_0(i), 6) or (((slice0window_sum_0(i) / 16) mod 4) = 3) then
+          slice0_held(0, i) <= 5;
+        else
+          slice0_held(0, i) <= slice0window_sum_0(i) / 8;
+        end if;
+      end loop;
       -- slice1shift
       if slice0shift_tag_valid then
-        slice1shift_search_0_0 <= slice1shift_search_0_1;
-        slice1shift_search_0_1 <= slice1shift_search_0_2;
-        slice1shift_search_0_2 <= slice1shift_search_0_3;
-        slice1shift_search_0_3 <= slice1shift_search_0_4;
-        slice1shift_search_0_4 <= slice0shift_search_out_0;
-        slice1shift_search_1_0 <= slice1shift_search_1_1;
-        slice1shift_search_1_1 <= slice1shift_search_1_2;
-        slice1shift_search_1_2 <= slice1shift_search_1_3;
-        slice1shift_search_1_3 <= slice1shift_search_1_4;
-        slice1shift_search_1_4 <= slice0shift_search_out_1;
-        slice1shift_search_2_0 <= slice1shift_search_2_1;
-        slice1shift_search_2_1 <= slice1shift_search_2_2;
-        slice1shift_search_2_2 <= slice1shift_search_2_3;
-        slice1shift_search_2_3 <= slice1shift_search_2_4;
-        slice1shift_search_2_4 <= slice0shift_search_out_2;
+        for i in 0 to 2 loop
+          slice1shift_search(i, 0) <= slice1shift_search(i, 1);
+          slice1shift_search(i, 1) <= slice1shift_search(i, 2);
+          slice1shift_search(i, 2) <= slice1shift_search(i, 3);
+          slice1shift_search(i, 3) <= slice1shift_search(i, 4);
+          slice1shift_search(i, 4) <= slice0shift_search_out(i);
+        end loop;
       end if;
-      slice1shift_reference_0 <= slice0shift_reference_0;
-      slice1shift_reference_1 <= slice0shift_reference_1;
-      slice1shift_reference_2 <= slice0shift_reference_2;
-      slice1shift_search_out_0 <= slice1shift_search_0_0;
-      slice1shift_search_out_1 <= slice1shift_search_1_0;
-      slice1shift_search_out_2 <= slice1shift_search_2_0;
+      slice1shift_reference(0) <= slice0shift_reference(0);
+      slice1shift_reference(1) <= slice0shift_reference(1);
+      slice1shift_reference(2) <= slice0shift_reference(2);
+      slice1shift_search_out(0) <= slice1shift_search(0, 0);
+      slice1shift_search_out(1) <= slice1shift_search(1, 0);
+      slice1shift_search_out(2) <= slice1shift_search(2, 0);
       -- slice1cost
-      slice1cost_pixels_first_0_0_count_0_value := ((slice1shift_reference_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_reference_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_reference_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_value := ((slice1shift_reference_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_reference_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value := ((slice1shift_reference_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value := ((slice1shift_reference_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_value := ((slice1shift_reference_1 / 4) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_reference_1 / 2) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_reference_1 / 32) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 16) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_value := ((slice1shift_reference_1 / 256) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_reference_1 / 64) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value := ((slice1shift_reference_1 / 512) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value := ((slice1shift_reference_1 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_value := ((slice1shift_reference_2 / 4) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_reference_2 / 2) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value := ((slice1shift_reference_2 / 8) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_reference_2 / 32) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 16) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_value := ((slice1shift_reference_2 / 256) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_reference_2 / 64) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value := ((slice1shift_reference_2 / 512) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value := ((slice1shift_reference_2 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0 <= as_number((((slice1shift_search_0_0 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value /=
-        (((slice1shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value_2 /=
-        (((slice1shift_search_0_0 / 2) mod 2) = 1)));
-      slice1cost_pixels_first_0_0_count_1 <= as_number((slice1cost_pixels_first_0_0_count_1_value /=
-        (((slice1shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_2 /=
-        (((slice1shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_3 /=
-        (((slice1shift_search_0_0 / 16) mod 2) = 1)));
-      slice1cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_0 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number((slice1cost_pixels_first_0_0_count_2_value /= (((slice1shift_search_0_0 / 256) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_0_0_count_2_value_2 /= (((slice1shift_search_0_0 / 64) mod 2) = 1)));
-      slice1cost_pixels_first_0_0_count_3 <= as_number((slice1cost_pixels_first_0_0_count_3_value /=
-        (((slice1shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_2 /=
-        (((slice1shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_3 /=
-        (((slice1shift_search_0_0 / 1024) mod 2) = 1)));
-      slice1cost_pixels_first_0_0_count_4 <= as_number((((slice1shift_reference_0 / 8192) = 1) /=
-        ((slice1shift_search_0_0 / 8192) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value /=
-        (((slice1shift_search_0_0 / 4096) mod 2) = 1)));
-      slice1cost_pixels_first_0_1_count_0 <= as_number((((slice1shift_search_0_1 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_0_value_2));
-      slice1cost_pixels_first_0_1_count_1 <= as_number(((((slice1shift_search_0_1 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_1 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_1 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_1_value_3));
-      slice1cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_1 / 256) mod
-        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_1 / 64) mod 2) = 1)
-        /= slice1cost_pixels_first_0_0_count_2_value_2));
-      slice1cost_pixels_first_0_1_count_3 <= as_number(((((slice1shift_search_0_1 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_1 / 2048) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_1 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_3_value_3));
-      slice1cost_pixels_first_0_1_count_4 <= as_number((((slice1shift_search_0_1 / 8192) = 1) /=
-        ((slice1shift_reference_0 / 8192) = 1))) + as_number(((((slice1shift_search_0_1 / 4096) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_4_value));
-      slice1cost_pixels_first_0_2_count_0 <= as_number((((slice1shift_search_0_2 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_0_value_2));
-      slice1cost_pixels_first_0_2_count_1 <= as_number(((((slice1shift_search_0_2 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_2 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_2 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_1_value_3));
-      slice1cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_2 / 256) mod
-        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_2 / 64) mod 2) = 1)
-        /= slice1cost_pixels_first_0_0_count_2_value_2));
-      slice1cost_pixels_first_0_2_count_3 <= as_number(((((slice1shift_search_0_2 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_2 / 2048) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_2 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_3_value_3));
-      slice1cost_pixels_first_0_2_count_4 <= as_number((((slice1shift_search_0_2 / 8192) = 1) /=
-        ((slice1shift_reference_0 / 8192) = 1))) + as_number(((((slice1shift_search_0_2 / 4096) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_4_value));
-      slice1cost_pixels_first_0_3_count_0 <= as_number((((slice1shift_search_0_3 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_3 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_3 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_0_value_2));
-      slice1cost_pixels_first_0_3_count_1 <= as_number(((((slice1shift_search_0_3 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_3 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_3 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_1_value_3));
-      slice1cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_3 / 256) mod
-        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_3 / 64) mod 2) = 1)
-        /= slice1cost_pixels_first_0_0_count_2_value_2));
-      slice1cost_pixels_first_0_3_count_3 <= as_number(((((slice1shift_search_0_3 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_3 / 2048) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_3 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_3_value_3));
-      slice1cost_pixels_first_0_3_count_4 <= as_number((((slice1shift_search_0_3 / 8192) = 1) /=
-        ((slice1shift_reference_0 / 8192) = 1))) + as_number(((((slice1shift_search_0_3 / 4096) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_4_value));
-      slice1cost_pixels_first_0_4_count_0 <= as_number((((slice1shift_search_0_4 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_4 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_4 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_0_value_2));
-      slice1cost_pixels_first_0_4_count_1 <= as_number(((((slice1shift_search_0_4 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_4 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_4 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_1_value_3));
-      slice1cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_4 / 256) mod
-        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_4 / 64) mod 2) = 1)
-        /= slice1cost_pixels_first_0_0_count_2_value_2));
-      slice1cost_pixels_first_0_4_count_3 <= as_number(((((slice1shift_search_0_4 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_4 / 2048) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_4 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_3_value_3));
-      slice1cost_pixels_first_0_4_count_4 <= as_number((((slice1shift_search_0_4 / 8192) = 1) /=
-        ((slice1shift_reference_0 / 8192) = 1))) + as_number(((((slice1shift_search_0_4 / 4096) mod 2) = 1) /=
-        slice1cost_pixels_first_0_0_count_4_value));
-      slice1cost_pixels_first_1_0_count_0 <= as_number((((slice1shift_search_1_0 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value /=
-        (((slice1shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value_2 /=
-        (((slice1shift_search_1_0 / 2) mod 2) = 1)));
-      slice1cost_pixels_first_1_0_count_1 <= as_number((slice1cost_pixels_first_1_0_count_1_value /=
-        (((slice1shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_2 /=
-        (((slice1shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_3 /=
-        (((slice1shift_search_1_0 / 16) mod 2) = 1)));
-      slice1cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_0 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number((slice1cost_pixels_first_1_0_count_2_value /= (((slice1shift_search_1_0 / 256) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_1_0_count_2_value_2 /= (((slice1shift_search_1_0 / 64) mod 2) = 1)));
-      slice1cost_pixels_first_1_0_count_3 <= as_number((slice1cost_pixels_first_1_0_count_3_value /=
-        (((slice1shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_2 /=
-        (((slice1shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_3 /=
-        (((slice1shift_search_1_0 / 1024) mod 2) = 1)));
-      slice1cost_pixels_first_1_0_count_4 <= as_number((((slice1shift_reference_1 / 8192) = 1) /=
-        ((slice1shift_search_1_0 / 8192) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value /=
-        (((slice1shift_search_1_0 / 4096) mod 2) = 1)));
-      slice1cost_pixels_first_1_1_count_0 <= as_number((((slice1shift_search_1_1 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_0_value_2));
-      slice1cost_pixels_first_1_1_count_1 <= as_number(((((slice1shift_search_1_1 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_1 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_1 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_1_value_3));
-      slice1cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_1 / 256) mod
-        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_1 / 64) mod 2) = 1)
-        /= slice1cost_pixels_first_1_0_count_2_value_2));
-      slice1cost_pixels_first_1_1_count_3 <= as_number(((((slice1shift_search_1_1 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_1 / 2048) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_1 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_3_value_3));
-      slice1cost_pixels_first_1_1_count_4 <= as_number((((slice1shift_search_1_1 / 8192) = 1) /=
-        ((slice1shift_reference_1 / 8192) = 1))) + as_number(((((slice1shift_search_1_1 / 4096) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_4_value));
-      slice1cost_pixels_first_1_2_count_0 <= as_number((((slice1shift_search_1_2 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_0_value_2));
-      slice1cost_pixels_first_1_2_count_1 <= as_number(((((slice1shift_search_1_2 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_2 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_2 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_1_value_3));
-      slice1cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_2 / 256) mod
-        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_2 / 64) mod 2) = 1)
-        /= slice1cost_pixels_first_1_0_count_2_value_2));
-      slice1cost_pixels_first_1_2_count_3 <= as_number(((((slice1shift_search_1_2 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_2 / 2048) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_2 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_3_value_3));
-      slice1cost_pixels_first_1_2_count_4 <= as_number((((slice1shift_search_1_2 / 8192) = 1) /=
-        ((slice1shift_reference_1 / 8192) = 1))) + as_number(((((slice1shift_search_1_2 / 4096) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_4_value));
-      slice1cost_pixels_first_1_3_count_0 <= as_number((((slice1shift_search_1_3 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_3 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_3 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_0_value_2));
-      slice1cost_pixels_first_1_3_count_1 <= as_number(((((slice1shift_search_1_3 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_3 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_3 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_1_value_3));
-      slice1cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_3 / 256) mod
-        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_3 / 64) mod 2) = 1)
-        /= slice1cost_pixels_first_1_0_count_2_value_2));
-      slice1cost_pixels_first_1_3_count_3 <= as_number(((((slice1shift_search_1_3 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_3 / 2048) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_3 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_3_value_3));
-      slice1cost_pixels_first_1_3_count_4 <= as_number((((slice1shift_search_1_3 / 8192) = 1) /=
-        ((slice1shift_reference_1 / 8192) = 1))) + as_number(((((slice1shift_search_1_3 / 4096) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_4_value));
-      slice1cost_pixels_first_1_4_count_0 <= as_number((((slice1shift_search_1_4 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_4 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_4 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_0_value_2));
-      slice1cost_pixels_first_1_4_count_1 <= as_number(((((slice1shift_search_1_4 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_4 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_4 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_1_value_3));
-      slice1cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_4 / 256) mod
-        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_4 / 64) mod 2) = 1)
-        /= slice1cost_pixels_first_1_0_count_2_value_2));
-      slice1cost_pixels_first_1_4_count_3 <= as_number(((((slice1shift_search_1_4 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_4 / 2048) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_4 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_3_value_3));
-      slice1cost_pixels_first_1_4_count_4 <= as_number((((slice1shift_search_1_4 / 8192) = 1) /=
-        ((slice1shift_reference_1 / 8192) = 1))) + as_number(((((slice1shift_search_1_4 / 4096) mod 2) = 1) /=
-        slice1cost_pixels_first_1_0_count_4_value));
-      slice1cost_pixels_first_2_0_count_0 <= as_number((((slice1shift_search_2_0 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value /=
-        (((slice1shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value_2 /=
-        (((slice1shift_search_2_0 / 2) mod 2) = 1)));
-      slice1cost_pixels_first_2_0_count_1 <= as_number((slice1cost_pixels_first_2_0_count_1_value /=
-        (((slice1shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_2 /=
-        (((slice1shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_3 /=
-        (((slice1shift_search_2_0 / 16) mod 2) = 1)));
-      slice1cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_0 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number((slice1cost_pixels_first_2_0_count_2_value /= (((slice1shift_search_2_0 / 256) mod 2) = 1))) +
-        as_number((slice1cost_pixels_first_2_0_count_2_value_2 /= (((slice1shift_search_2_0 / 64) mod 2) = 1)));
-      slice1cost_pixels_first_2_0_count_3 <= as_number((slice1cost_pixels_first_2_0_count_3_value /=
-        (((slice1shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_2 /=
-        (((slice1shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_3 /=
-        (((slice1shift_search_2_0 / 1024) mod 2) = 1)));
-      slice1cost_pixels_first_2_0_count_4 <= as_number((((slice1shift_reference_2 / 8192) = 1) /=
-        ((slice1shift_search_2_0 / 8192) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value /=
-        (((slice1shift_search_2_0 / 4096) mod 2) = 1)));
-      slice1cost_pixels_first_2_1_count_0 <= as_number((((slice1shift_search_2_1 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_1 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_1 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_0_value_2));
-      slice1cost_pixels_first_2_1_count_1 <= as_number(((((slice1shift_search_2_1 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_1 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_1 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_1_value_3));
-      slice1cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_1 / 256) mod
-        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_1 / 64) mod 2) = 1)
-        /= slice1cost_pixels_first_2_0_count_2_value_2));
-      slice1cost_pixels_first_2_1_count_3 <= as_number(((((slice1shift_search_2_1 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_1 / 2048) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_1 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_3_value_3));
-      slice1cost_pixels_first_2_1_count_4 <= as_number((((slice1shift_search_2_1 / 8192) = 1) /=
-        ((slice1shift_reference_2 / 8192) = 1))) + as_number(((((slice1shift_search_2_1 / 4096) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_4_value));
-      slice1cost_pixels_first_2_2_count_0 <= as_number((((slice1shift_search_2_2 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_2 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_2 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_0_value_2));
-      slice1cost_pixels_first_2_2_count_1 <= as_number(((((slice1shift_search_2_2 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_2 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_2 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_1_value_3));
-      slice1cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_2 / 256) mod
-        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_2 / 64) mod 2) = 1)
-        /= slice1cost_pixels_first_2_0_count_2_value_2));
-      slice1cost_pixels_first_2_2_count_3 <= as_number(((((slice1shift_search_2_2 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_2 / 2048) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_2 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_3_value_3));
-      slice1cost_pixels_first_2_2_count_4 <= as_number((((slice1shift_search_2_2 / 8192) = 1) /=
-        ((slice1shift_reference_2 / 8192) = 1))) + as_number(((((slice1shift_search_2_2 / 4096) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_4_value));
-      slice1cost_pixels_first_2_3_count_0 <= as_number((((slice1shift_search_2_3 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_3 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_3 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_0_value_2));
-      slice1cost_pixels_first_2_3_count_1 <= as_number(((((slice1shift_search_2_3 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_3 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_3 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_1_value_3));
-      slice1cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_3 / 256) mod
-        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_3 / 64) mod 2) = 1)
-        /= slice1cost_pixels_first_2_0_count_2_value_2));
-      slice1cost_pixels_first_2_3_count_3 <= as_number(((((slice1shift_search_2_3 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_3 / 2048) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_3 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_3_value_3));
-      slice1cost_pixels_first_2_3_count_4 <= as_number((((slice1shift_search_2_3 / 8192) = 1) /=
-        ((slice1shift_reference_2 / 8192) = 1))) + as_number(((((slice1shift_search_2_3 / 4096) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_4_value));
-      slice1cost_pixels_first_2_4_count_0 <= as_number((((slice1shift_search_2_4 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_4 / 4) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_4 / 2) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_0_value_2));
-      slice1cost_pixels_first_2_4_count_1 <= as_number(((((slice1shift_search_2_4 / 8) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_4 / 32) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_4 / 16) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_1_value_3));
-      slice1cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_4 / 256) mod
-        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_4 / 64) mod 2) = 1)
-        /= slice1cost_pixels_first_2_0_count_2_value_2));
-      slice1cost_pixels_first_2_4_count_3 <= as_number(((((slice1shift_search_2_4 / 512) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_4 / 2048) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_4 / 1024) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_3_value_3));
-      slice1cost_pixels_first_2_4_count_4 <= as_number((((slice1shift_search_2_4 / 8192) = 1) /=
-        ((slice1shift_reference_2 / 8192) = 1))) + as_number(((((slice1shift_search_2_4 / 4096) mod 2) = 1) /=
-        slice1cost_pixels_first_2_0_count_4_value));
-      slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_0 +
-        slice1cost_pixels_first_0_0_count_1 + slice1cost_pixels_first_0_0_count_4 + slice1cost_pixels_first_0_0_count_2;
-      slice1cost_pixels_cost_0_1 <= slice1cost_pixels_first_0_1_count_3 + slice1cost_pixels_first_0_1_count_0 +
-        slice1cost_pixels_first_0_1_count_1 + slice1cost_pixels_first_0_1_count_4 + slice1cost_pixels_first_0_1_count_2;
-      slice1cost_pixels_cost_0_2 <= slice1cost_pixels_first_0_2_count_3 + slice1cost_pixels_first_0_2_count_0 +
-        slice1cost_pixels_first_0_2_count_1 + slice1cost_pixels_first_0_2_count_4 + slice1cost_pixels_first_0_2_count_2;
-      slice1cost_pixels_cost_0_3 <= slice1cost_pixels_first_0_3_count_3 + slice1cost_pixels_first_0_3_count_0 +
-        slice1cost_pixels_first_0_3_count_1 + slice1cost_pixels_first_0_3_count_4 + slice1cost_pixels_first_0_3_count_2;
-      slice1cost_pixels_cost_0_4 <= slice1cost_pixels_first_0_4_count_3 + slice1cost_pixels_first_0_4_count_0 +
-        slice1cost_pixels_first_0_4_count_1 + slice1cost_pixels_first_0_4_count_4 + slice1cost_pixels_first_0_4_count_2;
-      slice1cost_pixels_cost_1_0 <= slice1cost_pixels_first_1_0_count_3 + slice1cost_pixels_first_1_0_count_0 +
-        slice1cost_pixels_first_1_0_count_1 + slice1cost_pixels_first_1_0_count_4 + slice1cost_pixels_first_1_0_count_2;
-      slice1cost_pixels_cost_1_1 <= slice1cost_pixels_first_1_1_count_3 + slice1cost_pixels_first_1_1_count_0 +
-        slice1cost_pixels_first_1_1_count_1 + slice1cost_pixels_first_1_1_count_4 + slice1cost_pixels_first_1_1_count_2;
-      slice1cost_pixels_cost_1_2 <= slice1cost_pixels_first_1_2_count_3 + slice1cost_pixels_first_1_2_count_0 +
-        slice1cost_pixels_first_1_2_count_1 + slice1cost_pixels_first_1_2_count_4 + slice1cost_pixels_first_1_2_count_2;
-      slice1cost_pixels_cost_1_3 <= slice1cost_pixels_first_1_3_count_3 + slice1cost_pixels_first_1_3_count_0 +
-        slice1cost_pixels_first_1_3_count_1 + slice1cost_pixels_first_1_3_count_4 + slice1cost_pixels_first_1_3_count_2;
-      slice1cost_pixels_cost_1_4 <= slice1cost_pixels_first_1_4_count_3 + slice1cost_pixels_first_1_4_count_0 +
-        slice1cost_pixels_first_1_4_count_1 + slice1cost_pixels_first_1_4_count_4 + slice1cost_pixels_first_1_4_count_2;
-      slice1cost_pixels_cost_2_0 <= slice1cost_pixels_first_2_0_count_3 + slice1cost_pixels_first_2_0_count_0 +
-        slice1cost_pixels_first_2_0_count_1 + slice1cost_pixels_first_2_0_count_4 + slice1cost_pixels_first_2_0_count_2;
-      slice1cost_pixels_cost_2_1 <= slice1cost_pixels_first_2_1_count_3 + slice1cost_pixels_first_2_1_count_0 +
-        slice1cost_pixels_first_2_1_count_1 + slice1cost_pixels_first_2_1_count_4 + slice1cost_pixels_first_2_1_count_2;
-      slice1cost_pixels_cost_2_2 <= slice1cost_pixels_first_2_2_count_3 + slice1cost_pixels_first_2_2_count_0 +
-        slice1cost_pixels_first_2_2_count_1 + slice1cost_pixels_first_2_2_count_4 + slice1cost_pixels_first_2_2_count_2;
-      slice1cost_pixels_cost_2_3 <= slice1cost_pixels_first_2_3_count_3 + slice1cost_pixels_first_2_3_count_0 +
-        slice1cost_pixels_first_2_3_count_1 + slice1cost_pixels_first_2_3_count_4 + slice1cost_pixels_first_2_3_count_2;
-      slice1cost_pixels_cost_2_4 <= slice1cost_pixels_first_2_4_count_3 + slice1cost_pixels_first_2_4_count_0 +
-        slice1cost_pixels_first_2_4_count_1 + slice1cost_pixels_first_2_4_count_4 + slice1cost_pixels_first_2_4_count_2;
-      slice1cost_pair_0_0 <= slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
-      slice1cost_pair_0_1 <= slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
-      slice1cost_pair_0_2 <= slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
-      slice1cost_pair_0_3 <= slice1cost_pixels_cost_1_3 + slice1cost_pixels_cost_2_3;
-      slice1cost_pair_0_4 <= slice1cost_pixels_cost_1_4 + slice1cost_pixels_cost_2_4;
-      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
-      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
-      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
-      slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
-      slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
+      for i in 0 to 2 loop
+        slice1cost_pixels_first_0_count_value(i, 0) := is_set(slice1shift_reference(i), 2);
+        slice1cost_pixels_first_0_count_value_2(i, 0) := is_set(slice1shift_reference(i), 1);
+        slice1cost_pixels_first_0_count_value(i, 1) := is_set(slice1shift_reference(i), 3);
+        slice1cost_pixels_first_0_count_value_2(i, 1) := is_set(slice1shift_reference(i), 5);
+        slice1cost_pixels_first_0_count_1_value_3(i) := is_set(slice1shift_reference(i), 4);
+        slice1cost_pixels_first_0_count_value(i, 2) := is_set(slice1shift_reference(i), 8);
+        slice1cost_pixels_first_0_count_value_2(i, 2) := is_set(slice1shift_reference(i), 6);
+        slice1cost_pixels_first_0_count_value(i, 3) := is_set(slice1shift_reference(i), 9);
+        slice1cost_pixels_first_0_count_value_2(i, 3) := is_set(slice1shift_reference(i), 11);
+        slice1cost_pixels_first_0_count_3_value_3(i) := is_set(slice1shift_reference(i), 10);
+        slice1cost_pixels_first_0_count_value(i, 4) := is_set(slice1shift_reference(i), 12);
+      end loop;
+      for i in 0 to 2 loop
+        slice1cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice1shift_search(i, 0), 0) /=
+          is_set(slice1shift_reference(i), 0))) + as_number((slice1cost_pixels_first_0_count_value(i, 0) /=
+          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice1shift_search(i, 0), 1)));
+        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1) /=
+          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 1) /=
+          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_count_1_value_3(i) /=
+          is_set(slice1shift_search(i, 0), 4)));
+        slice1cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice1shift_search(i, 0) mod 256), 8)) xor
+          (to_unsigned((slice1shift_reference(i) mod 256), 8)))) / 128) +
+          as_number((slice1cost_pixels_first_0_count_value(i, 2) /= is_set(slice1shift_search(i, 0), 8))) +
+          as_number((slice1cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice1shift_search(i, 0), 6)));
+        slice1cost_pixels_first_count(i, 0, 3) <= as_number((slice1cost_pixels_first_0_count_value(i, 3) /=
+          is_set(slice1shift_search(i, 0), 9))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 3) /=
+          is_set(slice1shift_search(i, 0), 11))) + as_number((slice1cost_pixels_first_0_count_3_value_3(i) /=
+          is_set(slice1shift_search(i, 0), 10)));
+        slice1cost_pixels_first_count_4(i, 0) <= as_number((is_set(slice1shift_reference(i), 13) /=
+          is_set(slice1shift_search(i, 0), 13))) + as_number((slice1cost_pixels_first_0_count_value(i, 4) /=
+          is_set(slice1shift_search(i, 0), 12)));
+        for j in 1 to 4 loop
+          slice1cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice1shift_search(i, j), 0) /=
+            is_set(slice1shift_reference(i), 0))) + as_number((is_set(slice1shift_search(i, j), 2) /=
+            slice1cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice1shift_search(i, j), 1) /=
+            slice1cost_pixels_first_0_count_value_2(i, 0)));
+          slice1cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice1shift_search(i, j), 3) /=
+            slice1cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
+            slice1cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice1shift_search(i, j), 4) /=
+            slice1cost_pixels_first_0_count_1_value_3(i)));
+          slice1cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice1shift_search(i, j) mod 256), 8))
+            xor (to_unsigned((slice1shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice1shift_search(i,
+            j), 8) /= slice1cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice1shift_search(i, j), 6) /=
+            slice1cost_pixels_first_0_count_value_2(i, 2)));
+          slice1cost_pixels_first_count(i, j, 3) <= as_number((is_set(slice1shift_search(i, j), 9) /=
+            slice1cost_pixels_first_0_count_value(i, 3))) + as_number((is_set(slice1shift_search(i, j), 11) /=
+            slice1cost_pixels_first_0_count_value_2(i, 3))) + as_number((is_set(slice1shift_search(i, j), 10) /=
+            slice1cost_pixels_first_0_count_3_value_3(i)));
+          slice1cost_pixels_first_count_4(i, j) <= as_number((is_set(slice1shift_search(i, j), 13) /=
+            is_set(slice1shift_reference(i), 13))) + as_number((is_set(slice1shift_search(i, j), 12) /=
+            slice1cost_pixels_first_0_count_value(i, 4)));
+        end loop;
+      end loop;
+      for i in 0 to 2 loop
+        for j in 0 to 4 loop
+          slice1cost_pixels_cost(i, j) <= slice1cost_pixels_first_count(i, j, 3) + slice1cost_pixels_first_count(i, j,
+            0) + slice1cost_pixels_first_count(i, j, 1) + slice1cost_pixels_first_count_4(i, j) +
+            slice1cost_pixels_first_count(i, j, 2);
+        end loop;
+      end loop;
+      for i in 0 to 4 loop
+        slice1cost_pair_0(i) <= slice1cost_pixels_cost(1, i) + slice1cost_pixels_cost(2, i);
+      end loop;
+      for i in 0 to 4 loop
+        slice1cost_single_0(i) <= slice1cost_pixels_cost(0, i);
+      end loop;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       if slice0cost_tag_border_column then
-        slice1cost_column_0_0 <= 0;
-        slice1cost_column_0_1 <= 0;
-        slice1cost_column_0_2 <= 0;
-        slice1cost_column_0_3 <= 0;
-        slice1cost_column_0_4 <= 0;
+        for i in 0 to 4 loop
+          slice1cost_column_0(i) <= 0;
+        end loop;
       else
-        slice1cost_column_0_0 <= slice1cost_pair_0_0 + slice1cost_single_0_0;
-        slice1cost_column_0_1 <= slice1cost_pair_0_1 + slice1cost_single_0_1;
-        slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
-        slice1cost_column_0_3 <= slice1cost_pair_0_3 + slice1cost_single_0_3;
-        slice1cost_column_0_4 <= slice1cost_pair_0_4 + slice1cost_single_0_4;
+        for i in 0 to 4 loop
+          slice1cost_column_0(i) <= slice1cost_pair_0(i) + slice1cost_single_0(i);
+        end loop;
       end if;
       -- slice1window
       if slice0window_tag_valid then
-        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
-        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
-        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
-        slice1window_partial_0_0_3 <= slice1cost_column_0_3;
-        slice1window_partial_0_0_4 <= slice1cost_column_0_4;
-        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
-        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
-        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
-        slice1window_partial_0_1_3 <= slice1cost_column_0_3 + slice1window_partial_0_0_3;
-        slice1window_partial_0_1_4 <= slice1cost_column_0_4 + slice1window_partial_0_0_4;
+        for i in 0 to 4 loop
+          slice1window_partial_0_0(i) <= slice1cost_column_0(i);
+        end loop;
+        for i in 0 to 4 loop
+          slice1window_partial_0_1(i) <= slice1cost_column_0(i) + slice1window_partial_0_0(i);
+        end loop;
       end if;
-      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
-      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
-      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
-      slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
-      slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
+      for i in 0 to 4 loop
+        slice1window_sum_0(i) <= slice1cost_column_0(i) + slice1window_partial_0_1(i);
+      end loop;
       -- slice1
-      slice1_held_1_0 <= slice1_held_0_0;
-      slice1_held_1_1 <= slice1_held_0_1;
-      slice1_held_1_2 <= slice1_held_0_2;
-      slice1_held_1_3 <= slice1_held_0_3;
-      slice1_held_1_4 <= slice1_held_0_4;
-      if ((slice1window_sum_0_0 / 64) = 1) or (((slice1window_sum_0_0 / 16) mod 4) = 3) then
-        slice1_held_0_0 <= 5;
-      else
-        slice1_held_0_0 <= slice1window_sum_0_0 / 8;
-      end if;
-      if ((slice1window_sum_0_1 / 64) = 1) or (((slice1window_sum_0_1 / 16) mod 4) = 3) then
-        slice1_held_0_1 <= 5;
-      else
-        slice1_held_0_1 <= slice1window_sum_0_1 / 8;
-      end if;
-      if ((slice1window_sum_0_2 / 64) = 1) or (((slice1window_sum_0_2 / 16) mod 4) = 3) then
-        slice1_held_0_2 <= 5;
-      else
-        slice1_held_0_2 <= slice1window_sum_0_2 / 8;
-      end if;
-      if ((slice1window_sum_0_3 / 64) = 1) or (((slice1window_sum_0_3 / 16) mod 4) = 3) then
-        slice1_held_0_3 <= 5;
-      else
-        slice1_held_0_3 <= slice1window_sum_0_3 / 8;
-      end if;
-      if ((slice1window_sum_0_4 / 64) = 1) or (((slice1window_sum_0_4 / 16) mod 4) = 3) then
-        slice1_held_0_4 <= 5;
-      else
-        slice1_held_0_4 <= slice1window_sum_0_4 / 8;
-      end if;
+      for i in 0 to 4 loop
+        slice1_held(1, i) <= slice1_held(0, i);
+      end loop;
+      for i in 0 to 4 loop
+        if is_set(slice1window_sum_0(i), 6) or (((slice1window_sum_0(i) / 16) mod 4) = 3) then
+          slice1_held(0, i) <= 5;
+        else
+          slice1_held(0, i) <= slice1window_sum_0(i) / 8;
+        end if;
+      end loop;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
-        slice2shift_search_0_0 <= slice2shift_search_0_1;
-        slice2shift_search_0_1 <= slice1shift_search_out_0;
-        slice2shift_search_1_0 <= slice2shift_search_1_1;
-        slice2shift_search_1_1 <= slice1shift_search_out_1;
-        slice2shift_search_2_0 <= slice2shift_search_2_1;
-        slice2shift_search_2_1 <= slice1shift_search_out_2;
+        for i in 0 to 2 loop
+          slice2shift_search(i, 0) <= slice2shift_search(i, 1);
+          slice2shift_search(i, 1) <= slice1shift_search_out(i);
+        end loop;
       end if;
-      slice2shift_reference_0 <= slice1shift_reference_0;
-      slice2shift_reference_1 <= slice1shift_reference_1;
-      slice2shift_reference_2 <= slice1shift_reference_2;
+      slice2shift_reference(0) <= slice1shift_reference(0);
+      slice2shift_reference(1) <= slice1shift_reference(1);
+      slice2shift_reference(2) <= slice1shift_reference(2);
       -- slice2cost
-      slice2cost_pixels_first_0_0_count_0_value := ((slice2shift_reference_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_reference_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value := ((slice2shift_reference_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_reference_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_value := ((slice2shift_reference_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_reference_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value := ((slice2shift_reference_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value := ((slice2shift_reference_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_value := ((slice2shift_reference_1 / 4) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_reference_1 / 2) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value := ((slice2shift_reference_1 / 8) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_reference_1 / 32) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 16) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_value := ((slice2shift_reference_1 / 256) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_reference_1 / 64) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value := ((slice2shift_reference_1 / 512) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value := ((slice2shift_reference_1 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_value := ((slice2shift_reference_2 / 4) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_reference_2 / 2) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value := ((slice2shift_reference_2 / 8) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_reference_2 / 32) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 16) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_value := ((slice2shift_reference_2 / 256) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_reference_2 / 64) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value := ((slice2shift_reference_2 / 512) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value := ((slice2shift_reference_2 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0 <= as_number((((slice2shift_search_0_0 mod 2) = 1) /=
-        ((slice2shift_reference_0 mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value /=
-        (((slice2shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value_2 /=
-        (((slice2shift_search_0_0 / 2) mod 2) = 1)));
-      slice2cost_pixels_first_0_0_count_1 <= as_number((slice2cost_pixels_first_0_0_count_1_value /=
-        (((slice2shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_2 /=
-        (((slice2shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_3 /=
-        (((slice2shift_search_0_0 / 16) mod 2) = 1)));
-      slice2cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_0 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
-        as_number((slice2cost_pixels_first_0_0_count_2_value /= (((slice2shift_search_0_0 / 256) mod 2) = 1))) +
-        as_number((slice2cost_pixels_first_0_0_count_2_value_2 /= (((slice2shift_search_0_0 / 64) mod 2) = 1)));
-      slice2cost_pixels_first_0_0_count_3 <= as_number((slice2cost_pixels_first_0_0_count_3_value /=
-        (((slice2shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_2 /=
-        (((slice2shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_3 /=
-        (((slice2shift_search_0_0 / 1024) mod 2) = 1)));
-      slice2cost_pixels_first_0_0_count_4 <= as_number((((slice2shift_reference_0 / 8192) = 1) /=
-        ((slice2shift_search_0_0 / 8192) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value /=
-        (((slice2shift_search_0_0 / 4096) mod 2) = 1)));
-      slice2cost_pixels_first_0_1_count_0 <= as_number((((slice2shift_search_0_1 mod 2) = 1) /=
-        ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_1 / 4) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_1 / 2) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_0_value_2));
-      slice2cost_pixels_first_0_1_count_1 <= as_number(((((slice2shift_search_0_1 / 8) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_1_value)) + as_number(((((slice2shift_search_0_1 / 32) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice2shift_search_0_1 / 16) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_1_value_3));
-      slice2cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_0_1 / 256) mod
-        2) = 1) /= slice2cost_pixels_first_0_0_count_2_value)) + as_number(((((slice2shift_search_0_1 / 64) mod 2) = 1)
-        /= slice2cost_pixels_first_0_0_count_2_value_2));
-      slice2cost_pixels_first_0_1_count_3 <= as_number(((((slice2shift_search_0_1 / 512) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_3_value)) + as_number(((((slice2shift_search_0_1 / 2048) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice2shift_search_0_1 / 1024) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_3_value_3));
-      slice2cost_pixels_first_0_1_count_4 <= as_number((((slice2shift_search_0_1 / 8192) = 1) /=
-        ((slice2shift_reference_0 / 8192) = 1))) + as_number(((((slice2shift_search_0_1 / 4096) mod 2) = 1) /=
-        slice2cost_pixels_first_0_0_count_4_value));
-      slice2cost_pixels_first_1_0_count_0 <= as_number((((slice2shift_search_1_0 mod 2) = 1) /=
-        ((slice2shift_reference_1 mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value /=
-        (((slice2shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value_2 /=
-        (((slice2shift_search_1_0 / 2) mod 2) = 1)));
-      slice2cost_pixels_first_1_0_count_1 <= as_number((slice2cost_pixels_first_1_0_count_1_value /=
-        (((slice2shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_2 /=
-        (((slice2shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_3 /=
-        (((slice2shift_search_1_0 / 16) mod 2) = 1)));
-      slice2cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_0 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
-        as_number((slice2cost_pixels_first_1_0_count_2_value /= (((slice2shift_search_1_0 / 256) mod 2) = 1))) +
-        as_number((slice2cost_pixels_first_1_0_count_2_value_2 /= (((slice2shift_search_1_0 / 64) mod 2) = 1)));
-      slice2cost_pixels_first_1_0_count_3 <= as_number((slice2cost_pixels_first_1_0_count_3_value /=
-        (((slice2shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_2 /=
-        (((slice2shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_3 /=
-        (((slice2shift_search_1_0 / 1024) mod 2) = 1)));
-      slice2cost_pixels_first_1_0_count_4 <= as_number((((slice2shift_reference_1 / 8192) = 1) /=
-        ((slice2shift_search_1_0 / 8192) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value /=
-        (((slice2shift_search_1_0 / 4096) mod 2) = 1)));
-      slice2cost_pixels_first_1_1_count_0 <= as_number((((slice2shift_search_1_1 mod 2) = 1) /=
-        ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_1 / 4) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_1 / 2) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_0_value_2));
-      slice2cost_pixels_first_1_1_count_1 <= as_number(((((slice2shift_search_1_1 / 8) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_1_value)) + as_number(((((slice2shift_search_1_1 / 32) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice2shift_search_1_1 / 16) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_1_value_3));
-      slice2cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_1_1 / 256) mod
-        2) = 1) /= slice2cost_pixels_first_1_0_count_2_value)) + as_number(((((slice2shift_search_1_1 / 64) mod 2) = 1)
-        /= slice2cost_pixels_first_1_0_count_2_value_2));
-      slice2cost_pixels_first_1_1_count_3 <= as_number(((((slice2shift_search_1_1 / 512) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_3_value)) + as_number(((((slice2shift_search_1_1 / 2048) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice2shift_search_1_1 / 1024) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_3_value_3));
-      slice2cost_pixels_first_1_1_count_4 <= as_number((((slice2shift_search_1_1 / 8192) = 1) /=
-        ((slice2shift_reference_1 / 8192) = 1))) + as_number(((((slice2shift_search_1_1 / 4096) mod 2) = 1) /=
-        slice2cost_pixels_first_1_0_count_4_value));
-      slice2cost_pixels_first_2_0_count_0 <= as_number((((slice2shift_search_2_0 mod 2) = 1) /=
-        ((slice2shift_reference_2 mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value /=
-        (((slice2shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value_2 /=
-        (((slice2shift_search_2_0 / 2) mod 2) = 1)));
-      slice2cost_pixels_first_2_0_count_1 <= as_number((slice2cost_pixels_first_2_0_count_1_value /=
-        (((slice2shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_2 /=
-        (((slice2shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_3 /=
-        (((slice2shift_search_2_0 / 16) mod 2) = 1)));
-      slice2cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_0 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
-        as_number((slice2cost_pixels_first_2_0_count_2_value /= (((slice2shift_search_2_0 / 256) mod 2) = 1))) +
-        as_number((slice2cost_pixels_first_2_0_count_2_value_2 /= (((slice2shift_search_2_0 / 64) mod 2) = 1)));
-      slice2cost_pixels_first_2_0_count_3 <= as_number((slice2cost_pixels_first_2_0_count_3_value /=
-        (((slice2shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_2 /=
-        (((slice2shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_3 /=
-        (((slice2shift_search_2_0 / 1024) mod 2) = 1)));
-      slice2cost_pixels_first_2_0_count_4 <= as_number((((slice2shift_reference_2 / 8192) = 1) /=
-        ((slice2shift_search_2_0 / 8192) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value /=
-        (((slice2shift_search_2_0 / 4096) mod 2) = 1)));
-      slice2cost_pixels_first_2_1_count_0 <= as_number((((slice2shift_search_2_1 mod 2) = 1) /=
-        ((slice2shift_reference_2 mod 2) = 1))) + as_number(((((slice2shift_search_2_1 / 4) mod 2) = 1) /=
-        slice2cost_pixels_first_2_0_count_0_value)) + as_number(((((slice2shift_search_2_1 / 2) mod 2) = 1) /=
-        slice2cost_pixels_first_2_0_count_0_value_2));
-      slice2cost_pixels_first_2_1_count_1 <= as_number(((((slice2shift_search_2_1 / 8) mod 2) = 1) /=
-        slice2cost_pixels_first_2_0_count_1_value)) + as_number(((((slice2shift_search_2_1 / 32) mod 2) = 1) /=
-        slice2cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice2shift_search_2_1 / 16) mod 2) = 1) /=
-        slice2cost_pixels_first_2_0_count_1_value_3));
-      slice2cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_2_1 / 256) mod
-        2) = 1) /= slice2cost_pixels_first_2_0_count_2_value)) + as_number(((((slice2shift_search_2_1 / 64) mod 2) = 1)
-        /= slice2cost_pixels_first_2_0_count_2_value_2));
-      slice2cost_pixels_first_2_1_count_3 <= as_number(((((slice2shift_search_2_1 / 512) mod 2) = 1) /=
-        slice2cost_pixels_first_2_0_count_3_value)) + as_number(((((slice2shift_search_2_1 / 2048) mod 2) = 1) /=
-        slice2cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice2shift_search_2_1 / 1024) mod 2) = 1) /=
-        slice2cost_pixels_first_2_0_count_3_value_3));
-      slice2cost_pixels_first_2_1_count_4 <= as_number((((slice2shift_search_2_1 / 8192) = 1) /=
-        ((slice2shift_reference_2 / 8192) = 1))) + as_number(((((slice2shift_search_2_1 / 4096) mod 2) = 1) /=
-        slice2cost_pixels_first_2_0_count_4_value));
-      slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_0 +
-        slice2cost_pixels_first_0_0_count_1 + slice2cost_pixels_first_0_0_count_4 + slice2cost_pixels_first_0_0_count_2;
-      slice2cost_pixels_cost_0_1 <= slice2cost_pixels_first_0_1_count_3 + slice2cost_pixels_first_0_1_count_0 +
-        slice2cost_pixels_first_0_1_count_1 + slice2cost_pixels_first_0_1_count_4 + slice2cost_pixels_first_0_1_count_2;
-      slice2cost_pixels_cost_1_0 <= slice2cost_pixels_first_1_0_count_3 + slice2cost_pixels_first_1_0_count_0 +
-        slice2cost_pixels_first_1_0_count_1 + slice2cost_pixels_first_1_0_count_4 + slice2cost_pixels_first_1_0_count_2;
-      slice2cost_pixels_cost_1_1 <= slice2cost_pixels_first_1_1_count_3 + slice2cost_pixels_first_1_1_count_0 +
-        slice2cost_pixels_first_1_1_count_1 + slice2cost_pixels_first_1_1_count_4 + slice2cost_pixels_first_1_1_count_2;
-      slice2cost_pixels_cost_2_0 <= slice2cost_pixels_first_2_0_count_3 + slice2cost_pixels_first_2_0_count_0 +
-        slice2cost_pixels_first_2_0_count_1 + slice2cost_pixels_first_2_0_count_4 + slice2cost_pixels_first_2_0_count_2;
-      slice2cost_pixels_cost_2_1 <= slice2cost_pixels_first_2_1_count_3 + slice2cost_pixels_first_2_1_count_0 +
-        slice2cost_pixels_first_2_1_count_1 + slice2cost_pixels_first_2_1_count_4 + slice2cost_pixels_first_2_1_count_2;
-      slice2cost_pair_0_0 <= slice2cost_pixels_cost_1_0 + slice2cost_pixels_cost_2_0;
-      slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
-      slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
-      slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
+      for i in 0 to 2 loop
+        slice2cost_pixels_first_0_count_value(i, 0) := is_set(slice2shift_reference(i), 2);
+        slice2cost_pixels_first_0_count_value_2(i, 0) := is_set(slice2shift_reference(i), 1);
+        slice2cost_pixels_first_0_count_value(i, 1) := is_set(slice2shift_reference(i), 3);
+        slice2cost_pixels_first_0_count_value_2(i, 1) := is_set(slice2shift_reference(i), 5);
+        slice2cost_pixels_first_0_count_1_value_3(i) := is_set(slice2shift_reference(i), 4);
+        slice2cost_pixels_first_0_count_value(i, 2) := is_set(slice2shift_reference(i), 8);
+        slice2cost_pixels_first_0_count_value_2(i, 2) := is_set(slice2shift_reference(i), 6);
+        slice2cost_pixels_first_0_count_value(i, 3) := is_set(slice2shift_reference(i), 9);
+        slice2cost_pixels_first_0_count_value_2(i, 3) := is_set(slice2shift_reference(i), 11);
+        slice2cost_pixels_first_0_count_3_value_3(i) := is_set(slice2shift_reference(i), 10);
+        slice2cost_pixels_first_0_count_value(i, 4) := is_set(slice2shift_reference(i), 12);
+      end loop;
+      for i in 0 to 2 loop
+        slice2cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice2shift_search(i, 0), 0) /=
+          is_set(slice2shift_reference(i), 0))) + as_number((slice2cost_pixels_first_0_count_value(i, 0) /=
+          is_set(slice2shift_search(i, 0), 2))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice2shift_search(i, 0), 1)));
+        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1) /=
+          is_set(slice2shift_search(i, 0), 3))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 1) /=
+          is_set(slice2shift_search(i, 0), 5))) + as_number((slice2cost_pixels_first_0_count_1_value_3(i) /=
+          is_set(slice2shift_search(i, 0), 4)));
+        slice2cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice2shift_search(i, 0) mod 256), 8)) xor
+          (to_unsigned((slice2shift_reference(i) mod 256), 8)))) / 128) +
+          as_number((slice2cost_pixels_first_0_count_value(i, 2) /= is_set(slice2shift_search(i, 0), 8))) +
+          as_number((slice2cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice2shift_search(i, 0), 6)));
+        slice2cost_pixels_first_count(i, 0, 3) <= as_number((slice2cost_pixels_first_0_count_value(i, 3) /=
+          is_set(slice2shift_search(i, 0), 9))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 3) /=
+          is_set(slice2shift_search(i, 0), 11))) + as_number((slice2cost_pixels_first_0_count_3_value_3(i) /=
+          is_set(slice2shift_search(i, 0), 10)));
+        slice2cost_pixels_first_count_4(i, 0) <= as_number((is_set(slice2shift_reference(i), 13) /=
+          is_set(slice2shift_search(i, 0), 13))) + as_number((slice2cost_pixels_first_0_count_value(i, 4) /=
+          is_set(slice2shift_search(i, 0), 12)));
+        slice2cost_pixels_first_count(i, 1, 0) <= as_number((is_set(slice2shift_search(i, 1), 0) /=
+          is_set(slice2shift_reference(i), 0))) + as_number((is_set(slice2shift_search(i, 1), 2) /=
+          slice2cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice2shift_search(i, 1), 1) /=
+          slice2cost_pixels_first_0_count_value_2(i, 0)));
+        slice2cost_pixels_first_count(i, 1, 1) <= as_number((is_set(slice2shift_search(i, 1), 3) /=
+          slice2cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice2shift_search(i, 1), 5) /=
+          slice2cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice2shift_search(i, 1), 4) /=
+          slice2cost_pixels_first_0_count_1_value_3(i)));
+        slice2cost_pixels_first_count(i, 1, 2) <= (to_integer(((to_unsigned((slice2shift_search(i, 1) mod 256), 8)) xor
+          (to_unsigned((slice2shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice2shift_search(i, 1),
+          8) /= slice2cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice2shift_search(i, 1), 6) /=
+          slice2cost_pixels_first_0_count_value_2(i, 2)));
+        slice2cost_pixels_first_count(i, 1, 3) <= as_number((is_set(slice2shift_search(i, 1), 9) /=
+          slice2cost_pixels_first_0_count_value(i, 3))) + as_number((is_set(slice2shift_search(i, 1), 11) /=
+          slice2cost_pixels_first_0_count_value_2(i, 3))) + as_number((is_set(slice2shift_search(i, 1), 10) /=
+          slice2cost_pixels_first_0_count_3_value_3(i)));
+        slice2cost_pixels_first_count_4(i, 1) <= as_number((is_set(slice2shift_search(i, 1), 13) /=
+          is_set(slice2shift_reference(i), 13))) + as_number((is_set(slice2shift_search(i, 1), 12) /=
+          slice2cost_pixels_first_0_count_value(i, 4)));
+      end loop;
+      for i in 0 to 2 loop
+        slice2cost_pixels_cost(i, 0) <= slice2cost_pixels_first_count(i, 0, 3) + slice2cost_pixels_first_count(i, 0, 0)
+          + slice2cost_pixels_first_count(i, 0, 1) + slice2cost_pixels_first_count_4(i, 0) +
+          slice2cost_pixels_first_count(i, 0, 2);
+        slice2cost_pixels_cost(i, 1) <= slice2cost_pixels_first_count(i, 1, 3) + slice2cost_pixels_first_count(i, 1, 0)
+          + slice2cost_pixels_first_count(i, 1, 1) + slice2cost_pixels_first_count_4(i, 1) +
+          slice2cost_pixels_first_count(i, 1, 2);
+      end loop;
+      slice2cost_pair_0(0) <= slice2cost_pixels_cost(1, 0) + slice2cost_pixels_cost(2, 0);
+      slice2cost_pair_0(1) <= slice2cost_pixels_cost(1, 1) + slice2cost_pixels_cost(2, 1);
+      slice2cost_single_0(0) <= slice2cost_pixels_cost(0, 0);
+      slice2cost_single_0(1) <= slice2cost_pixels_cost(0, 1);
       if slice1cost_tag_border_column then
-        slice2cost_column_0_0 <= 0;
-        slice2cost_column_0_1 <= 0;
+        slice2cost_column_0(0) <= 0;
+        slice2cost_column_0(1) <= 0;
       else
-        slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
-        slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
+        slice2cost_column_0(0) <= slice2cost_pair_0(0) + slice2cost_single_0(0);
+        slice2cost_column_0(1) <= slice2cost_pair_0(1) + slice2cost_single_0(1);
       end if;
       -- slice2window
-      if slice0_tag_0_valid then
-        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
-        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
-        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
-        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+      if slice0_tag_valid(0) then
+        slice2window_partial_0_0(0) <= slice2cost_column_0(0);
+        slice2window_partial_0_0(1) <= slice2cost_column_0(1);
+        slice2window_partial_0_1(0) <= slice2cost_column_0(0) + slice2window_partial_0_0(0);
+        slice2window_partial_0_1(1) <= slice2cost_column_0(1) + slice2window_partial_0_0(1);
       end if;
-      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
-      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+      slice2window_sum_0(0) <= slice2cost_column_0(0) + slice2window_partial_0_1(0);
+      slice2window_sum_0(1) <= slice2cost_column_0(1) + slice2window_partial_0_1(1);
       -- slice2
-      if ((slice2window_sum_0_0 / 64) = 1) or (((slice2window_sum_0_0 / 16) mod 4) = 3) then
-        slice2_held_0_0 <= 5;
-      else
-        slice2_held_0_0 <= slice2window_sum_0_0 / 8;
-      end if;
-      if ((slice2window_sum_0_1 / 64) = 1) or (((slice2window_sum_0_1 / 16) mod 4) = 3) then
-        slice2_held_0_1 <= 5;
-      else
-        slice2_held_0_1 <= slice2window_sum_0_1 / 8;
-      end if;
+      for i in 0 to 1 loop
+        if is_set(slice2window_sum_0(i), 6) or (((slice2window_sum_0(i) / 16) mod 4) = 3) then
+          slice2_held_0(i) <= 5;
+        else
+          slice2_held_0(i) <= slice2window_sum_0(i) / 8;
+        end if;
+      end loop;
       -- entry
-      entry_order_falls_any := entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
-      entry_order_falls_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_complete_all := slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_complete_any := (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
+      entry_order_falls_any := entry_order_inside or (not slice0_tag_map_column(2)) or (not slice0_tag_valid(2));
+      entry_order_falls_all := (not entry_order_inside) and slice0_tag_map_column(2) and slice0_tag_valid(2);
+      entry_order_complete_all := slice0_tag_map_column(2) and slice0_tag_valid(2);
+      entry_order_complete_any := (not slice0_tag_map_column(2)) or (not slice0_tag_valid(2));
       if entry_order_falls_all then
         entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
       else
         entry_order_turned_output_column_choice := entry_order_held_output;
       end if;
-      entry_next_cost_0 <= slice2_held_0_0;
-      entry_next_cost_1 <= slice2_held_0_1;
-      entry_next_cost_2 <= slice1_held_1_0;
-      entry_next_cost_3 <= slice1_held_1_1;
-      entry_next_cost_4 <= slice1_held_1_2;
-      entry_next_cost_5 <= slice1_held_1_3;
-      entry_next_cost_6 <= slice1_held_1_4;
-      entry_next_cost_7 <= slice0_held_2_0;
-      entry_next_cost_8 <= slice0_held_2_1;
-      entry_next_cost_9 <= slice0_held_2_2;
-      entry_next_cost_10 <= slice0_held_2_3;
-      entry_next_cost_11 <= slice0_held_2_4;
-      entry_next_tag_valid <= slice0_tag_2_valid;
-      entry_next_tag_map_column <= slice0_tag_2_map_column;
-      entry_next_tag_first_column <= slice0_tag_2_first_column;
-      entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
+      entry_next_cost(0) <= slice2_held_0(0);
+      entry_next_cost(1) <= slice2_held_0(1);
+      for i in 2 to 6 loop
+        entry_next_cost(i) <= slice1_held(1, i - 2);
+      end loop;
+      for i in 7 to 11 loop
+        entry_next_cost(i) <= slice0_held(2, i - 7);
+      end loop;
+      entry_next_tag_valid <= slice0_tag_valid(2);
+      entry_next_tag_map_column <= slice0_tag_map_column(2);
+      entry_next_tag_first_column <= slice0_tag_first_column(2);
+      entry_next_tag_end_of_line <= slice0_tag_end_of_line(2);
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_map_column(2);
       entry_order_turned_first_column <= entry_order_falls_all;
-      entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
-        and entry_order_first and entry_order_output and entry_order_complete;
-      entry_cost_0 <= entry_next_cost_0;
-      entry_cost_1 <= entry_next_cost_1;
-      entry_cost_2 <= entry_next_cost_2;
-      entry_cost_3 <= entry_next_cost_3;
-      entry_cost_4 <= entry_next_cost_4;
-      entry_cost_5 <= entry_next_cost_5;
-      entry_cost_6 <= entry_next_cost_6;
-      entry_cost_7 <= entry_next_cost_7;
-      entry_cost_8 <= entry_next_cost_8;
-      entry_cost_9 <= entry_next_cost_9;
-      entry_cost_10 <= entry_next_cost_10;
-      entry_cost_11 <= entry_next_cost_11;
+      entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_map_column(2) and
+        slice0_tag_valid(2) and entry_order_first and entry_order_output and entry_order_complete;
+      for i in 0 to 11 loop
+        entry_cost(i) <= entry_next_cost(i);
+      end loop;
       entry_tag_valid <= entry_next_tag_valid;
       entry_tag_map_column <= entry_next_tag_map_column;
       entry_tag_first_column <= entry_next_tag_first_column;
@@ -4590,15 +2787,15 @@ begin
       else
         entry_order_falls <= entry_order_falls_all;
       end if;
-      if slice0_tag_2_end_of_line then
+      if slice0_tag_end_of_line(2) then
         entry_order_complete <= entry_order_complete or entry_order_complete_all;
       else
         entry_order_complete <= entry_order_complete and entry_order_complete_any;
       end if;
       if entry_order_complete_all then
-        if slice0_tag_2_first_column then
+        if slice0_tag_first_column(2) then
           entry_next_column <= 0;
-          entry_next_top <= slice0_tag_2_start_of_frame;
+          entry_next_top <= slice0_tag_start_of_frame(2);
         else
           entry_next_column <= (entry_next_column + 1) mod 32;
           entry_next_top <= entry_next_top;
@@ -4621,778 +2818,402 @@ begin
           entry_order_address <= entry_order_address_choice_2 * 4;
         end if;
       end if;
-      if slice0_tag_2_valid then
-        entry_order_inside <= slice0_tag_2_map_column;
+      if slice0_tag_valid(2) then
+        entry_order_inside <= slice0_tag_map_column(2);
       end if;
       if entry_order_falls_all then
-        entry_order_output <= slice0_tag_2_output_column;
-        entry_order_first <= slice0_tag_2_start_of_frame;
+        entry_order_output <= slice0_tag_output_column(2);
+        entry_order_first <= slice0_tag_start_of_frame(2);
         entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
       -- forward
-      if (forward_left_cost_2 - forward_left_cost_0) < 0 then
-        forward_left_pair_0_choice := forward_left_cost_2;
-      else
-        forward_left_pair_0_choice := forward_left_cost_0;
-      end if;
-      if (forward_left_cost_3 - forward_left_cost_1) < 0 then
-        forward_left_pair_1_choice := forward_left_cost_3;
-      else
-        forward_left_pair_1_choice := forward_left_cost_1;
-      end if;
-      if (forward_left_cost_6 - forward_left_cost_4) < 0 then
-        forward_left_pair_2_choice := forward_left_cost_6;
-      else
-        forward_left_pair_2_choice := forward_left_cost_4;
-      end if;
-      if (forward_left_cost_7 - forward_left_cost_5) < 0 then
-        forward_left_pair_3_choice := forward_left_cost_7;
-      else
-        forward_left_pair_3_choice := forward_left_cost_5;
-      end if;
-      if (forward_left_cost_10 - forward_left_cost_8) < 0 then
-        forward_left_pair_4_choice := forward_left_cost_10;
-      else
-        forward_left_pair_4_choice := forward_left_cost_8;
-      end if;
-      if (forward_left_cost_11 - forward_left_cost_9) < 0 then
-        forward_left_pair_5_choice := forward_left_cost_11;
-      else
-        forward_left_pair_5_choice := forward_left_cost_9;
-      end if;
+      for i in 0 to 2 loop
+        for j in 2 to 3 loop
+          if (forward_left_cost(4 * i + j) - forward_left_cost(4 * i + j - 2)) < 0 then
+            forward_left_pair_choice(2 * i + j - 2) := forward_left_cost(4 * i + j);
+          else
+            forward_left_pair_choice(2 * i + j - 2) := forward_left_cost(4 * i + j - 2);
+          end if;
+        end loop;
+      end loop;
       forward_left_start_cost_0_any := ((((forward_left_tree_next_next_smallest_0 mod 64) + forward_left_relief_beyond)
-        / 64) = 1) or ((forward_left_tree_next_next_smallest_0 / 64) = 1);
-      if (forward_left_relief_largest mod 2) = 1 then
-        forward_left_start_cost_0_choice := (not (((forward_left_room / 2) mod 2) = 1)) or (not ((forward_left_room mod
-          2) = 1));
+        / 64) = 1) or is_set(forward_left_tree_next_next_smallest_0, 6);
+      if is_set(forward_left_relief_largest, 0) then
+        forward_left_start_cost_0_choice := (not is_set(forward_left_room, 1)) or (not is_set(forward_left_room, 0));
       else
-        forward_left_start_cost_0_choice := not (((forward_left_room / 2) mod 2) = 1);
+        forward_left_start_cost_0_choice := not is_set(forward_left_room, 1);
       end if;
-      if ((forward_left_relief_largest / 2) mod 2) = 1 then
-        forward_left_start_cost_0_choice_2 := forward_left_start_cost_0_choice;
+      if is_set(forward_left_relief_largest, 1) then
+        forward_left_start_cost_0_choices(2) := forward_left_start_cost_0_choice;
       else
-        forward_left_start_cost_0_choice_2 := ((forward_left_relief_largest mod 2) = 1) and ((forward_left_room mod 4)
-          = 0);
+        forward_left_start_cost_0_choices(2) := is_set(forward_left_relief_largest, 0) and ((forward_left_room mod 4) =
+          0);
       end if;
-      forward_left_start_cost_0_value := ((forward_left_room / 4) mod 2) = 1;
-      if forward_left_start_cost_0_choice_2 then
-        forward_left_start_cost_0_choice_3 := (not (((forward_left_relief_largest / 4) mod 2) = 1)) and
+      forward_left_start_cost_0_value := is_set(forward_left_room, 2);
+      if forward_left_start_cost_0_choices(2) then
+        forward_left_start_cost_0_choices(3) := (not is_set(forward_left_relief_largest, 2)) and
           forward_left_start_cost_0_value;
       else
-        forward_left_start_cost_0_choice_3 := (not (((forward_left_relief_largest / 4) mod 2) = 1)) or
+        forward_left_start_cost_0_choices(3) := (not is_set(forward_left_relief_largest, 2)) or
           forward_left_start_cost_0_value;
       end if;
-      forward_left_start_cost_0_value_2 := ((forward_left_room / 8) mod 2) = 1;
-      if forward_left_start_cost_0_choice_3 then
-        forward_left_start_cost_0_choice_4 := (not (((forward_left_relief_largest / 8) mod 2) = 1)) or
-          forward_left_start_cost_0_value_2;
+      for i in 2 to 3 loop
+        forward_left_start_cost_0_values(i) := is_set(forward_left_room, i + 1);
+        if forward_left_start_cost_0_choices(i + 1) then
+          forward_left_start_cost_0_choices(i + 2) := (not is_set(forward_left_relief_largest, i + 1)) or
+            forward_left_start_cost_0_values(i);
+        else
+          forward_left_start_cost_0_choices(i + 2) := (not is_set(forward_left_relief_largest, i + 1)) and
+            forward_left_start_cost_0_values(i);
+        end if;
+      end loop;
+      if forward_left_start_cost_0_choices(5) then
+        forward_left_start_cost_0_choices(6) := is_set(forward_left_relief_largest, 5) and (not
+          is_set(forward_left_room, 5));
       else
-        forward_left_start_cost_0_choice_4 := (not (((forward_left_relief_largest / 8) mod 2) = 1)) and
-          forward_left_start_cost_0_value_2;
+        forward_left_start_cost_0_choices(6) := is_set(forward_left_relief_largest, 5) or (not
+          is_set(forward_left_room, 5));
       end if;
-      forward_left_start_cost_0_value_3 := ((forward_left_room / 16) mod 2) = 1;
-      if forward_left_start_cost_0_choice_4 then
-        forward_left_start_cost_0_choice_5 := (not (((forward_left_relief_largest / 16) mod 2) = 1)) or
-          forward_left_start_cost_0_value_3;
+      if forward_left_start_cost_0_choices(6) then
+        forward_left_start_cost_0_choices_from_7(7) := 0;
       else
-        forward_left_start_cost_0_choice_5 := (not (((forward_left_relief_largest / 16) mod 2) = 1)) and
-          forward_left_start_cost_0_value_3;
-      end if;
-      if forward_left_start_cost_0_choice_5 then
-        forward_left_start_cost_0_choice_6 := ((forward_left_relief_largest / 32) = 1) and (not ((forward_left_room /
-          32) = 1));
-      else
-        forward_left_start_cost_0_choice_6 := ((forward_left_relief_largest / 32) = 1) or (not ((forward_left_room /
-          32) = 1));
-      end if;
-      if forward_left_start_cost_0_choice_6 then
-        forward_left_start_cost_0_choice_7 := 0;
-      else
-        forward_left_start_cost_0_choice_7 := (forward_left_room - forward_left_relief_largest) mod 64;
+        forward_left_start_cost_0_choices_from_7(7) := (forward_left_room - forward_left_relief_largest) mod 64;
       end if;
       forward_left_start_cost_0_is_less := 127 < ((forward_left_tree_next_next_smallest_0 mod 64) +
         forward_left_relief_reach_of_best);
       if forward_left_start_cost_0_is_less then
-        forward_left_start_cost_0_choice_8 := (forward_left_tree_next_next_smallest_0 +
+        forward_left_start_cost_0_choices_from_7(8) := (forward_left_tree_next_next_smallest_0 +
           forward_left_relief_reach_of_best) mod 64;
       else
-        forward_left_start_cost_0_choice_8 := 0;
+        forward_left_start_cost_0_choices_from_7(8) := 0;
       end if;
       if forward_left_start_cost_0_any then
-        forward_left_start_cost_0_choice_9 := forward_left_start_cost_0_choice_7;
+        forward_left_start_cost_0_choices_from_7(9) := forward_left_start_cost_0_choices_from_7(7);
       else
-        forward_left_start_cost_0_choice_9 := forward_left_start_cost_0_choice_8;
+        forward_left_start_cost_0_choices_from_7(9) := forward_left_start_cost_0_choices_from_7(8);
       end if;
-      forward_left_room_value := (forward_left_start_cost_6 + forward_left_room) mod 64;
-      if forward_left_start_cost_0_choice_6 then
+      forward_left_room_value := (forward_left_start_cost(6) + forward_left_room) mod 64;
+      if forward_left_start_cost_0_choices(6) then
         forward_left_room_choice := forward_left_room_value;
       else
-        forward_left_room_choice := (forward_left_start_cost_6 + forward_left_relief_largest) mod 64;
+        forward_left_room_choice := (forward_left_start_cost(6) + forward_left_relief_largest) mod 64;
       end if;
       if forward_left_start_cost_0_is_less then
-        forward_left_room_choice_2 := (forward_left_relief_room_of_best - forward_left_tree_next_next_smallest_0) mod
+        forward_left_room_choices(2) := (forward_left_relief_room_of_best - forward_left_tree_next_next_smallest_0) mod
           64;
       else
-        forward_left_room_choice_2 := forward_left_room_value;
+        forward_left_room_choices(2) := forward_left_room_value;
       end if;
       if forward_left_start_cost_0_any then
-        forward_left_room_choice_3 := forward_left_room_choice;
+        forward_left_room_choices(3) := forward_left_room_choice;
       else
-        forward_left_room_choice_3 := forward_left_room_choice_2;
+        forward_left_room_choices(3) := forward_left_room_choices(2);
       end if;
-      if sums_right_first_2 then
+      if sums_right_first(2) then
         forward_left_smallest_choice := 0;
       else
-        forward_left_smallest_choice := forward_reliefs_moved_3;
+        forward_left_smallest_choice := forward_reliefs_moved(3);
       end if;
       forward_left_smallest_difference := (forward_smallest_next_next_next_smallest_0 + forward_left_smallest_choice) -
-        forward_reliefs_moved_2;
-      if (forward_left_smallest_choice - forward_left_relief_past_0) < 0 then
-        forward_left_relief_pairs_0_choice := forward_left_relief_past_0;
+        forward_reliefs_moved(2);
+      if (forward_left_smallest_choice - forward_left_relief_past(0)) < 0 then
+        forward_left_relief_pairs_0_choice := forward_left_relief_past(0);
       else
         forward_left_relief_pairs_0_choice := forward_left_smallest_choice;
       end if;
-      if (forward_reliefs_moved_2 - forward_left_smallest_choice) < 0 then
+      if (forward_reliefs_moved(2) - forward_left_smallest_choice) < 0 then
         forward_left_relief_recent_choice := forward_left_smallest_choice;
       else
-        forward_left_relief_recent_choice := forward_reliefs_moved_2;
+        forward_left_relief_recent_choice := forward_reliefs_moved(2);
       end if;
-      if (forward_reliefs_moved_2 - forward_left_relief_recent) < 0 then
+      if (forward_reliefs_moved(2) - forward_left_relief_recent) < 0 then
         forward_left_relief_largest_choice := forward_left_relief_recent;
       else
-        forward_left_relief_largest_choice := forward_reliefs_moved_2;
+        forward_left_relief_largest_choice := forward_reliefs_moved(2);
       end if;
       forward_left_relief_reach_of_best_sum := forward_left_room + forward_left_relief_leaves;
-      if forward_left_start_cost_0_choice_6 then
+      if forward_left_start_cost_0_choices(6) then
         forward_left_relief_reach_of_best_choice := forward_left_relief_reach_of_best_sum;
       else
         forward_left_relief_reach_of_best_choice := forward_left_relief_largest + forward_left_relief_leaves;
       end if;
       if forward_left_start_cost_0_is_less then
-        forward_left_relief_reach_of_best_choice_2 := (forward_left_relief_reach_again -
+        forward_left_relief_reach_of_best_choices(2) := (forward_left_relief_reach_again -
           (forward_left_tree_next_next_smallest_0 mod 64)) mod 256;
       else
-        forward_left_relief_reach_of_best_choice_2 := forward_left_relief_reach_of_best_sum;
+        forward_left_relief_reach_of_best_choices(2) := forward_left_relief_reach_of_best_sum;
       end if;
       if forward_left_start_cost_0_any then
-        forward_left_relief_reach_of_best_choice_3 := forward_left_relief_reach_of_best_choice;
+        forward_left_relief_reach_of_best_choices(3) := forward_left_relief_reach_of_best_choice;
       else
-        forward_left_relief_reach_of_best_choice_3 := forward_left_relief_reach_of_best_choice_2;
+        forward_left_relief_reach_of_best_choices(3) := forward_left_relief_reach_of_best_choices(2);
       end if;
-      if sums_right_first_2 then
+      if sums_right_first(2) then
         forward_left_relief_leaves_choice := 64;
       else
-        forward_left_relief_leaves_choice := forward_left_start_cost_5 + 64;
+        forward_left_relief_leaves_choice := forward_left_start_cost(5) + 64;
       end if;
-      if (forward_left_arrived_0 - forward_left_cost_0) < 0 then
-        forward_left_cost_0_choice := forward_left_arrived_0;
+      for i in 0 to 11 loop
+        if (forward_left_arrived(i) - forward_left_cost(i)) < 0 then
+          forward_left_cost_choice(i) := forward_left_arrived(i);
+        else
+          forward_left_cost_choice(i) := forward_left_cost(i);
+        end if;
+        if is_set(forward_left_cost_choice(i), 6) or forward_left_first(2) then
+          forward_left_cost_choice_2(i) := 64;
+        else
+          forward_left_cost_choice_2(i) := forward_left_cost_choice(i);
+        end if;
+      end loop;
+      if forward_left_first(2) then
+        forward_left_arrived_choice(0) := 64;
       else
-        forward_left_cost_0_choice := forward_left_cost_0;
+        forward_left_arrived_choice(0) := forward_left_cost(1);
       end if;
-      if ((forward_left_cost_0_choice / 64) = 1) or forward_left_first_2 then
-        forward_left_cost_0_choice_2 := 64;
+      for i in 1 to 2 loop
+        if forward_left_first(2) then
+          forward_left_arrived_choice(i) := 64;
+        else
+          forward_left_arrived_choice(i) := forward_left_pair_choice(i - 1);
+        end if;
+      end loop;
+      for i in 4 to 5 loop
+        if (forward_left_cost(i) - forward_left_cost(i - 2)) < 0 then
+          forward_left_arrived_choice(i - 1) := forward_left_cost(i);
+        else
+          forward_left_arrived_choice(i - 1) := forward_left_cost(i - 2);
+        end if;
+        if forward_left_first(2) then
+          forward_left_arrived_choice_2(i - 1) := 64;
+        else
+          forward_left_arrived_choice_2(i - 1) := forward_left_arrived_choice(i - 1);
+        end if;
+      end loop;
+      for i in 5 to 6 loop
+        if forward_left_first(2) then
+          forward_left_arrived_choice(i) := 64;
+        else
+          forward_left_arrived_choice(i) := forward_left_pair_choice(i - 3);
+        end if;
+      end loop;
+      for i in 8 to 9 loop
+        if (forward_left_cost(i) - forward_left_cost(i - 2)) < 0 then
+          forward_left_arrived_choice(i - 1) := forward_left_cost(i);
+        else
+          forward_left_arrived_choice(i - 1) := forward_left_cost(i - 2);
+        end if;
+        if forward_left_first(2) then
+          forward_left_arrived_choice_2s(i - 1) := 64;
+        else
+          forward_left_arrived_choice_2s(i - 1) := forward_left_arrived_choice(i - 1);
+        end if;
+      end loop;
+      for i in 9 to 10 loop
+        if forward_left_first(2) then
+          forward_left_arrived_choice(i) := 64;
+        else
+          forward_left_arrived_choice(i) := forward_left_pair_choice(i - 5);
+        end if;
+      end loop;
+      if forward_left_first(2) then
+        forward_left_arrived_choice(11) := 64;
       else
-        forward_left_cost_0_choice_2 := forward_left_cost_0_choice;
+        forward_left_arrived_choice(11) := forward_left_cost(10);
       end if;
-      if (forward_left_arrived_1 - forward_left_cost_1) < 0 then
-        forward_left_cost_1_choice := forward_left_arrived_1;
-      else
-        forward_left_cost_1_choice := forward_left_cost_1;
-      end if;
-      if ((forward_left_cost_1_choice / 64) = 1) or forward_left_first_2 then
-        forward_left_cost_1_choice_2 := 64;
-      else
-        forward_left_cost_1_choice_2 := forward_left_cost_1_choice;
-      end if;
-      if (forward_left_arrived_2 - forward_left_cost_2) < 0 then
-        forward_left_cost_2_choice := forward_left_arrived_2;
-      else
-        forward_left_cost_2_choice := forward_left_cost_2;
-      end if;
-      if ((forward_left_cost_2_choice / 64) = 1) or forward_left_first_2 then
-        forward_left_cost_2_choice_2 := 64;
-      else
-        forward_left_cost_2_choice_2 := forward_left_cost_2_choice;
-      end if;
-      if (forward_left_arrived_3 - forward_left_cost_3) < 0 then
-        forward_left_cost_3_choice := forward_left_arrived_3;
-      else
-        forward_left_cost_3_choice := forward_left_cost_3;
-      end if;
-      if ((forward_left_cost_3_choice / 64) = 1) or forward_left_first_2 then
-        forward_left_cost_3_choice_2 := 64;
-      else
-        forward_left_cost_3_choice_2 := forward_left_cost_3_choice;
-      end if;
-      if (forward_left_arrived_4 - forward_left_cost_4) < 0 then
-        forward_left_cost_4_choice := forward_left_arrived_4;
-      else
-        forward_left_cost_4_choice := forward_left_cost_4;
-      end if;
-      if ((forward_left_cost_4_choice / 64) = 1) or forward_left_first_2 then
-        forward_left_cost_4_choice_2 := 64;
-      else
-        forward_left_cost_4_choice_2 := forward_left_cost_4_choice;
-      end if;
-      if (forward_left_arrived_5 - forward_left_cost_5) < 0 then
-        forward_left_cost_5_choice := forward_left_arrived_5;
-      else
-        forward_left_cost_5_choice := forward_left_cost_5;
-      end if;
-      if ((forward_left_cost_5_choice / 64) = 1) or forward_left_first_2 then
-        forward_left_cost_5_choice_2 := 64;
-      else
-        forward_left_cost_5_choice_2 := forward_left_cost_5_choice;
-      end if;
-      if (forward_left_arrived_6 - forward_left_cost_6) < 0 then
-        forward_left_cost_6_choice := forward_left_arrived_6;
-      else
-        forward_left_cost_6_choice := forward_left_cost_6;
-      end if;
-      if ((forward_left_cost_6_choice / 64) = 1) or forward_left_first_2 then
-        forward_left_cost_6_choice_2 := 64;
-      else
-        forward_left_cost_6_choice_2 := forward_left_cost_6_choice;
-      end if;
-      if (forward_left_arrived_7 - forward_left_cost_7) < 0 then
-        forward_left_cost_7_choice := forward_left_arrived_7;
-      else
-        forward_left_cost_7_choice := forward_left_cost_7;
-      end if;
-      if ((forward_left_cost_7_choice / 64) = 1) or forward_left_first_2 then
-        forward_left_cost_7_choice_2 := 64;
-      else
-        forward_left_cost_7_choice_2 := forward_left_cost_7_choice;
-      end if;
-      if (forward_left_arrived_8 - forward_left_cost_8) < 0 then
-        forward_left_cost_8_choice := forward_left_arrived_8;
-      else
-        forward_left_cost_8_choice := forward_left_cost_8;
-      end if;
-      if ((forward_left_cost_8_choice / 64) = 1) or forward_left_first_2 then
-        forward_left_cost_8_choice_2 := 64;
-      else
-        forward_left_cost_8_choice_2 := forward_left_cost_8_choice;
-      end if;
-      if (forward_left_arrived_9 - forward_left_cost_9) < 0 then
-        forward_left_cost_9_choice := forward_left_arrived_9;
-      else
-        forward_left_cost_9_choice := forward_left_cost_9;
-      end if;
-      if ((forward_left_cost_9_choice / 64) = 1) or forward_left_first_2 then
-        forward_left_cost_9_choice_2 := 64;
-      else
-        forward_left_cost_9_choice_2 := forward_left_cost_9_choice;
-      end if;
-      if (forward_left_arrived_10 - forward_left_cost_10) < 0 then
-        forward_left_cost_10_choice := forward_left_arrived_10;
-      else
-        forward_left_cost_10_choice := forward_left_cost_10;
-      end if;
-      if ((forward_left_cost_10_choice / 64) = 1) or forward_left_first_2 then
-        forward_left_cost_10_choice_2 := 64;
-      else
-        forward_left_cost_10_choice_2 := forward_left_cost_10_choice;
-      end if;
-      if (forward_left_arrived_11 - forward_left_cost_11) < 0 then
-        forward_left_cost_11_choice := forward_left_arrived_11;
-      else
-        forward_left_cost_11_choice := forward_left_cost_11;
-      end if;
-      if ((forward_left_cost_11_choice / 64) = 1) or forward_left_first_2 then
-        forward_left_cost_11_choice_2 := 64;
-      else
-        forward_left_cost_11_choice_2 := forward_left_cost_11_choice;
-      end if;
-      if forward_left_first_2 then
-        forward_left_arrived_0_choice := 64;
-      else
-        forward_left_arrived_0_choice := forward_left_cost_1;
-      end if;
-      if forward_left_first_2 then
-        forward_left_arrived_1_choice := 64;
-      else
-        forward_left_arrived_1_choice := forward_left_pair_0_choice;
-      end if;
-      if forward_left_first_2 then
-        forward_left_arrived_2_choice := 64;
-      else
-        forward_left_arrived_2_choice := forward_left_pair_1_choice;
-      end if;
-      if (forward_left_cost_4 - forward_left_cost_2) < 0 then
-        forward_left_arrived_3_choice := forward_left_cost_4;
-      else
-        forward_left_arrived_3_choice := forward_left_cost_2;
-      end if;
-      if forward_left_first_2 then
-        forward_left_arrived_3_choice_2 := 64;
-      else
-        forward_left_arrived_3_choice_2 := forward_left_arrived_3_choice;
-      end if;
-      if (forward_left_cost_5 - forward_left_cost_3) < 0 then
-        forward_left_arrived_4_choice := forward_left_cost_5;
-      else
-        forward_left_arrived_4_choice := forward_left_cost_3;
-      end if;
-      if forward_left_first_2 then
-        forward_left_arrived_4_choice_2 := 64;
-      else
-        forward_left_arrived_4_choice_2 := forward_left_arrived_4_choice;
-      end if;
-      if forward_left_first_2 then
-        forward_left_arrived_5_choice := 64;
-      else
-        forward_left_arrived_5_choice := forward_left_pair_2_choice;
-      end if;
-      if forward_left_first_2 then
-        forward_left_arrived_6_choice := 64;
-      else
-        forward_left_arrived_6_choice := forward_left_pair_3_choice;
-      end if;
-      if (forward_left_cost_8 - forward_left_cost_6) < 0 then
-        forward_left_arrived_7_choice := forward_left_cost_8;
-      else
-        forward_left_arrived_7_choice := forward_left_cost_6;
-      end if;
-      if forward_left_first_2 then
-        forward_left_arrived_7_choice_2 := 64;
-      else
-        forward_left_arrived_7_choice_2 := forward_left_arrived_7_choice;
-      end if;
-      if (forward_left_cost_9 - forward_left_cost_7) < 0 then
-        forward_left_arrived_8_choice := forward_left_cost_9;
-      else
-        forward_left_arrived_8_choice := forward_left_cost_7;
-      end if;
-      if forward_left_first_2 then
-        forward_left_arrived_8_choice_2 := 64;
-      else
-        forward_left_arrived_8_choice_2 := forward_left_arrived_8_choice;
-      end if;
-      if forward_left_first_2 then
-        forward_left_arrived_9_choice := 64;
-      else
-        forward_left_arrived_9_choice := forward_left_pair_4_choice;
-      end if;
-      if forward_left_first_2 then
-        forward_left_arrived_10_choice := 64;
-      else
-        forward_left_arrived_10_choice := forward_left_pair_5_choice;
-      end if;
-      if forward_left_first_2 then
-        forward_left_arrived_11_choice := 64;
-      else
-        forward_left_arrived_11_choice := forward_left_cost_10;
-      end if;
-      if forward_above_ready_top then
-        forward_above_total_0_choice := 31;
-      else
-        forward_above_total_0_choice := to_integer(forward_above_ready_words_0(4 downto 0));
-      end if;
-      if forward_above_ready_top then
-        forward_above_total_1_choice := 31;
-      else
-        forward_above_total_1_choice := to_integer(forward_above_ready_words_0(9 downto 5));
-      end if;
-      if forward_above_ready_top then
-        forward_above_total_2_choice := 31;
-      else
-        forward_above_total_2_choice := to_integer(forward_above_ready_words_0(14 downto 10));
-      end if;
-      if forward_above_ready_top then
-        forward_above_total_3_choice := 31;
-      else
-        forward_above_total_3_choice := to_integer(forward_above_ready_words_0(19 downto 15));
-      end if;
-      if forward_above_ready_top then
-        forward_above_total_4_choice := 31;
-      else
-        forward_above_total_4_choice := to_integer(forward_above_ready_words_0(24 downto 20));
-      end if;
-      if forward_above_ready_top then
-        forward_above_total_5_choice := 31;
-      else
-        forward_above_total_5_choice := to_integer(forward_above_ready_words_0(29 downto 25));
-      end if;
-      if forward_above_ready_top then
-        forward_above_total_6_choice := 31;
-      else
-        forward_above_total_6_choice := to_integer(forward_above_ready_words_1(4 downto 0));
-      end if;
-      if forward_above_ready_top then
-        forward_above_total_7_choice := 31;
-      else
-        forward_above_total_7_choice := to_integer(forward_above_ready_words_1(9 downto 5));
-      end if;
-      if forward_above_ready_top then
-        forward_above_total_8_choice := 31;
-      else
-        forward_above_total_8_choice := to_integer(forward_above_ready_words_1(14 downto 10));
-      end if;
-      if forward_above_ready_top then
-        forward_above_total_9_choice := 31;
-      else
-        forward_above_total_9_choice := to_integer(forward_above_ready_words_1(19 downto 15));
-      end if;
-      if forward_above_ready_top then
-        forward_above_total_10_choice := 31;
-      else
-        forward_above_total_10_choice := to_integer(forward_above_ready_words_1(24 downto 20));
-      end if;
-      if forward_above_ready_top then
-        forward_above_total_11_choice := 31;
-      else
-        forward_above_total_11_choice := to_integer(forward_above_ready_words_1(29 downto 25));
-      end if;
+      for i in 0 to 1 loop
+        for j in 0 to 5 loop
+          if forward_above_ready_top then
+            forward_above_total_choice(6 * i + j) := 31;
+          else
+            forward_above_total_choice(6 * i + j) := to_integer(forward_above_ready_words(i)(5 * j + 4 downto 5 * j));
+          end if;
+        end loop;
+      end loop;
       if entry_tag_valid then
-        forward_smallest_next_next_smallest_1 <= forward_smallest_next_smallest_2;
+        forward_smallest_next_next_smallest(1) <= forward_smallest_next_smallest(2);
         forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
-        forward_left_pair_0 <= forward_left_pair_0_choice;
-        forward_left_pair_1 <= forward_left_pair_1_choice;
-        forward_left_pair_2 <= forward_left_pair_2_choice;
-        forward_left_pair_3 <= forward_left_pair_3_choice;
-        forward_left_pair_4 <= forward_left_pair_4_choice;
-        forward_left_pair_5 <= forward_left_pair_5_choice;
-        forward_left_tree_next_smallest_1 <= forward_left_tree_smallest_2;
+        for i in 0 to 5 loop
+          forward_left_pair(i) <= forward_left_pair_choice(i);
+        end loop;
+        forward_left_tree_next_smallest(1) <= forward_left_tree_smallest(2);
         forward_left_smallest <= forward_left_smallest_difference mod 128;
         forward_left_smallest_less <= (forward_left_smallest_difference + 121) mod 128;
-        forward_left_first_0 <= sums_right_first_2;
-        forward_left_first_1 <= forward_left_first_0;
-        forward_left_first_2 <= forward_left_first_1;
-        forward_left_relief_next_0 <= forward_reliefs_moved_2;
-        forward_left_relief_past_0 <= forward_left_smallest_choice;
-        forward_left_relief_past_1 <= forward_left_relief_past_0;
-        forward_left_relief_past_2 <= forward_left_relief_past_1;
-        forward_left_relief_past_3 <= forward_left_relief_past_2;
-        forward_left_relief_past_4 <= forward_left_relief_past_3;
-        forward_left_relief_past_5 <= forward_left_relief_past_4;
-        forward_left_relief_pairs_0 <= forward_left_relief_pairs_0_choice;
-        forward_left_relief_pairs_1 <= forward_left_relief_pairs_0;
+        forward_left_first(0) <= sums_right_first(2);
+        forward_left_first(1) <= forward_left_first(0);
+        forward_left_first(2) <= forward_left_first(1);
+        forward_left_relief_next_0 <= forward_reliefs_moved(2);
+        forward_left_relief_past(0) <= forward_left_smallest_choice;
+        for i in 1 to 5 loop
+          forward_left_relief_past(i) <= forward_left_relief_past(i - 1);
+        end loop;
+        forward_left_relief_pairs(0) <= forward_left_relief_pairs_0_choice;
+        forward_left_relief_pairs(1) <= forward_left_relief_pairs(0);
         forward_left_relief_largest <= forward_left_relief_largest_choice;
-        forward_left_relief_beyond <= (forward_left_relief_largest_choice - forward_left_relief_past_5) mod 64;
-        forward_left_relief_leaves <= forward_left_relief_leaves_choice - forward_left_relief_past_4;
-        forward_left_relief_room_of_best <= forward_left_relief_past_5 + forward_left_relief_leaves_choice;
-        forward_left_relief_reach_again <= (64 - forward_left_relief_past_4) + forward_left_relief_past_5 +
+        forward_left_relief_beyond <= (forward_left_relief_largest_choice - forward_left_relief_past(5)) mod 64;
+        forward_left_relief_leaves <= forward_left_relief_leaves_choice - forward_left_relief_past(4);
+        forward_left_relief_room_of_best <= forward_left_relief_past(5) + forward_left_relief_leaves_choice;
+        forward_left_relief_reach_again <= (64 - forward_left_relief_past(4)) + forward_left_relief_past(5) +
           forward_left_relief_leaves_choice;
-        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 128;
-        forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 128;
-        forward_left_stay_change_0 <= (forward_cost_0_0 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_1 <= (forward_cost_0_1 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_2 <= (forward_cost_0_2 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_3 <= (forward_cost_0_3 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_4 <= (forward_cost_0_4 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_5 <= (forward_cost_0_5 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_6 <= (forward_cost_0_6 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_7 <= (forward_cost_0_7 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_8 <= (forward_cost_0_8 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_9 <= (forward_cost_0_9 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_10 <= (forward_cost_0_10 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_11 <= (forward_cost_0_11 - forward_left_g_copy_0) mod 128;
-        forward_left_step_change_0 <= (forward_cost_0_0 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_1 <= (forward_cost_0_1 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_2 <= (forward_cost_0_2 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_3 <= (forward_cost_0_3 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_4 <= (forward_cost_0_4 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_5 <= (forward_cost_0_5 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_6 <= (forward_cost_0_6 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_7 <= (forward_cost_0_7 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_8 <= (forward_cost_0_8 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_9 <= (forward_cost_0_9 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_10 <= (forward_cost_0_10 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_11 <= (forward_cost_0_11 - forward_left_g_less_copy_0) mod 128;
-        forward_left_cost_0 <= (forward_left_cost_0_choice_2 + forward_left_stay_change_0) mod 128;
-        forward_left_cost_1 <= (forward_left_cost_1_choice_2 + forward_left_stay_change_1) mod 128;
-        forward_left_cost_2 <= (forward_left_cost_2_choice_2 + forward_left_stay_change_2) mod 128;
-        forward_left_cost_3 <= (forward_left_cost_3_choice_2 + forward_left_stay_change_3) mod 128;
-        forward_left_cost_4 <= (forward_left_cost_4_choice_2 + forward_left_stay_change_4) mod 128;
-        forward_left_cost_5 <= (forward_left_cost_5_choice_2 + forward_left_stay_change_5) mod 128;
-        forward_left_cost_6 <= (forward_left_cost_6_choice_2 + forward_left_stay_change_6) mod 128;
-        forward_left_cost_7 <= (forward_left_cost_7_choice_2 + forward_left_stay_change_7) mod 128;
-        forward_left_cost_8 <= (forward_left_cost_8_choice_2 + forward_left_stay_change_8) mod 128;
-        forward_left_cost_9 <= (forward_left_cost_9_choice_2 + forward_left_stay_change_9) mod 128;
-        forward_left_cost_10 <= (forward_left_cost_10_choice_2 + forward_left_stay_change_10) mod 128;
-        forward_left_cost_11 <= (forward_left_cost_11_choice_2 + forward_left_stay_change_11) mod 128;
-        forward_left_arrived_0 <= (forward_left_arrived_0_choice + forward_left_step_change_0) mod 128;
-        forward_left_arrived_1 <= (forward_left_arrived_1_choice + forward_left_step_change_1) mod 128;
-        forward_left_arrived_2 <= (forward_left_arrived_2_choice + forward_left_step_change_2) mod 128;
-        forward_left_arrived_3 <= (forward_left_arrived_3_choice_2 + forward_left_step_change_3) mod 128;
-        forward_left_arrived_4 <= (forward_left_arrived_4_choice_2 + forward_left_step_change_4) mod 128;
-        forward_left_arrived_5 <= (forward_left_arrived_5_choice + forward_left_step_change_5) mod 128;
-        forward_left_arrived_6 <= (forward_left_arrived_6_choice + forward_left_step_change_6) mod 128;
-        forward_left_arrived_7 <= (forward_left_arrived_7_choice_2 + forward_left_step_change_7) mod 128;
-        forward_left_arrived_8 <= (forward_left_arrived_8_choice_2 + forward_left_step_change_8) mod 128;
-        forward_left_arrived_9 <= (forward_left_arrived_9_choice + forward_left_step_change_9) mod 128;
-        forward_left_arrived_10 <= (forward_left_arrived_10_choice + forward_left_step_change_10) mod 128;
-        forward_left_arrived_11 <= (forward_left_arrived_11_choice + forward_left_step_change_11) mod 128;
-        forward_above_ready_words_0 <= forward_above_read_words_0;
-        forward_above_ready_words_1 <= forward_above_read_words_1;
-        forward_above_ready_cost_0 <= entry_cost_0;
-        forward_above_ready_cost_1 <= entry_cost_1;
-        forward_above_ready_cost_2 <= entry_cost_2;
-        forward_above_ready_cost_3 <= entry_cost_3;
-        forward_above_ready_cost_4 <= entry_cost_4;
-        forward_above_ready_cost_5 <= entry_cost_5;
-        forward_above_ready_cost_6 <= entry_cost_6;
-        forward_above_ready_cost_7 <= entry_cost_7;
-        forward_above_ready_cost_8 <= entry_cost_8;
-        forward_above_ready_cost_9 <= entry_cost_9;
-        forward_above_ready_cost_10 <= entry_cost_10;
-        forward_above_ready_cost_11 <= entry_cost_11;
+        forward_left_g_copy_0 <= (forward_left_start_cost(0) + forward_left_smallest) mod 128;
+        forward_left_g_less_copy_0 <= (forward_left_start_cost(0) + forward_left_smallest_less) mod 128;
+        for i in 0 to 11 loop
+          forward_left_stay_change(i) <= (forward_cost(0, i) - forward_left_g_copy_0) mod 128;
+        end loop;
+        for i in 0 to 11 loop
+          forward_left_step_change(i) <= (forward_cost(0, i) - forward_left_g_less_copy_0) mod 128;
+        end loop;
+        for i in 0 to 11 loop
+          forward_left_cost(i) <= (forward_left_cost_choice_2(i) + forward_left_stay_change(i)) mod 128;
+        end loop;
+        for i in 0 to 2 loop
+          forward_left_arrived(i) <= (forward_left_arrived_choice(i) + forward_left_step_change(i)) mod 128;
+        end loop;
+        forward_left_arrived(3) <= (forward_left_arrived_choice_2(3) + forward_left_step_change(3)) mod 128;
+        forward_left_arrived(4) <= (forward_left_arrived_choice_2(4) + forward_left_step_change(4)) mod 128;
+        forward_left_arrived(5) <= (forward_left_arrived_choice(5) + forward_left_step_change(5)) mod 128;
+        forward_left_arrived(6) <= (forward_left_arrived_choice(6) + forward_left_step_change(6)) mod 128;
+        forward_left_arrived(7) <= (forward_left_arrived_choice_2s(7) + forward_left_step_change(7)) mod 128;
+        forward_left_arrived(8) <= (forward_left_arrived_choice_2s(8) + forward_left_step_change(8)) mod 128;
+        for i in 9 to 11 loop
+          forward_left_arrived(i) <= (forward_left_arrived_choice(i) + forward_left_step_change(i)) mod 128;
+        end loop;
+        forward_above_ready_words(0) <= forward_above_read_words(0);
+        forward_above_ready_words(1) <= forward_above_read_words(1);
+        for i in 0 to 11 loop
+          forward_above_ready_cost(i) <= entry_cost(i);
+        end loop;
         forward_above_ready_top <= entry_top;
-        forward_above_total_0 <= forward_above_total_0_choice + forward_above_ready_cost_0;
-        forward_above_total_1 <= forward_above_total_1_choice + forward_above_ready_cost_1;
-        forward_above_total_2 <= forward_above_total_2_choice + forward_above_ready_cost_2;
-        forward_above_total_3 <= forward_above_total_3_choice + forward_above_ready_cost_3;
-        forward_above_total_4 <= forward_above_total_4_choice + forward_above_ready_cost_4;
-        forward_above_total_5 <= forward_above_total_5_choice + forward_above_ready_cost_5;
-        forward_above_total_6 <= forward_above_total_6_choice + forward_above_ready_cost_6;
-        forward_above_total_7 <= forward_above_total_7_choice + forward_above_ready_cost_7;
-        forward_above_total_8 <= forward_above_total_8_choice + forward_above_ready_cost_8;
-        forward_above_total_9 <= forward_above_total_9_choice + forward_above_ready_cost_9;
-        forward_above_total_10 <= forward_above_total_10_choice + forward_above_ready_cost_10;
-        forward_above_total_11 <= forward_above_total_11_choice + forward_above_ready_cost_11;
-        forward_above_tree_next_next_smallest_1 <= forward_above_tree_next_smallest_2;
+        for i in 0 to 11 loop
+          forward_above_total(i) <= forward_above_total_choice(i) + forward_above_ready_cost(i);
+        end loop;
+        forward_above_tree_next_next_smallest(1) <= forward_above_tree_next_smallest(2);
         forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
         forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
-        forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 64;
-        forward_above_cost_1 <= (to_integer(forward_above_delay_held_0(29 downto 6)) - forward_above_smallest_copy_0)
+        for i in 0 to 1 loop
+          forward_above_cost(5 * i) <= (to_integer(forward_above_delay_held(i)) - forward_above_smallest_copy_0) mod 64;
+          forward_above_cost(5 * i + 1) <= (to_integer(forward_above_delay_held(i)(29 downto 6)) -
+            forward_above_smallest_copy_0) mod 64;
+          forward_above_cost(5 * i + 2) <= (to_integer(forward_above_delay_held(i)(29 downto 12)) -
+            forward_above_smallest_copy_0) mod 64;
+          forward_above_cost(5 * i + 3) <= (to_integer(forward_above_delay_held(i)(29 downto 18)) -
+            forward_above_smallest_copy_0) mod 64;
+          forward_above_cost(5 * i + 4) <= (to_integer(forward_above_delay_held(i)(29 downto 24)) -
+            forward_above_smallest_copy_0) mod 64;
+        end loop;
+        forward_above_cost(10) <= (to_integer(forward_above_delay_held_2) - forward_above_smallest_copy_0) mod 64;
+        forward_above_cost(11) <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
           mod 64;
-        forward_above_cost_2 <= (to_integer(forward_above_delay_held_0(29 downto 12)) - forward_above_smallest_copy_0)
-          mod 64;
-        forward_above_cost_3 <= (to_integer(forward_above_delay_held_0(29 downto 18)) - forward_above_smallest_copy_0)
-          mod 64;
-        forward_above_cost_4 <= (to_integer(forward_above_delay_held_0(29 downto 24)) - forward_above_smallest_copy_0)
-          mod 64;
-        forward_above_cost_5 <= (to_integer(forward_above_delay_held_1) - forward_above_smallest_copy_0) mod 64;
-        forward_above_cost_6 <= (to_integer(forward_above_delay_held_1(29 downto 6)) - forward_above_smallest_copy_0)
-          mod 64;
-        forward_above_cost_7 <= (to_integer(forward_above_delay_held_1(29 downto 12)) - forward_above_smallest_copy_0)
-          mod 64;
-        forward_above_cost_8 <= (to_integer(forward_above_delay_held_1(29 downto 18)) - forward_above_smallest_copy_0)
-          mod 64;
-        forward_above_cost_9 <= (to_integer(forward_above_delay_held_1(29 downto 24)) - forward_above_smallest_copy_0)
-          mod 64;
-        forward_above_cost_10 <= (to_integer(forward_above_delay_held_2) - forward_above_smallest_copy_0) mod 64;
-        forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
-          mod 64;
-        forward_above_beside_0 <= forward_above_cost_1;
-        forward_above_beside_11 <= forward_above_cost_10;
-        forward_above_own_0 <= forward_above_cost_0;
-        forward_above_own_2 <= forward_above_cost_2;
-        forward_above_own_3 <= forward_above_cost_3;
-        forward_above_own_4 <= forward_above_cost_4;
-        forward_above_own_5 <= forward_above_cost_5;
-        forward_above_own_6 <= forward_above_cost_6;
-        forward_above_own_7 <= forward_above_cost_7;
-        forward_above_own_8 <= forward_above_cost_8;
-        forward_above_own_9 <= forward_above_cost_9;
-        forward_above_own_11 <= forward_above_cost_11;
-        forward_above_step_0 <= forward_above_beside_0 + 5;
-        forward_above_step_1 <= forward_above_beside_1 + 5;
-        forward_above_step_2 <= forward_above_beside_2 + 5;
-        forward_above_step_3 <= forward_above_beside_3 + 5;
-        forward_above_step_4 <= forward_above_beside_4 + 5;
-        forward_above_step_5 <= forward_above_beside_5 + 5;
-        forward_above_step_6 <= forward_above_beside_6 + 5;
-        forward_above_step_7 <= forward_above_beside_7 + 5;
-        forward_above_step_8 <= forward_above_beside_8 + 5;
-        forward_above_step_9 <= forward_above_beside_9 + 5;
-        forward_above_step_10 <= forward_above_beside_10 + 5;
-        forward_above_step_11 <= forward_above_beside_11 + 5;
-        forward_above_comes_0 <= entry_tag_map_column;
-        forward_above_comes_1 <= forward_above_comes_0;
-        forward_above_comes_2 <= forward_above_comes_1;
-        forward_above_comes_3 <= forward_above_comes_2;
-        forward_above_comes_4 <= forward_above_comes_3;
-        forward_above_comes_5 <= forward_above_comes_4;
-        forward_above_comes_6 <= forward_above_comes_5;
-        forward_above_comes_7 <= forward_above_comes_6;
-        forward_above_comes_8 <= forward_above_comes_7;
-        forward_above_comes_9 <= forward_above_comes_8;
-        forward_above_column_0 <= entry_column;
-        forward_above_column_1 <= forward_above_column_0;
-        forward_above_column_2 <= forward_above_column_1;
-        forward_above_column_3 <= forward_above_column_2;
-        forward_above_column_4 <= forward_above_column_3;
-        forward_above_column_5 <= forward_above_column_4;
-        forward_above_column_6 <= forward_above_column_5;
-        forward_above_column_7 <= forward_above_column_6;
-        forward_above_column_8 <= forward_above_column_7;
-        forward_above_column_9 <= forward_above_column_8;
-        forward_first_0 <= entry_turned_first_column;
-        forward_first_1 <= forward_first_0;
-        forward_first_2 <= forward_first_1;
-        forward_first_3 <= forward_first_2;
-        forward_reliefs_moved_0 <= relief_entered;
-        forward_reliefs_moved_1 <= forward_reliefs_moved_0;
-        forward_reliefs_moved_2 <= forward_reliefs_moved_1;
-        forward_reliefs_moved_3 <= forward_reliefs_moved_2;
-        forward_reliefs_moved_4 <= forward_left_relief_next_0;
-        forward_reliefs_moved_5 <= forward_reliefs_moved_4;
-        forward_reliefs_moved_6 <= forward_reliefs_moved_5;
-        forward_reliefs_moved_7 <= forward_reliefs_moved_6;
-        forward_reliefs_moved_8 <= forward_reliefs_moved_7;
-        forward_cost_0_0 <= to_integer(forward_cost_delay_held_0(2 downto 0));
-        forward_cost_0_1 <= to_integer(forward_cost_delay_held_0(5 downto 0)) / 8;
-        forward_cost_0_2 <= to_integer(forward_cost_delay_held_0(8 downto 6));
-        forward_cost_0_3 <= to_integer(forward_cost_delay_held_0(11 downto 9));
-        forward_cost_0_4 <= to_integer(forward_cost_delay_held_0(14 downto 12));
-        forward_cost_0_5 <= to_integer(forward_cost_delay_held_0(17 downto 15));
-        forward_cost_0_6 <= to_integer(forward_cost_delay_held_0(20 downto 18));
-        forward_cost_0_7 <= to_integer(forward_cost_delay_held_0(23 downto 21));
-        forward_cost_0_8 <= to_integer(forward_cost_delay_held_0(26 downto 24));
-        forward_cost_0_9 <= to_integer(forward_cost_delay_held_0(29 downto 27));
-        forward_cost_0_10 <= to_integer(forward_cost_delay_held_1(2 downto 0));
-        forward_cost_0_11 <= to_integer(forward_cost_delay_held_1(5 downto 0)) / 8;
-        forward_cost_1_0 <= forward_cost_0_0;
-        forward_cost_1_1 <= forward_cost_0_1;
-        forward_cost_1_2 <= forward_cost_0_2;
-        forward_cost_1_3 <= forward_cost_0_3;
-        forward_cost_1_4 <= forward_cost_0_4;
-        forward_cost_1_5 <= forward_cost_0_5;
-        forward_cost_1_6 <= forward_cost_0_6;
-        forward_cost_1_7 <= forward_cost_0_7;
-        forward_cost_1_8 <= forward_cost_0_8;
-        forward_cost_1_9 <= forward_cost_0_9;
-        forward_cost_1_10 <= forward_cost_0_10;
-        forward_cost_1_11 <= forward_cost_0_11;
-        forward_cost_2_0 <= forward_cost_1_0;
-        forward_cost_2_1 <= forward_cost_1_1;
-        forward_cost_2_2 <= forward_cost_1_2;
-        forward_cost_2_3 <= forward_cost_1_3;
-        forward_cost_2_4 <= forward_cost_1_4;
-        forward_cost_2_5 <= forward_cost_1_5;
-        forward_cost_2_6 <= forward_cost_1_6;
-        forward_cost_2_7 <= forward_cost_1_7;
-        forward_cost_2_8 <= forward_cost_1_8;
-        forward_cost_2_9 <= forward_cost_1_9;
-        forward_cost_2_10 <= forward_cost_1_10;
-        forward_cost_2_11 <= forward_cost_1_11;
-        forward_cost_3_0 <= forward_cost_2_0;
-        forward_cost_3_1 <= forward_cost_2_1;
-        forward_cost_3_2 <= forward_cost_2_2;
-        forward_cost_3_3 <= forward_cost_2_3;
-        forward_cost_3_4 <= forward_cost_2_4;
-        forward_cost_3_5 <= forward_cost_2_5;
-        forward_cost_3_6 <= forward_cost_2_6;
-        forward_cost_3_7 <= forward_cost_2_7;
-        forward_cost_3_8 <= forward_cost_2_8;
-        forward_cost_3_9 <= forward_cost_2_9;
-        forward_cost_3_10 <= forward_cost_2_10;
-        forward_cost_3_11 <= forward_cost_2_11;
-        forward_smallest_cost_0 <= forward_smallest_next_next_next_smallest_0;
-        forward_smallest_cost_1 <= forward_smallest_cost_0;
-        forward_smallest_cost_2 <= forward_smallest_cost_1;
-        forward_smallest_cost_3 <= forward_smallest_cost_2;
-        forward_smallest_cost_4 <= forward_smallest_cost_3;
-        if (entry_cost_1 - entry_cost_0) < 0 then
-          forward_smallest_smallest_0 <= entry_cost_1;
+        forward_above_beside(0) <= forward_above_cost(1);
+        forward_above_beside(11) <= forward_above_cost(10);
+        forward_above_own_0 <= forward_above_cost(0);
+        for i in 2 to 9 loop
+          forward_above_own(i) <= forward_above_cost(i);
+        end loop;
+        forward_above_own_11 <= forward_above_cost(11);
+        for i in 0 to 11 loop
+          forward_above_step(i) <= forward_above_beside(i) + 5;
+        end loop;
+        forward_above_comes(0) <= entry_tag_map_column;
+        for i in 1 to 9 loop
+          forward_above_comes(i) <= forward_above_comes(i - 1);
+        end loop;
+        forward_above_column(0) <= entry_column;
+        for i in 1 to 9 loop
+          forward_above_column(i) <= forward_above_column(i - 1);
+        end loop;
+        forward_first(0) <= entry_turned_first_column;
+        forward_first(1) <= forward_first(0);
+        forward_first(2) <= forward_first(1);
+        forward_first(3) <= forward_first(2);
+        forward_reliefs_moved(0) <= relief_entered;
+        forward_reliefs_moved(1) <= forward_reliefs_moved(0);
+        forward_reliefs_moved(2) <= forward_reliefs_moved(1);
+        forward_reliefs_moved(3) <= forward_reliefs_moved(2);
+        forward_reliefs_moved(4) <= forward_left_relief_next_0;
+        forward_reliefs_moved(5) <= forward_reliefs_moved(4);
+        forward_reliefs_moved(6) <= forward_reliefs_moved(5);
+        forward_reliefs_moved(7) <= forward_reliefs_moved(6);
+        forward_reliefs_moved(8) <= forward_reliefs_moved(7);
+        forward_cost(0, 0) <= to_integer(forward_cost_delay_held_0(2 downto 0));
+        forward_cost(0, 1) <= to_integer(forward_cost_delay_held_0(5 downto 0)) / 8;
+        for i in 2 to 9 loop
+          forward_cost(0, i) <= to_integer(forward_cost_delay_held_0(3 * i + 2 downto 3 * i));
+        end loop;
+        forward_cost(0, 10) <= to_integer(forward_cost_delay_held_1(2 downto 0));
+        forward_cost(0, 11) <= to_integer(forward_cost_delay_held_1(5 downto 0)) / 8;
+        for i in 1 to 3 loop
+          for j in 0 to 11 loop
+            forward_cost(i, j) <= forward_cost(i - 1, j);
+          end loop;
+        end loop;
+        forward_smallest_cost(0) <= forward_smallest_next_next_next_smallest_0;
+        forward_smallest_cost(1) <= forward_smallest_cost(0);
+        forward_smallest_cost(2) <= forward_smallest_cost(1);
+        forward_smallest_cost(3) <= forward_smallest_cost(2);
+        forward_smallest_cost(4) <= forward_smallest_cost(3);
+        for i in 0 to 5 loop
+          if (entry_cost(2 * i + 1) - entry_cost(2 * i)) < 0 then
+            forward_smallest_smallest(i) <= entry_cost(2 * i + 1);
+          else
+            forward_smallest_smallest(i) <= entry_cost(2 * i);
+          end if;
+        end loop;
+        for i in 0 to 2 loop
+          if (forward_smallest_smallest(2 * i + 1) - forward_smallest_smallest(2 * i)) < 0 then
+            forward_smallest_next_smallest(i) <= forward_smallest_smallest(2 * i + 1);
+          else
+            forward_smallest_next_smallest(i) <= forward_smallest_smallest(2 * i);
+          end if;
+        end loop;
+        if (forward_smallest_next_smallest(1) - forward_smallest_next_smallest(0)) < 0 then
+          forward_smallest_next_next_smallest(0) <= forward_smallest_next_smallest(1);
         else
-          forward_smallest_smallest_0 <= entry_cost_0;
+          forward_smallest_next_next_smallest(0) <= forward_smallest_next_smallest(0);
         end if;
-        if (entry_cost_3 - entry_cost_2) < 0 then
-          forward_smallest_smallest_1 <= entry_cost_3;
+        if (forward_smallest_next_next_smallest(1) - forward_smallest_next_next_smallest(0)) < 0 then
+          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest(1);
         else
-          forward_smallest_smallest_1 <= entry_cost_2;
-        end if;
-        if (entry_cost_5 - entry_cost_4) < 0 then
-          forward_smallest_smallest_2 <= entry_cost_5;
-        else
-          forward_smallest_smallest_2 <= entry_cost_4;
-        end if;
-        if (entry_cost_7 - entry_cost_6) < 0 then
-          forward_smallest_smallest_3 <= entry_cost_7;
-        else
-          forward_smallest_smallest_3 <= entry_cost_6;
-        end if;
-        if (entry_cost_9 - entry_cost_8) < 0 then
-          forward_smallest_smallest_4 <= entry_cost_9;
-        else
-          forward_smallest_smallest_4 <= entry_cost_8;
-        end if;
-        if (entry_cost_11 - entry_cost_10) < 0 then
-          forward_smallest_smallest_5 <= entry_cost_11;
-        else
-          forward_smallest_smallest_5 <= entry_cost_10;
-        end if;
-        if (forward_smallest_smallest_1 - forward_smallest_smallest_0) < 0 then
-          forward_smallest_next_smallest_0 <= forward_smallest_smallest_1;
-        else
-          forward_smallest_next_smallest_0 <= forward_smallest_smallest_0;
-        end if;
-        if (forward_smallest_smallest_3 - forward_smallest_smallest_2) < 0 then
-          forward_smallest_next_smallest_1 <= forward_smallest_smallest_3;
-        else
-          forward_smallest_next_smallest_1 <= forward_smallest_smallest_2;
-        end if;
-        if (forward_smallest_smallest_5 - forward_smallest_smallest_4) < 0 then
-          forward_smallest_next_smallest_2 <= forward_smallest_smallest_5;
-        else
-          forward_smallest_next_smallest_2 <= forward_smallest_smallest_4;
-        end if;
-        if (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 then
-          forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1;
-        else
-          forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_0;
-        end if;
-        if (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 then
-          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1;
-        else
-          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_0;
+          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest(0);
         end if;
         if forward_cost_delay_ring_read_address = 4 then
           forward_cost_delay_ring_read_address <= 0;
         else
           forward_cost_delay_ring_read_address <= (forward_cost_delay_ring_read_address + 1) mod 8;
         end if;
-        if (forward_left_pair_1 - forward_left_pair_0) < 0 then
-          forward_left_tree_smallest_0 <= forward_left_pair_1;
+        for i in 0 to 2 loop
+          if (forward_left_pair(2 * i + 1) - forward_left_pair(2 * i)) < 0 then
+            forward_left_tree_smallest(i) <= forward_left_pair(2 * i + 1);
+          else
+            forward_left_tree_smallest(i) <= forward_left_pair(2 * i);
+          end if;
+        end loop;
+        if (forward_left_tree_smallest(1) - forward_left_tree_smallest(0)) < 0 then
+          forward_left_tree_next_smallest(0) <= forward_left_tree_smallest(1);
         else
-          forward_left_tree_smallest_0 <= forward_left_pair_0;
+          forward_left_tree_next_smallest(0) <= forward_left_tree_smallest(0);
         end if;
-        if (forward_left_pair_3 - forward_left_pair_2) < 0 then
-          forward_left_tree_smallest_1 <= forward_left_pair_3;
+        if (forward_left_tree_next_smallest(1) - forward_left_tree_next_smallest(0)) < 0 then
+          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest(1);
         else
-          forward_left_tree_smallest_1 <= forward_left_pair_2;
+          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest(0);
         end if;
-        if (forward_left_pair_5 - forward_left_pair_4) < 0 then
-          forward_left_tree_smallest_2 <= forward_left_pair_5;
-        else
-          forward_left_tree_smallest_2 <= forward_left_pair_4;
-        end if;
-        if (forward_left_tree_smallest_1 - forward_left_tree_smallest_0) < 0 then
-          forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1;
-        else
-          forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_0;
-        end if;
-        if (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 then
-          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1;
-        else
-          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_0;
-        end if;
-        if sums_right_first_2 then
-          forward_left_start_cost_0 <= 60;
-          forward_left_start_cost_1 <= 0;
-          forward_left_start_cost_2 <= 0;
-          forward_left_start_cost_3 <= 0;
-          forward_left_start_cost_4 <= 0;
-          forward_left_start_cost_5 <= 0;
-          forward_left_start_cost_6 <= 0;
+        if sums_right_first(2) then
+          forward_left_start_cost(0) <= 60;
+          for i in 1 to 6 loop
+            forward_left_start_cost(i) <= 0;
+          end loop;
           forward_left_room <= 0;
           forward_left_relief_reach_of_best <= 0;
         else
-          forward_left_start_cost_0 <= forward_left_start_cost_0_choice_9;
-          forward_left_start_cost_1 <= forward_left_start_cost_0;
-          forward_left_start_cost_2 <= forward_left_start_cost_1;
-          forward_left_start_cost_3 <= forward_left_start_cost_2;
-          forward_left_start_cost_4 <= forward_left_start_cost_3;
-          forward_left_start_cost_5 <= forward_left_start_cost_4;
-          forward_left_start_cost_6 <= forward_left_start_cost_5;
-          forward_left_room <= forward_left_room_choice_3;
-          forward_left_relief_reach_of_best <= forward_left_relief_reach_of_best_choice_3;
+          forward_left_start_cost(0) <= forward_left_start_cost_0_choices_from_7(9);
+          for i in 1 to 6 loop
+            forward_left_start_cost(i) <= forward_left_start_cost(i - 1);
+          end loop;
+          forward_left_room <= forward_left_room_choices(3);
+          forward_left_relief_reach_of_best <= forward_left_relief_reach_of_best_choices(3);
         end if;
-        if (forward_left_relief_pairs_0_choice - forward_left_relief_pairs_1) < 0 then
-          forward_left_relief_fours_0 <= forward_left_relief_pairs_1;
+        if (forward_left_relief_pairs_0_choice - forward_left_relief_pairs(1)) < 0 then
+          forward_left_relief_fours_0 <= forward_left_relief_pairs(1);
         else
           forward_left_relief_fours_0 <= forward_left_relief_pairs_0_choice;
         end if;
@@ -5406,374 +3227,199 @@ begin
         else
           forward_left_relief_recent <= forward_left_relief_recent_choice;
         end if;
-        if (forward_above_total_1 - forward_above_total_0) < 0 then
-          forward_above_tree_smallest_0 <= forward_above_total_1;
+        for i in 0 to 5 loop
+          if (forward_above_total(2 * i + 1) - forward_above_total(2 * i)) < 0 then
+            forward_above_tree_smallest(i) <= forward_above_total(2 * i + 1);
+          else
+            forward_above_tree_smallest(i) <= forward_above_total(2 * i);
+          end if;
+        end loop;
+        for i in 0 to 2 loop
+          if (forward_above_tree_smallest(2 * i + 1) - forward_above_tree_smallest(2 * i)) < 0 then
+            forward_above_tree_next_smallest(i) <= forward_above_tree_smallest(2 * i + 1);
+          else
+            forward_above_tree_next_smallest(i) <= forward_above_tree_smallest(2 * i);
+          end if;
+        end loop;
+        if (forward_above_tree_next_smallest(1) - forward_above_tree_next_smallest(0)) < 0 then
+          forward_above_tree_next_next_smallest(0) <= forward_above_tree_next_smallest(1);
         else
-          forward_above_tree_smallest_0 <= forward_above_total_0;
+          forward_above_tree_next_next_smallest(0) <= forward_above_tree_next_smallest(0);
         end if;
-        if (forward_above_total_3 - forward_above_total_2) < 0 then
-          forward_above_tree_smallest_1 <= forward_above_total_3;
+        if (forward_above_tree_next_next_smallest(1) - forward_above_tree_next_next_smallest(0)) < 0 then
+          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest(1);
         else
-          forward_above_tree_smallest_1 <= forward_above_total_2;
-        end if;
-        if (forward_above_total_5 - forward_above_total_4) < 0 then
-          forward_above_tree_smallest_2 <= forward_above_total_5;
-        else
-          forward_above_tree_smallest_2 <= forward_above_total_4;
-        end if;
-        if (forward_above_total_7 - forward_above_total_6) < 0 then
-          forward_above_tree_smallest_3 <= forward_above_total_7;
-        else
-          forward_above_tree_smallest_3 <= forward_above_total_6;
-        end if;
-        if (forward_above_total_9 - forward_above_total_8) < 0 then
-          forward_above_tree_smallest_4 <= forward_above_total_9;
-        else
-          forward_above_tree_smallest_4 <= forward_above_total_8;
-        end if;
-        if (forward_above_total_11 - forward_above_total_10) < 0 then
-          forward_above_tree_smallest_5 <= forward_above_total_11;
-        else
-          forward_above_tree_smallest_5 <= forward_above_total_10;
-        end if;
-        if (forward_above_tree_smallest_1 - forward_above_tree_smallest_0) < 0 then
-          forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1;
-        else
-          forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_0;
-        end if;
-        if (forward_above_tree_smallest_3 - forward_above_tree_smallest_2) < 0 then
-          forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3;
-        else
-          forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_2;
-        end if;
-        if (forward_above_tree_smallest_5 - forward_above_tree_smallest_4) < 0 then
-          forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5;
-        else
-          forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_4;
-        end if;
-        if (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 then
-          forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1;
-        else
-          forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_0;
-        end if;
-        if (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 then
-          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1;
-        else
-          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_0;
+          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest(0);
         end if;
         if forward_above_delay_ring_read_address = 4 then
           forward_above_delay_ring_read_address <= 0;
         else
           forward_above_delay_ring_read_address <= (forward_above_delay_ring_read_address + 1) mod 8;
         end if;
-        if (forward_above_cost_2 - forward_above_cost_0) < 0 then
-          forward_above_beside_1 <= forward_above_cost_2;
-        else
-          forward_above_beside_1 <= forward_above_cost_0;
-        end if;
-        if (forward_above_cost_3 - forward_above_cost_1) < 0 then
-          forward_above_beside_2 <= forward_above_cost_3;
-        else
-          forward_above_beside_2 <= forward_above_cost_1;
-        end if;
-        if (forward_above_cost_4 - forward_above_cost_2) < 0 then
-          forward_above_beside_3 <= forward_above_cost_4;
-        else
-          forward_above_beside_3 <= forward_above_cost_2;
-        end if;
-        if (forward_above_cost_5 - forward_above_cost_3) < 0 then
-          forward_above_beside_4 <= forward_above_cost_5;
-        else
-          forward_above_beside_4 <= forward_above_cost_3;
-        end if;
-        if (forward_above_cost_6 - forward_above_cost_4) < 0 then
-          forward_above_beside_5 <= forward_above_cost_6;
-        else
-          forward_above_beside_5 <= forward_above_cost_4;
-        end if;
-        if (forward_above_cost_7 - forward_above_cost_5) < 0 then
-          forward_above_beside_6 <= forward_above_cost_7;
-        else
-          forward_above_beside_6 <= forward_above_cost_5;
-        end if;
-        if (forward_above_cost_8 - forward_above_cost_6) < 0 then
-          forward_above_beside_7 <= forward_above_cost_8;
-        else
-          forward_above_beside_7 <= forward_above_cost_6;
-        end if;
-        if (forward_above_cost_9 - forward_above_cost_7) < 0 then
-          forward_above_beside_8 <= forward_above_cost_9;
-        else
-          forward_above_beside_8 <= forward_above_cost_7;
-        end if;
-        if (forward_above_cost_10 - forward_above_cost_8) < 0 then
-          forward_above_beside_9 <= forward_above_cost_10;
-        else
-          forward_above_beside_9 <= forward_above_cost_8;
-        end if;
-        if (forward_above_cost_11 - forward_above_cost_9) < 0 then
-          forward_above_beside_10 <= forward_above_cost_11;
-        else
-          forward_above_beside_10 <= forward_above_cost_9;
-        end if;
+        for i in 2 to 11 loop
+          if (forward_above_cost(i) - forward_above_cost(i - 2)) < 0 then
+            forward_above_beside(i - 1) <= forward_above_cost(i);
+          else
+            forward_above_beside(i - 1) <= forward_above_cost(i - 2);
+          end if;
+        end loop;
         if forward_above_own_0 < 31 then
-          forward_above_stay_0 <= forward_above_own_0 mod 32;
+          forward_above_stay(0) <= forward_above_own_0 mod 32;
         else
-          forward_above_stay_0 <= 31;
+          forward_above_stay(0) <= 31;
         end if;
-        if forward_above_beside_0 < 31 then
-          forward_above_stay_1 <= forward_above_beside_0 mod 32;
+        if forward_above_beside(0) < 31 then
+          forward_above_stay(1) <= forward_above_beside(0) mod 32;
         else
-          forward_above_stay_1 <= 31;
+          forward_above_stay(1) <= 31;
         end if;
-        if forward_above_own_2 < 31 then
-          forward_above_stay_2 <= forward_above_own_2 mod 32;
+        for i in 2 to 9 loop
+          if forward_above_own(i) < 31 then
+            forward_above_stay(i) <= forward_above_own(i) mod 32;
+          else
+            forward_above_stay(i) <= 31;
+          end if;
+        end loop;
+        if forward_above_beside(11) < 31 then
+          forward_above_stay(10) <= forward_above_beside(11) mod 32;
         else
-          forward_above_stay_2 <= 31;
-        end if;
-        if forward_above_own_3 < 31 then
-          forward_above_stay_3 <= forward_above_own_3 mod 32;
-        else
-          forward_above_stay_3 <= 31;
-        end if;
-        if forward_above_own_4 < 31 then
-          forward_above_stay_4 <= forward_above_own_4 mod 32;
-        else
-          forward_above_stay_4 <= 31;
-        end if;
-        if forward_above_own_5 < 31 then
-          forward_above_stay_5 <= forward_above_own_5 mod 32;
-        else
-          forward_above_stay_5 <= 31;
-        end if;
-        if forward_above_own_6 < 31 then
-          forward_above_stay_6 <= forward_above_own_6 mod 32;
-        else
-          forward_above_stay_6 <= 31;
-        end if;
-        if forward_above_own_7 < 31 then
-          forward_above_stay_7 <= forward_above_own_7 mod 32;
-        else
-          forward_above_stay_7 <= 31;
-        end if;
-        if forward_above_own_8 < 31 then
-          forward_above_stay_8 <= forward_above_own_8 mod 32;
-        else
-          forward_above_stay_8 <= 31;
-        end if;
-        if forward_above_own_9 < 31 then
-          forward_above_stay_9 <= forward_above_own_9 mod 32;
-        else
-          forward_above_stay_9 <= 31;
-        end if;
-        if forward_above_beside_11 < 31 then
-          forward_above_stay_10 <= forward_above_beside_11 mod 32;
-        else
-          forward_above_stay_10 <= 31;
+          forward_above_stay(10) <= 31;
         end if;
         if forward_above_own_11 < 31 then
-          forward_above_stay_11 <= forward_above_own_11 mod 32;
+          forward_above_stay(11) <= forward_above_own_11 mod 32;
         else
-          forward_above_stay_11 <= 31;
+          forward_above_stay(11) <= 31;
         end if;
       end if;
-      if forward_above_comes_9 then
-        forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid));
+      if forward_above_comes(9) then
+        forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes(8) or (not entry_tag_valid));
       else
-        forward_above_writes_copy_0 <= entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
+        forward_above_writes_copy_0 <= entry_next_tag_valid and forward_above_comes(8) and entry_tag_valid;
       end if;
-      if (forward_above_step_4 - forward_above_stay_4) < 0 then
-        forward_above_write_words_0_choice := forward_above_step_4;
-      else
-        forward_above_write_words_0_choice := forward_above_stay_4;
-      end if;
-      if (forward_above_step_5 - forward_above_stay_5) < 0 then
-        forward_above_write_words_0_choice_2 := forward_above_step_5;
-      else
-        forward_above_write_words_0_choice_2 := forward_above_stay_5;
-      end if;
-      if (forward_above_step_3 - forward_above_stay_3) < 0 then
-        forward_above_write_words_0_choice_3 := forward_above_step_3;
-      else
-        forward_above_write_words_0_choice_3 := forward_above_stay_3;
-      end if;
-      if (forward_above_step_2 - forward_above_stay_2) < 0 then
-        forward_above_write_words_0_choice_4 := forward_above_step_2;
-      else
-        forward_above_write_words_0_choice_4 := forward_above_stay_2;
-      end if;
-      if (forward_above_step_0 - forward_above_stay_0) < 0 then
-        forward_above_write_words_0_choice_5 := forward_above_step_0;
-      else
-        forward_above_write_words_0_choice_5 := forward_above_stay_0;
-      end if;
-      if (forward_above_step_1 - forward_above_stay_1) < 0 then
-        forward_above_write_words_0_choice_6 := forward_above_step_1;
-      else
-        forward_above_write_words_0_choice_6 := forward_above_stay_1;
-      end if;
-      if (forward_above_step_10 - forward_above_stay_10) < 0 then
-        forward_above_write_words_1_choice := forward_above_step_10;
-      else
-        forward_above_write_words_1_choice := forward_above_stay_10;
-      end if;
-      if (forward_above_step_11 - forward_above_stay_11) < 0 then
-        forward_above_write_words_1_choice_2 := forward_above_step_11;
-      else
-        forward_above_write_words_1_choice_2 := forward_above_stay_11;
-      end if;
-      if (forward_above_step_9 - forward_above_stay_9) < 0 then
-        forward_above_write_words_1_choice_3 := forward_above_step_9;
-      else
-        forward_above_write_words_1_choice_3 := forward_above_stay_9;
-      end if;
-      if (forward_above_step_8 - forward_above_stay_8) < 0 then
-        forward_above_write_words_1_choice_4 := forward_above_step_8;
-      else
-        forward_above_write_words_1_choice_4 := forward_above_stay_8;
-      end if;
-      if (forward_above_step_6 - forward_above_stay_6) < 0 then
-        forward_above_write_words_1_choice_5 := forward_above_step_6;
-      else
-        forward_above_write_words_1_choice_5 := forward_above_stay_6;
-      end if;
-      if (forward_above_step_7 - forward_above_stay_7) < 0 then
-        forward_above_write_words_1_choice_6 := forward_above_step_7;
-      else
-        forward_above_write_words_1_choice_6 := forward_above_stay_7;
-      end if;
+      for i in 0 to 1 loop
+        if (forward_above_step(6 * i + 4) - forward_above_stay(6 * i + 4)) < 0 then
+          forward_above_write_words_choice(i) := forward_above_step(6 * i + 4);
+        else
+          forward_above_write_words_choice(i) := forward_above_stay(6 * i + 4);
+        end if;
+        for j in 2 to 3 loop
+          if (forward_above_step(6 * i + 9 - 2 * j) - forward_above_stay(6 * i + 9 - 2 * j)) < 0 then
+            forward_above_write_words_choices(i, j) := forward_above_step(6 * i + 9 - 2 * j);
+          else
+            forward_above_write_words_choices(i, j) := forward_above_stay(6 * i + 9 - 2 * j);
+          end if;
+        end loop;
+        for j in 4 to 5 loop
+          if (forward_above_step(6 * i + 10 - 2 * j) - forward_above_stay(6 * i + 10 - 2 * j)) < 0 then
+            forward_above_write_words_choices(i, j) := forward_above_step(6 * i + 10 - 2 * j);
+          else
+            forward_above_write_words_choices(i, j) := forward_above_stay(6 * i + 10 - 2 * j);
+          end if;
+        end loop;
+        if (forward_above_step(6 * i + 1) - forward_above_stay(6 * i + 1)) < 0 then
+          forward_above_write_words_choices(i, 6) := forward_above_step(6 * i + 1);
+        else
+          forward_above_write_words_choices(i, 6) := forward_above_stay(6 * i + 1);
+        end if;
+      end loop;
       if forward_above_writes_copy_0 then
-        forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
-          20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
-          (to_unsigned(forward_above_write_words_0_choice_3, 17) & to_unsigned(0, 15)))) or
-          (to_unsigned(forward_above_write_words_0_choice_4, 22) & to_unsigned(0, 10)))) or
-          (to_unsigned(forward_above_write_words_0_choice_5, 32)))) or
-          (to_unsigned(forward_above_write_words_0_choice_6, 27) & to_unsigned(0, 5)));
-        forward_above_write_words_1 <= ((((((((((to_unsigned(forward_above_write_words_1_choice, 12) & to_unsigned(0,
-          20)) or (to_unsigned(forward_above_write_words_1_choice_2, 7) & to_unsigned(0, 25)))) or
-          (to_unsigned(forward_above_write_words_1_choice_3, 17) & to_unsigned(0, 15)))) or
-          (to_unsigned(forward_above_write_words_1_choice_4, 22) & to_unsigned(0, 10)))) or
-          (to_unsigned(forward_above_write_words_1_choice_5, 32)))) or
-          (to_unsigned(forward_above_write_words_1_choice_6, 27) & to_unsigned(0, 5)));
-        forward_above_write_column <= forward_above_column_9;
+        for i in 0 to 1 loop
+          forward_above_write_words(i) <= ((((((((((to_unsigned(forward_above_write_words_choice(i), 12) &
+            to_unsigned(0, 20)) or (to_unsigned(forward_above_write_words_choices(i, 2), 7) & to_unsigned(0, 25)))) or
+            (to_unsigned(forward_above_write_words_choices(i, 3), 17) & to_unsigned(0, 15)))) or
+            (to_unsigned(forward_above_write_words_choices(i, 4), 22) & to_unsigned(0, 10)))) or
+            (to_unsigned(forward_above_write_words_choices(i, 5), 32)))) or
+            (to_unsigned(forward_above_write_words_choices(i, 6), 27) & to_unsigned(0, 5)));
+        end loop;
+        forward_above_write_column <= forward_above_column(9);
       end if;
       -- sums
-      if (sums_right_cost_2 - sums_right_cost_0) < 0 then
-        sums_right_pair_0_choice := sums_right_cost_2;
-      else
-        sums_right_pair_0_choice := sums_right_cost_0;
-      end if;
-      if (sums_right_cost_3 - sums_right_cost_1) < 0 then
-        sums_right_pair_1_choice := sums_right_cost_3;
-      else
-        sums_right_pair_1_choice := sums_right_cost_1;
-      end if;
-      if (sums_right_cost_6 - sums_right_cost_4) < 0 then
-        sums_right_pair_2_choice := sums_right_cost_6;
-      else
-        sums_right_pair_2_choice := sums_right_cost_4;
-      end if;
-      if (sums_right_cost_7 - sums_right_cost_5) < 0 then
-        sums_right_pair_3_choice := sums_right_cost_7;
-      else
-        sums_right_pair_3_choice := sums_right_cost_5;
-      end if;
-      if (sums_right_cost_10 - sums_right_cost_8) < 0 then
-        sums_right_pair_4_choice := sums_right_cost_10;
-      else
-        sums_right_pair_4_choice := sums_right_cost_8;
-      end if;
-      if (sums_right_cost_11 - sums_right_cost_9) < 0 then
-        sums_right_pair_5_choice := sums_right_cost_11;
-      else
-        sums_right_pair_5_choice := sums_right_cost_9;
-      end if;
+      for i in 0 to 2 loop
+        for j in 2 to 3 loop
+          if (sums_right_cost(4 * i + j) - sums_right_cost(4 * i + j - 2)) < 0 then
+            sums_right_pair_choice(2 * i + j - 2) := sums_right_cost(4 * i + j);
+          else
+            sums_right_pair_choice(2 * i + j - 2) := sums_right_cost(4 * i + j - 2);
+          end if;
+        end loop;
+      end loop;
       sums_right_start_cost_0_any := ((((sums_right_tree_next_next_smallest_0 mod 64) + sums_right_relief_beyond) / 64)
-        = 1) or ((sums_right_tree_next_next_smallest_0 / 64) = 1);
-      if (sums_right_relief_largest mod 2) = 1 then
-        sums_right_start_cost_0_choice := (not (((sums_right_room / 2) mod 2) = 1)) or (not ((sums_right_room mod 2) =
-          1));
+        = 1) or is_set(sums_right_tree_next_next_smallest_0, 6);
+      if is_set(sums_right_relief_largest, 0) then
+        sums_right_start_cost_0_choice := (not is_set(sums_right_room, 1)) or (not is_set(sums_right_room, 0));
       else
-        sums_right_start_cost_0_choice := not (((sums_right_room / 2) mod 2) = 1);
+        sums_right_start_cost_0_choice := not is_set(sums_right_room, 1);
       end if;
-      if ((sums_right_relief_largest / 2) mod 2) = 1 then
-        sums_right_start_cost_0_choice_2 := sums_right_start_cost_0_choice;
+      if is_set(sums_right_relief_largest, 1) then
+        sums_right_start_cost_0_choices(2) := sums_right_start_cost_0_choice;
       else
-        sums_right_start_cost_0_choice_2 := ((sums_right_relief_largest mod 2) = 1) and ((sums_right_room mod 4) = 0);
+        sums_right_start_cost_0_choices(2) := is_set(sums_right_relief_largest, 0) and ((sums_right_room mod 4) = 0);
       end if;
-      sums_right_start_cost_0_value := ((sums_right_room / 4) mod 2) = 1;
-      if sums_right_start_cost_0_choice_2 then
-        sums_right_start_cost_0_choice_3 := (not (((sums_right_relief_largest / 4) mod 2) = 1)) and
+      sums_right_start_cost_0_value := is_set(sums_right_room, 2);
+      if sums_right_start_cost_0_choices(2) then
+        sums_right_start_cost_0_choices(3) := (not is_set(sums_right_relief_largest, 2)) and
           sums_right_start_cost_0_value;
       else
-        sums_right_start_cost_0_choice_3 := (not (((sums_right_relief_largest / 4) mod 2) = 1)) or
+        sums_right_start_cost_0_choices(3) := (not is_set(sums_right_relief_largest, 2)) or
           sums_right_start_cost_0_value;
       end if;
-      sums_right_start_cost_0_value_2 := ((sums_right_room / 8) mod 2) = 1;
-      if sums_right_start_cost_0_choice_3 then
-        sums_right_start_cost_0_choice_4 := (not (((sums_right_relief_largest / 8) mod 2) = 1)) or
-          sums_right_start_cost_0_value_2;
+      for i in 2 to 3 loop
+        sums_right_start_cost_0_values(i) := is_set(sums_right_room, i + 1);
+        if sums_right_start_cost_0_choices(i + 1) then
+          sums_right_start_cost_0_choices(i + 2) := (not is_set(sums_right_relief_largest, i + 1)) or
+            sums_right_start_cost_0_values(i);
+        else
+          sums_right_start_cost_0_choices(i + 2) := (not is_set(sums_right_relief_largest, i + 1)) and
+            sums_right_start_cost_0_values(i);
+        end if;
+      end loop;
+      if sums_right_start_cost_0_choices(5) then
+        sums_right_start_cost_0_choices(6) := is_set(sums_right_relief_largest, 5) and (not is_set(sums_right_room, 5));
       else
-        sums_right_start_cost_0_choice_4 := (not (((sums_right_relief_largest / 8) mod 2) = 1)) and
-          sums_right_start_cost_0_value_2;
+        sums_right_start_cost_0_choices(6) := is_set(sums_right_relief_largest, 5) or (not is_set(sums_right_room, 5));
       end if;
-      sums_right_start_cost_0_value_3 := ((sums_right_room / 16) mod 2) = 1;
-      if sums_right_start_cost_0_choice_4 then
-        sums_right_start_cost_0_choice_5 := (not (((sums_right_relief_largest / 16) mod 2) = 1)) or
-          sums_right_start_cost_0_value_3;
+      if sums_right_start_cost_0_choices(6) then
+        sums_right_start_cost_0_choices_from_7(7) := 0;
       else
-        sums_right_start_cost_0_choice_5 := (not (((sums_right_relief_largest / 16) mod 2) = 1)) and
-          sums_right_start_cost_0_value_3;
-      end if;
-      if sums_right_start_cost_0_choice_5 then
-        sums_right_start_cost_0_choice_6 := ((sums_right_relief_largest / 32) = 1) and (not ((sums_right_room / 32) =
-          1));
-      else
-        sums_right_start_cost_0_choice_6 := ((sums_right_relief_largest / 32) = 1) or (not ((sums_right_room / 32) =
-          1));
-      end if;
-      if sums_right_start_cost_0_choice_6 then
-        sums_right_start_cost_0_choice_7 := 0;
-      else
-        sums_right_start_cost_0_choice_7 := (sums_right_room - sums_right_relief_largest) mod 64;
+        sums_right_start_cost_0_choices_from_7(7) := (sums_right_room - sums_right_relief_largest) mod 64;
       end if;
       sums_right_start_cost_0_is_less := 127 < ((sums_right_tree_next_next_smallest_0 mod 64) +
         sums_right_relief_reach_of_best);
       if sums_right_start_cost_0_is_less then
-        sums_right_start_cost_0_choice_8 := (sums_right_tree_next_next_smallest_0 + sums_right_relief_reach_of_best)
-          mod 64;
+        sums_right_start_cost_0_choices_from_7(8) := (sums_right_tree_next_next_smallest_0 +
+          sums_right_relief_reach_of_best) mod 64;
       else
-        sums_right_start_cost_0_choice_8 := 0;
+        sums_right_start_cost_0_choices_from_7(8) := 0;
       end if;
       if sums_right_start_cost_0_any then
-        sums_right_start_cost_0_choice_9 := sums_right_start_cost_0_choice_7;
+        sums_right_start_cost_0_choices_from_7(9) := sums_right_start_cost_0_choices_from_7(7);
       else
-        sums_right_start_cost_0_choice_9 := sums_right_start_cost_0_choice_8;
+        sums_right_start_cost_0_choices_from_7(9) := sums_right_start_cost_0_choices_from_7(8);
       end if;
-      sums_right_room_value := (sums_right_start_cost_6 + sums_right_room) mod 64;
-      if sums_right_start_cost_0_choice_6 then
+      sums_right_room_value := (sums_right_start_cost(6) + sums_right_room) mod 64;
+      if sums_right_start_cost_0_choices(6) then
         sums_right_room_choice := sums_right_room_value;
       else
-        sums_right_room_choice := (sums_right_start_cost_6 + sums_right_relief_largest) mod 64;
+        sums_right_room_choice := (sums_right_start_cost(6) + sums_right_relief_largest) mod 64;
       end if;
       if sums_right_start_cost_0_is_less then
-        sums_right_room_choice_2 := (sums_right_relief_room_of_best - sums_right_tree_next_next_smallest_0) mod 64;
+        sums_right_room_choices(2) := (sums_right_relief_room_of_best - sums_right_tree_next_next_smallest_0) mod 64;
       else
-        sums_right_room_choice_2 := sums_right_room_value;
+        sums_right_room_choices(2) := sums_right_room_value;
       end if;
       if sums_right_start_cost_0_any then
-        sums_right_room_choice_3 := sums_right_room_choice;
+        sums_right_room_choices(3) := sums_right_room_choice;
       else
-        sums_right_room_choice_3 := sums_right_room_choice_2;
+        sums_right_room_choices(3) := sums_right_room_choices(2);
       end if;
-      if forward_first_0 then
+      if forward_first(0) then
         sums_right_smallest_choice := 0;
       else
         sums_right_smallest_choice := sums_right_relief_next_0;
       end if;
       sums_right_smallest_difference := sums_right_smallest_choice - (sums_turn_ready_smallest_0 / 8);
-      if (sums_right_smallest_choice - sums_right_relief_past_0) < 0 then
-        sums_right_relief_pairs_0_choice := sums_right_relief_past_0;
+      if (sums_right_smallest_choice - sums_right_relief_past(0)) < 0 then
+        sums_right_relief_pairs_0_choice := sums_right_relief_past(0);
       else
         sums_right_relief_pairs_0_choice := sums_right_smallest_choice;
       end if;
@@ -5788,409 +3434,209 @@ begin
         sums_right_relief_largest_choice := sums_turn_ready_smallest_0 / 8;
       end if;
       sums_right_relief_reach_of_best_sum := sums_right_room + sums_right_relief_leaves;
-      if sums_right_start_cost_0_choice_6 then
+      if sums_right_start_cost_0_choices(6) then
         sums_right_relief_reach_of_best_choice := sums_right_relief_reach_of_best_sum;
       else
         sums_right_relief_reach_of_best_choice := sums_right_relief_largest + sums_right_relief_leaves;
       end if;
       if sums_right_start_cost_0_is_less then
-        sums_right_relief_reach_of_best_choice_2 := (sums_right_relief_reach_again -
+        sums_right_relief_reach_of_best_choices(2) := (sums_right_relief_reach_again -
           (sums_right_tree_next_next_smallest_0 mod 64)) mod 256;
       else
-        sums_right_relief_reach_of_best_choice_2 := sums_right_relief_reach_of_best_sum;
+        sums_right_relief_reach_of_best_choices(2) := sums_right_relief_reach_of_best_sum;
       end if;
       if sums_right_start_cost_0_any then
-        sums_right_relief_reach_of_best_choice_3 := sums_right_relief_reach_of_best_choice;
+        sums_right_relief_reach_of_best_choices(3) := sums_right_relief_reach_of_best_choice;
       else
-        sums_right_relief_reach_of_best_choice_3 := sums_right_relief_reach_of_best_choice_2;
+        sums_right_relief_reach_of_best_choices(3) := sums_right_relief_reach_of_best_choices(2);
       end if;
-      if forward_first_0 then
+      if forward_first(0) then
         sums_right_relief_leaves_choice := 64;
       else
-        sums_right_relief_leaves_choice := sums_right_start_cost_5 + 64;
+        sums_right_relief_leaves_choice := sums_right_start_cost(5) + 64;
       end if;
-      if (sums_right_arrived_0 - sums_right_cost_0) < 0 then
-        sums_right_cost_0_choice := sums_right_arrived_0;
+      for i in 0 to 11 loop
+        if (sums_right_arrived(i) - sums_right_cost(i)) < 0 then
+          sums_right_cost_choice(i) := sums_right_arrived(i);
+        else
+          sums_right_cost_choice(i) := sums_right_cost(i);
+        end if;
+        if is_set(sums_right_cost_choice(i), 6) or forward_first(3) then
+          sums_right_cost_choice_2(i) := 64;
+        else
+          sums_right_cost_choice_2(i) := sums_right_cost_choice(i);
+        end if;
+      end loop;
+      if forward_first(3) then
+        sums_right_arrived_choice(0) := 64;
       else
-        sums_right_cost_0_choice := sums_right_cost_0;
+        sums_right_arrived_choice(0) := sums_right_cost(1);
       end if;
-      if ((sums_right_cost_0_choice / 64) = 1) or forward_first_3 then
-        sums_right_cost_0_choice_2 := 64;
+      for i in 1 to 2 loop
+        if forward_first(3) then
+          sums_right_arrived_choice(i) := 64;
+        else
+          sums_right_arrived_choice(i) := sums_right_pair_choice(i - 1);
+        end if;
+      end loop;
+      for i in 4 to 5 loop
+        if (sums_right_cost(i) - sums_right_cost(i - 2)) < 0 then
+          sums_right_arrived_choice(i - 1) := sums_right_cost(i);
+        else
+          sums_right_arrived_choice(i - 1) := sums_right_cost(i - 2);
+        end if;
+        if forward_first(3) then
+          sums_right_arrived_choice_2(i - 1) := 64;
+        else
+          sums_right_arrived_choice_2(i - 1) := sums_right_arrived_choice(i - 1);
+        end if;
+      end loop;
+      for i in 5 to 6 loop
+        if forward_first(3) then
+          sums_right_arrived_choice(i) := 64;
+        else
+          sums_right_arrived_choice(i) := sums_right_pair_choice(i - 3);
+        end if;
+      end loop;
+      for i in 8 to 9 loop
+        if (sums_right_cost(i) - sums_right_cost(i - 2)) < 0 then
+          sums_right_arrived_choice(i - 1) := sums_right_cost(i);
+        else
+          sums_right_arrived_choice(i - 1) := sums_right_cost(i - 2);
+        end if;
+        if forward_first(3) then
+          sums_right_arrived_choice_2s(i - 1) := 64;
+        else
+          sums_right_arrived_choice_2s(i - 1) := sums_right_arrived_choice(i - 1);
+        end if;
+      end loop;
+      for i in 9 to 10 loop
+        if forward_first(3) then
+          sums_right_arrived_choice(i) := 64;
+        else
+          sums_right_arrived_choice(i) := sums_right_pair_choice(i - 5);
+        end if;
+      end loop;
+      if forward_first(3) then
+        sums_right_arrived_choice(11) := 64;
       else
-        sums_right_cost_0_choice_2 := sums_right_cost_0_choice;
-      end if;
-      if (sums_right_arrived_1 - sums_right_cost_1) < 0 then
-        sums_right_cost_1_choice := sums_right_arrived_1;
-      else
-        sums_right_cost_1_choice := sums_right_cost_1;
-      end if;
-      if ((sums_right_cost_1_choice / 64) = 1) or forward_first_3 then
-        sums_right_cost_1_choice_2 := 64;
-      else
-        sums_right_cost_1_choice_2 := sums_right_cost_1_choice;
-      end if;
-      if (sums_right_arrived_2 - sums_right_cost_2) < 0 then
-        sums_right_cost_2_choice := sums_right_arrived_2;
-      else
-        sums_right_cost_2_choice := sums_right_cost_2;
-      end if;
-      if ((sums_right_cost_2_choice / 64) = 1) or forward_first_3 then
-        sums_right_cost_2_choice_2 := 64;
-      else
-        sums_right_cost_2_choice_2 := sums_right_cost_2_choice;
-      end if;
-      if (sums_right_arrived_3 - sums_right_cost_3) < 0 then
-        sums_right_cost_3_choice := sums_right_arrived_3;
-      else
-        sums_right_cost_3_choice := sums_right_cost_3;
-      end if;
-      if ((sums_right_cost_3_choice / 64) = 1) or forward_first_3 then
-        sums_right_cost_3_choice_2 := 64;
-      else
-        sums_right_cost_3_choice_2 := sums_right_cost_3_choice;
-      end if;
-      if (sums_right_arrived_4 - sums_right_cost_4) < 0 then
-        sums_right_cost_4_choice := sums_right_arrived_4;
-      else
-        sums_right_cost_4_choice := sums_right_cost_4;
-      end if;
-      if ((sums_right_cost_4_choice / 64) = 1) or forward_first_3 then
-        sums_right_cost_4_choice_2 := 64;
-      else
-        sums_right_cost_4_choice_2 := sums_right_cost_4_choice;
-      end if;
-      if (sums_right_arrived_5 - sums_right_cost_5) < 0 then
-        sums_right_cost_5_choice := sums_right_arrived_5;
-      else
-        sums_right_cost_5_choice := sums_right_cost_5;
-      end if;
-      if ((sums_right_cost_5_choice / 64) = 1) or forward_first_3 then
-        sums_right_cost_5_choice_2 := 64;
-      else
-        sums_right_cost_5_choice_2 := sums_right_cost_5_choice;
-      end if;
-      if (sums_right_arrived_6 - sums_right_cost_6) < 0 then
-        sums_right_cost_6_choice := sums_right_arrived_6;
-      else
-        sums_right_cost_6_choice := sums_right_cost_6;
-      end if;
-      if ((sums_right_cost_6_choice / 64) = 1) or forward_first_3 then
-        sums_right_cost_6_choice_2 := 64;
-      else
-        sums_right_cost_6_choice_2 := sums_right_cost_6_choice;
-      end if;
-      if (sums_right_arrived_7 - sums_right_cost_7) < 0 then
-        sums_right_cost_7_choice := sums_right_arrived_7;
-      else
-        sums_right_cost_7_choice := sums_right_cost_7;
-      end if;
-      if ((sums_right_cost_7_choice / 64) = 1) or forward_first_3 then
-        sums_right_cost_7_choice_2 := 64;
-      else
-        sums_right_cost_7_choice_2 := sums_right_cost_7_choice;
-      end if;
-      if (sums_right_arrived_8 - sums_right_cost_8) < 0 then
-        sums_right_cost_8_choice := sums_right_arrived_8;
-      else
-        sums_right_cost_8_choice := sums_right_cost_8;
-      end if;
-      if ((sums_right_cost_8_choice / 64) = 1) or forward_first_3 then
-        sums_right_cost_8_choice_2 := 64;
-      else
-        sums_right_cost_8_choice_2 := sums_right_cost_8_choice;
-      end if;
-      if (sums_right_arrived_9 - sums_right_cost_9) < 0 then
-        sums_right_cost_9_choice := sums_right_arrived_9;
-      else
-        sums_right_cost_9_choice := sums_right_cost_9;
-      end if;
-      if ((sums_right_cost_9_choice / 64) = 1) or forward_first_3 then
-        sums_right_cost_9_choice_2 := 64;
-      else
-        sums_right_cost_9_choice_2 := sums_right_cost_9_choice;
-      end if;
-      if (sums_right_arrived_10 - sums_right_cost_10) < 0 then
-        sums_right_cost_10_choice := sums_right_arrived_10;
-      else
-        sums_right_cost_10_choice := sums_right_cost_10;
-      end if;
-      if ((sums_right_cost_10_choice / 64) = 1) or forward_first_3 then
-        sums_right_cost_10_choice_2 := 64;
-      else
-        sums_right_cost_10_choice_2 := sums_right_cost_10_choice;
-      end if;
-      if (sums_right_arrived_11 - sums_right_cost_11) < 0 then
-        sums_right_cost_11_choice := sums_right_arrived_11;
-      else
-        sums_right_cost_11_choice := sums_right_cost_11;
-      end if;
-      if ((sums_right_cost_11_choice / 64) = 1) or forward_first_3 then
-        sums_right_cost_11_choice_2 := 64;
-      else
-        sums_right_cost_11_choice_2 := sums_right_cost_11_choice;
-      end if;
-      if forward_first_3 then
-        sums_right_arrived_0_choice := 64;
-      else
-        sums_right_arrived_0_choice := sums_right_cost_1;
-      end if;
-      if forward_first_3 then
-        sums_right_arrived_1_choice := 64;
-      else
-        sums_right_arrived_1_choice := sums_right_pair_0_choice;
-      end if;
-      if forward_first_3 then
-        sums_right_arrived_2_choice := 64;
-      else
-        sums_right_arrived_2_choice := sums_right_pair_1_choice;
-      end if;
-      if (sums_right_cost_4 - sums_right_cost_2) < 0 then
-        sums_right_arrived_3_choice := sums_right_cost_4;
-      else
-        sums_right_arrived_3_choice := sums_right_cost_2;
-      end if;
-      if forward_first_3 then
-        sums_right_arrived_3_choice_2 := 64;
-      else
-        sums_right_arrived_3_choice_2 := sums_right_arrived_3_choice;
-      end if;
-      if (sums_right_cost_5 - sums_right_cost_3) < 0 then
-        sums_right_arrived_4_choice := sums_right_cost_5;
-      else
-        sums_right_arrived_4_choice := sums_right_cost_3;
-      end if;
-      if forward_first_3 then
-        sums_right_arrived_4_choice_2 := 64;
-      else
-        sums_right_arrived_4_choice_2 := sums_right_arrived_4_choice;
-      end if;
-      if forward_first_3 then
-        sums_right_arrived_5_choice := 64;
-      else
-        sums_right_arrived_5_choice := sums_right_pair_2_choice;
-      end if;
-      if forward_first_3 then
-        sums_right_arrived_6_choice := 64;
-      else
-        sums_right_arrived_6_choice := sums_right_pair_3_choice;
-      end if;
-      if (sums_right_cost_8 - sums_right_cost_6) < 0 then
-        sums_right_arrived_7_choice := sums_right_cost_8;
-      else
-        sums_right_arrived_7_choice := sums_right_cost_6;
-      end if;
-      if forward_first_3 then
-        sums_right_arrived_7_choice_2 := 64;
-      else
-        sums_right_arrived_7_choice_2 := sums_right_arrived_7_choice;
-      end if;
-      if (sums_right_cost_9 - sums_right_cost_7) < 0 then
-        sums_right_arrived_8_choice := sums_right_cost_9;
-      else
-        sums_right_arrived_8_choice := sums_right_cost_7;
-      end if;
-      if forward_first_3 then
-        sums_right_arrived_8_choice_2 := 64;
-      else
-        sums_right_arrived_8_choice_2 := sums_right_arrived_8_choice;
-      end if;
-      if forward_first_3 then
-        sums_right_arrived_9_choice := 64;
-      else
-        sums_right_arrived_9_choice := sums_right_pair_4_choice;
-      end if;
-      if forward_first_3 then
-        sums_right_arrived_10_choice := 64;
-      else
-        sums_right_arrived_10_choice := sums_right_pair_5_choice;
-      end if;
-      if forward_first_3 then
-        sums_right_arrived_11_choice := 64;
-      else
-        sums_right_arrived_11_choice := sums_right_cost_10;
+        sums_right_arrived_choice(11) := sums_right_cost(10);
       end if;
       if entry_tag_valid then
-        sums_turn_ready_sums_0 <= sums_turn_read_sums_0;
-        sums_turn_ready_sums_1 <= sums_turn_read_sums_1;
-        sums_turn_ready_sums_2 <= sums_turn_read_sums_2;
+        sums_turn_ready_sums(0) <= sums_turn_read_sums(0);
+        sums_turn_ready_sums(1) <= sums_turn_read_sums(1);
+        sums_turn_ready_sums(2) <= sums_turn_read_sums(2);
         sums_turn_ready_costs_0 <= to_integer(sums_turn_read_costs_0);
         sums_turn_ready_costs_1 <= to_integer(sums_turn_read_costs_1);
         sums_turn_ready_smallest_0 <= to_integer(sums_turn_read_smallest_0);
         sums_turn_ready_first <= entry_tag_first_column;
-        sums_turn_place_0 <= entry_place;
-        sums_turn_place_1 <= sums_turn_place_0;
-        sums_turn_place_2 <= sums_turn_place_1;
-        sums_turn_place_3 <= sums_turn_place_2;
-        sums_turn_place_4 <= sums_turn_place_3;
-        sums_turn_place_5 <= sums_turn_place_4;
-        sums_turn_place_6 <= sums_turn_place_5;
-        sums_turn_place_7 <= sums_turn_place_6;
-        sums_turn_place_8 <= sums_turn_place_7;
-        sums_cost_0_0 <= sums_turn_ready_costs_0 mod 8;
-        sums_cost_0_1 <= (sums_turn_ready_costs_0 mod 64) / 8;
-        sums_cost_0_2 <= (sums_turn_ready_costs_0 / 64) mod 8;
-        sums_cost_0_3 <= (sums_turn_ready_costs_0 / 512) mod 8;
-        sums_cost_0_4 <= (sums_turn_ready_costs_0 / 4096) mod 8;
-        sums_cost_0_5 <= (sums_turn_ready_costs_0 / 32768) mod 8;
-        sums_cost_0_6 <= (sums_turn_ready_costs_0 / 262144) mod 8;
-        sums_cost_0_7 <= (sums_turn_ready_costs_0 / 2097152) mod 8;
-        sums_cost_0_8 <= (sums_turn_ready_costs_0 / 16777216) mod 8;
-        sums_cost_0_9 <= sums_turn_ready_costs_0 / 134217728;
-        sums_cost_0_10 <= sums_turn_ready_costs_1 mod 8;
-        sums_cost_0_11 <= sums_turn_ready_costs_1 / 8;
-        sums_cost_1_0 <= sums_cost_0_0;
-        sums_cost_1_1 <= sums_cost_0_1;
-        sums_cost_1_2 <= sums_cost_0_2;
-        sums_cost_1_3 <= sums_cost_0_3;
-        sums_cost_1_4 <= sums_cost_0_4;
-        sums_cost_1_5 <= sums_cost_0_5;
-        sums_cost_1_6 <= sums_cost_0_6;
-        sums_cost_1_7 <= sums_cost_0_7;
-        sums_cost_1_8 <= sums_cost_0_8;
-        sums_cost_1_9 <= sums_cost_0_9;
-        sums_cost_1_10 <= sums_cost_0_10;
-        sums_cost_1_11 <= sums_cost_0_11;
-        sums_right_pair_0 <= sums_right_pair_0_choice;
-        sums_right_pair_1 <= sums_right_pair_1_choice;
-        sums_right_pair_2 <= sums_right_pair_2_choice;
-        sums_right_pair_3 <= sums_right_pair_3_choice;
-        sums_right_pair_4 <= sums_right_pair_4_choice;
-        sums_right_pair_5 <= sums_right_pair_5_choice;
-        sums_right_tree_next_smallest_1 <= sums_right_tree_smallest_2;
+        sums_turn_place(0) <= entry_place;
+        for i in 1 to 8 loop
+          sums_turn_place(i) <= sums_turn_place(i - 1);
+        end loop;
+        sums_cost(0, 0) <= sums_turn_ready_costs_0 mod 8;
+        sums_cost(0, 1) <= (sums_turn_ready_costs_0 mod 64) / 8;
+        sums_cost(0, 2) <= (sums_turn_ready_costs_0 / 64) mod 8;
+        sums_cost(0, 3) <= (sums_turn_ready_costs_0 / 512) mod 8;
+        sums_cost(0, 4) <= (sums_turn_ready_costs_0 / 4096) mod 8;
+        sums_cost(0, 5) <= (sums_turn_ready_costs_0 / 32768) mod 8;
+        sums_cost(0, 6) <= (sums_turn_ready_costs_0 / 262144) mod 8;
+        sums_cost(0, 7) <= (sums_turn_ready_costs_0 / 2097152) mod 8;
+        sums_cost(0, 8) <= (sums_turn_ready_costs_0 / 16777216) mod 8;
+        sums_cost(0, 9) <= sums_turn_ready_costs_0 / 134217728;
+        sums_cost(0, 10) <= sums_turn_ready_costs_1 mod 8;
+        sums_cost(0, 11) <= sums_turn_ready_costs_1 / 8;
+        for i in 0 to 11 loop
+          sums_cost(1, i) <= sums_cost(0, i);
+        end loop;
+        for i in 0 to 5 loop
+          sums_right_pair(i) <= sums_right_pair_choice(i);
+        end loop;
+        sums_right_tree_next_smallest(1) <= sums_right_tree_smallest(2);
         sums_right_smallest <= (sums_right_smallest_difference + (sums_turn_ready_smallest_0 mod 8)) mod 128;
         sums_right_smallest_less <= (sums_right_smallest_difference + (sums_turn_ready_smallest_0 mod 8) + 121) mod 128;
-        sums_right_first_0 <= sums_turn_ready_first;
-        sums_right_first_1 <= sums_right_first_0;
-        sums_right_first_2 <= sums_right_first_1;
+        sums_right_first(0) <= sums_turn_ready_first;
+        sums_right_first(1) <= sums_right_first(0);
+        sums_right_first(2) <= sums_right_first(1);
         sums_right_relief_next_0 <= sums_turn_ready_smallest_0 / 8;
-        sums_right_relief_past_0 <= sums_right_smallest_choice;
-        sums_right_relief_past_1 <= sums_right_relief_past_0;
-        sums_right_relief_past_2 <= sums_right_relief_past_1;
-        sums_right_relief_past_3 <= sums_right_relief_past_2;
-        sums_right_relief_past_4 <= sums_right_relief_past_3;
-        sums_right_relief_past_5 <= sums_right_relief_past_4;
-        sums_right_relief_pairs_0 <= sums_right_relief_pairs_0_choice;
-        sums_right_relief_pairs_1 <= sums_right_relief_pairs_0;
+        sums_right_relief_past(0) <= sums_right_smallest_choice;
+        for i in 1 to 5 loop
+          sums_right_relief_past(i) <= sums_right_relief_past(i - 1);
+        end loop;
+        sums_right_relief_pairs(0) <= sums_right_relief_pairs_0_choice;
+        sums_right_relief_pairs(1) <= sums_right_relief_pairs(0);
         sums_right_relief_largest <= sums_right_relief_largest_choice;
-        sums_right_relief_beyond <= (sums_right_relief_largest_choice - sums_right_relief_past_5) mod 64;
-        sums_right_relief_leaves <= sums_right_relief_leaves_choice - sums_right_relief_past_4;
-        sums_right_relief_room_of_best <= sums_right_relief_past_5 + sums_right_relief_leaves_choice;
-        sums_right_relief_reach_again <= (64 - sums_right_relief_past_4) + sums_right_relief_past_5 +
+        sums_right_relief_beyond <= (sums_right_relief_largest_choice - sums_right_relief_past(5)) mod 64;
+        sums_right_relief_leaves <= sums_right_relief_leaves_choice - sums_right_relief_past(4);
+        sums_right_relief_room_of_best <= sums_right_relief_past(5) + sums_right_relief_leaves_choice;
+        sums_right_relief_reach_again <= (64 - sums_right_relief_past(4)) + sums_right_relief_past(5) +
           sums_right_relief_leaves_choice;
-        sums_right_g_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest) mod 128;
-        sums_right_g_less_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest_less) mod 128;
-        sums_right_stay_change_0 <= (sums_cost_1_0 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_1 <= (sums_cost_1_1 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_2 <= (sums_cost_1_2 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_3 <= (sums_cost_1_3 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_4 <= (sums_cost_1_4 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_5 <= (sums_cost_1_5 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_6 <= (sums_cost_1_6 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_7 <= (sums_cost_1_7 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_8 <= (sums_cost_1_8 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_9 <= (sums_cost_1_9 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_10 <= (sums_cost_1_10 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_11 <= (sums_cost_1_11 - sums_right_g_copy_0) mod 128;
-        sums_right_step_change_0 <= (sums_cost_1_0 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_1 <= (sums_cost_1_1 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_2 <= (sums_cost_1_2 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_3 <= (sums_cost_1_3 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_4 <= (sums_cost_1_4 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_5 <= (sums_cost_1_5 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_6 <= (sums_cost_1_6 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_7 <= (sums_cost_1_7 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_8 <= (sums_cost_1_8 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_9 <= (sums_cost_1_9 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_10 <= (sums_cost_1_10 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_11 <= (sums_cost_1_11 - sums_right_g_less_copy_0) mod 128;
-        sums_right_cost_0 <= (sums_right_cost_0_choice_2 + sums_right_stay_change_0) mod 128;
-        sums_right_cost_1 <= (sums_right_cost_1_choice_2 + sums_right_stay_change_1) mod 128;
-        sums_right_cost_2 <= (sums_right_cost_2_choice_2 + sums_right_stay_change_2) mod 128;
-        sums_right_cost_3 <= (sums_right_cost_3_choice_2 + sums_right_stay_change_3) mod 128;
-        sums_right_cost_4 <= (sums_right_cost_4_choice_2 + sums_right_stay_change_4) mod 128;
-        sums_right_cost_5 <= (sums_right_cost_5_choice_2 + sums_right_stay_change_5) mod 128;
-        sums_right_cost_6 <= (sums_right_cost_6_choice_2 + sums_right_stay_change_6) mod 128;
-        sums_right_cost_7 <= (sums_right_cost_7_choice_2 + sums_right_stay_change_7) mod 128;
-        sums_right_cost_8 <= (sums_right_cost_8_choice_2 + sums_right_stay_change_8) mod 128;
-        sums_right_cost_9 <= (sums_right_cost_9_choice_2 + sums_right_stay_change_9) mod 128;
-        sums_right_cost_10 <= (sums_right_cost_10_choice_2 + sums_right_stay_change_10) mod 128;
-        sums_right_cost_11 <= (sums_right_cost_11_choice_2 + sums_right_stay_change_11) mod 128;
-        sums_right_arrived_0 <= (sums_right_arrived_0_choice + sums_right_step_change_0) mod 128;
-        sums_right_arrived_1 <= (sums_right_arrived_1_choice + sums_right_step_change_1) mod 128;
-        sums_right_arrived_2 <= (sums_right_arrived_2_choice + sums_right_step_change_2) mod 128;
-        sums_right_arrived_3 <= (sums_right_arrived_3_choice_2 + sums_right_step_change_3) mod 128;
-        sums_right_arrived_4 <= (sums_right_arrived_4_choice_2 + sums_right_step_change_4) mod 128;
-        sums_right_arrived_5 <= (sums_right_arrived_5_choice + sums_right_step_change_5) mod 128;
-        sums_right_arrived_6 <= (sums_right_arrived_6_choice + sums_right_step_change_6) mod 128;
-        sums_right_arrived_7 <= (sums_right_arrived_7_choice_2 + sums_right_step_change_7) mod 128;
-        sums_right_arrived_8 <= (sums_right_arrived_8_choice_2 + sums_right_step_change_8) mod 128;
-        sums_right_arrived_9 <= (sums_right_arrived_9_choice + sums_right_step_change_9) mod 128;
-        sums_right_arrived_10 <= (sums_right_arrived_10_choice + sums_right_step_change_10) mod 128;
-        sums_right_arrived_11 <= (sums_right_arrived_11_choice + sums_right_step_change_11) mod 128;
+        sums_right_g_copy_0 <= (sums_right_start_cost(0) + sums_right_smallest) mod 128;
+        sums_right_g_less_copy_0 <= (sums_right_start_cost(0) + sums_right_smallest_less) mod 128;
+        for i in 0 to 11 loop
+          sums_right_stay_change(i) <= (sums_cost(1, i) - sums_right_g_copy_0) mod 128;
+        end loop;
+        for i in 0 to 11 loop
+          sums_right_step_change(i) <= (sums_cost(1, i) - sums_right_g_less_copy_0) mod 128;
+        end loop;
+        for i in 0 to 11 loop
+          sums_right_cost(i) <= (sums_right_cost_choice_2(i) + sums_right_stay_change(i)) mod 128;
+        end loop;
+        sums_right_arrived(0) <= (sums_right_arrived_choice(0) + sums_right_step_change(0)) mod 128;
+        sums_right_arrived(1) <= (sums_right_arrived_choice(1) + sums_right_step_change(1)) mod 128;
+        sums_right_arrived(2) <= (sums_right_arrived_choice(2) + sums_right_step_change(2)) mod 128;
+        sums_right_arrived(3) <= (sums_right_arrived_choice_2(3) + sums_right_step_change(3)) mod 128;
+        sums_right_arrived(4) <= (sums_right_arrived_choice_2(4) + sums_right_step_change(4)) mod 128;
+        sums_right_arrived(5) <= (sums_right_arrived_choice(5) + sums_right_step_change(5)) mod 128;
+        sums_right_arrived(6) <= (sums_right_arrived_choice(6) + sums_right_step_change(6)) mod 128;
+        sums_right_arrived(7) <= (sums_right_arrived_choice_2s(7) + sums_right_step_change(7)) mod 128;
+        sums_right_arrived(8) <= (sums_right_arrived_choice_2s(8) + sums_right_step_change(8)) mod 128;
+        sums_right_arrived(9) <= (sums_right_arrived_choice(9) + sums_right_step_change(9)) mod 128;
+        sums_right_arrived(10) <= (sums_right_arrived_choice(10) + sums_right_step_change(10)) mod 128;
+        sums_right_arrived(11) <= (sums_right_arrived_choice(11) + sums_right_step_change(11)) mod 128;
         sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
-        sums_tags_held_0_output_column <= entry_turned_output_column;
-        sums_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
-        sums_tags_held_0_end_of_line <= entry_tag_end_of_line;
-        sums_tags_held_1_output_column <= sums_tags_held_0_output_column;
-        sums_tags_held_1_start_of_frame <= sums_tags_held_0_start_of_frame;
-        sums_tags_held_1_end_of_line <= sums_tags_held_0_end_of_line;
-        sums_tags_held_2_output_column <= sums_tags_held_1_output_column;
-        sums_tags_held_2_start_of_frame <= sums_tags_held_1_start_of_frame;
-        sums_tags_held_2_end_of_line <= sums_tags_held_1_end_of_line;
-        sums_tags_held_3_output_column <= sums_tags_held_2_output_column;
-        sums_tags_held_3_start_of_frame <= sums_tags_held_2_start_of_frame;
-        sums_tags_held_3_end_of_line <= sums_tags_held_2_end_of_line;
-        sums_tags_held_4_output_column <= sums_tags_held_3_output_column;
-        sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
-        sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
-        if (sums_right_pair_1 - sums_right_pair_0) < 0 then
-          sums_right_tree_smallest_0 <= sums_right_pair_1;
+        sums_tags_held_output_column(0) <= entry_turned_output_column;
+        sums_tags_held_start_of_frame(0) <= entry_turned_start_of_frame;
+        sums_tags_held_end_of_line(0) <= entry_tag_end_of_line;
+        for i in 1 to 4 loop
+          sums_tags_held_output_column(i) <= sums_tags_held_output_column(i - 1);
+          sums_tags_held_start_of_frame(i) <= sums_tags_held_start_of_frame(i - 1);
+          sums_tags_held_end_of_line(i) <= sums_tags_held_end_of_line(i - 1);
+        end loop;
+        for i in 0 to 2 loop
+          if (sums_right_pair(2 * i + 1) - sums_right_pair(2 * i)) < 0 then
+            sums_right_tree_smallest(i) <= sums_right_pair(2 * i + 1);
+          else
+            sums_right_tree_smallest(i) <= sums_right_pair(2 * i);
+          end if;
+        end loop;
+        if (sums_right_tree_smallest(1) - sums_right_tree_smallest(0)) < 0 then
+          sums_right_tree_next_smallest(0) <= sums_right_tree_smallest(1);
         else
-          sums_right_tree_smallest_0 <= sums_right_pair_0;
+          sums_right_tree_next_smallest(0) <= sums_right_tree_smallest(0);
         end if;
-        if (sums_right_pair_3 - sums_right_pair_2) < 0 then
-          sums_right_tree_smallest_1 <= sums_right_pair_3;
+        if (sums_right_tree_next_smallest(1) - sums_right_tree_next_smallest(0)) < 0 then
+          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest(1);
         else
-          sums_right_tree_smallest_1 <= sums_right_pair_2;
+          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest(0);
         end if;
-        if (sums_right_pair_5 - sums_right_pair_4) < 0 then
-          sums_right_tree_smallest_2 <= sums_right_pair_5;
-        else
-          sums_right_tree_smallest_2 <= sums_right_pair_4;
-        end if;
-        if (sums_right_tree_smallest_1 - sums_right_tree_smallest_0) < 0 then
-          sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1;
-        else
-          sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_0;
-        end if;
-        if (sums_right_tree_next_smallest_1 - sums_right_tree_next_smallest_0) < 0 then
-          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1;
-        else
-          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_0;
-        end if;
-        if forward_first_0 then
-          sums_right_start_cost_0 <= 60;
-          sums_right_start_cost_1 <= 0;
-          sums_right_start_cost_2 <= 0;
-          sums_right_start_cost_3 <= 0;
-          sums_right_start_cost_4 <= 0;
-          sums_right_start_cost_5 <= 0;
-          sums_right_start_cost_6 <= 0;
+        if forward_first(0) then
+          sums_right_start_cost(0) <= 60;
+          for i in 1 to 6 loop
+            sums_right_start_cost(i) <= 0;
+          end loop;
           sums_right_room <= 0;
           sums_right_relief_reach_of_best <= 0;
         else
-          sums_right_start_cost_0 <= sums_right_start_cost_0_choice_9;
-          sums_right_start_cost_1 <= sums_right_start_cost_0;
-          sums_right_start_cost_2 <= sums_right_start_cost_1;
-          sums_right_start_cost_3 <= sums_right_start_cost_2;
-          sums_right_start_cost_4 <= sums_right_start_cost_3;
-          sums_right_start_cost_5 <= sums_right_start_cost_4;
-          sums_right_start_cost_6 <= sums_right_start_cost_5;
-          sums_right_room <= sums_right_room_choice_3;
-          sums_right_relief_reach_of_best <= sums_right_relief_reach_of_best_choice_3;
+          sums_right_start_cost(0) <= sums_right_start_cost_0_choices_from_7(9);
+          for i in 1 to 6 loop
+            sums_right_start_cost(i) <= sums_right_start_cost(i - 1);
+          end loop;
+          sums_right_room <= sums_right_room_choices(3);
+          sums_right_relief_reach_of_best <= sums_right_relief_reach_of_best_choices(3);
         end if;
-        if (sums_right_relief_pairs_0_choice - sums_right_relief_pairs_1) < 0 then
-          sums_right_relief_fours_0 <= sums_right_relief_pairs_1;
+        if (sums_right_relief_pairs_0_choice - sums_right_relief_pairs(1)) < 0 then
+          sums_right_relief_fours_0 <= sums_right_relief_pairs(1);
         else
           sums_right_relief_fours_0 <= sums_right_relief_pairs_0_choice;
         end if;
@@ -6211,617 +3657,373 @@ begin
         end if;
       end if;
       if entry_tag_valid then
-        sums_turn_writes_copy_0_choice := forward_above_comes_7;
+        sums_turn_writes_copy_0_choice := forward_above_comes(7);
       else
-        sums_turn_writes_copy_0_choice := forward_above_comes_8;
+        sums_turn_writes_copy_0_choice := forward_above_comes(8);
       end if;
       sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
-      sums_sum_0_0 <= (sums_right_cost_0 + to_integer(sums_sum_delay_held_0(7 downto 0))) mod 256;
-      sums_sum_0_1 <= (sums_right_cost_1 + to_integer(sums_sum_delay_held_0(31 downto 8))) mod 256;
-      sums_sum_0_2 <= (sums_right_cost_2 + to_integer(sums_sum_delay_held_0(31 downto 16))) mod 256;
-      sums_sum_0_3 <= (sums_right_cost_3 + to_integer(sums_sum_delay_held_0(31 downto 24))) mod 256;
-      sums_sum_0_4 <= (sums_right_cost_4 + to_integer(sums_sum_delay_held_1(7 downto 0))) mod 256;
-      sums_sum_0_5 <= (sums_right_cost_5 + to_integer(sums_sum_delay_held_1(31 downto 8))) mod 256;
-      sums_sum_0_6 <= (sums_right_cost_6 + to_integer(sums_sum_delay_held_1(31 downto 16))) mod 256;
-      sums_sum_0_7 <= (sums_right_cost_7 + to_integer(sums_sum_delay_held_1(31 downto 24))) mod 256;
-      sums_sum_0_8 <= (sums_right_cost_8 + to_integer(sums_sum_delay_held_2(7 downto 0))) mod 256;
-      sums_sum_0_9 <= (sums_right_cost_9 + to_integer(sums_sum_delay_held_2(31 downto 8))) mod 256;
-      sums_sum_0_10 <= (sums_right_cost_10 + to_integer(sums_sum_delay_held_2(31 downto 16))) mod 256;
-      sums_sum_0_11 <= (sums_right_cost_11 + to_integer(sums_sum_delay_held_2(31 downto 24))) mod 256;
+      for i in 0 to 2 loop
+        sums_sum_0(4 * i) <= (sums_right_cost(4 * i) + to_integer(sums_sum_delay_held(i)(7 downto 0))) mod 256;
+        sums_sum_0(4 * i + 1) <= (sums_right_cost(4 * i + 1) + to_integer(sums_sum_delay_held(i)(31 downto 8))) mod 256;
+        sums_sum_0(4 * i + 2) <= (sums_right_cost(4 * i + 2) + to_integer(sums_sum_delay_held(i)(31 downto 16))) mod
+          256;
+        sums_sum_0(4 * i + 3) <= (sums_right_cost(4 * i + 3) + to_integer(sums_sum_delay_held(i)(31 downto 24))) mod
+          256;
+      end loop;
       sums_tag_valid <= sums_tags_moved;
-      sums_tag_map_column <= forward_above_comes_4;
-      sums_tag_output_column <= sums_tags_held_4_output_column;
-      sums_tag_start_of_frame <= sums_tags_held_4_start_of_frame;
-      sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
+      sums_tag_map_column <= forward_above_comes(4);
+      sums_tag_output_column <= sums_tags_held_output_column(4);
+      sums_tag_start_of_frame <= sums_tags_held_start_of_frame(4);
+      sums_tag_end_of_line <= sums_tags_held_end_of_line(4);
       sums_tags_moved <= entry_tag_valid;
       if sums_turn_writes_copy_0 then
-        sums_turn_write_sums_0 <= other_2;
-        sums_turn_write_sums_1 <= other_1;
-        sums_turn_write_sums_2 <= other_0;
-        sums_turn_write_costs_0 <= (forward_cost_3_8 * 16777216) + (forward_cost_3_9 * 134217728) + (forward_cost_3_7 *
-          2097152) + (forward_cost_3_6 * 262144) + (forward_cost_3_5 * 32768) + (forward_cost_3_4 * 4096) +
-          (forward_cost_3_3 * 512) + (forward_cost_3_2 * 64) + forward_cost_3_0 + (forward_cost_3_1 * 8);
-        sums_turn_write_costs_1 <= (forward_cost_3_11 * 8) + forward_cost_3_10;
-        sums_turn_write_smallest_0 <= to_integer(((to_unsigned(forward_reliefs_moved_8, 6) & to_unsigned(0, 3)) or
-          (to_unsigned(forward_smallest_cost_4, 9))));
-        sums_turn_write_place <= sums_turn_place_8;
+        sums_turn_write_sums(0) <= other(2);
+        sums_turn_write_sums(1) <= other(1);
+        sums_turn_write_sums(2) <= other(0);
+        sums_turn_write_costs_0 <= (forward_cost(3, 8) * 16777216) + (forward_cost(3, 9) * 134217728) +
+          (forward_cost(3, 7) * 2097152) + (forward_cost(3, 6) * 262144) + (forward_cost(3, 5) * 32768) +
+          (forward_cost(3, 4) * 4096) + (forward_cost(3, 3) * 512) + (forward_cost(3, 2) * 64) + forward_cost(3, 0) +
+          (forward_cost(3, 1) * 8);
+        sums_turn_write_costs_1 <= (forward_cost(3, 11) * 8) + forward_cost(3, 10);
+        sums_turn_write_smallest_0 <= to_integer(((to_unsigned(forward_reliefs_moved(8), 6) & to_unsigned(0, 3)) or
+          (to_unsigned(forward_smallest_cost(4), 9))));
+        sums_turn_write_place <= sums_turn_place(8);
       end if;
       -- winnerswinner1
-      if (sums_sum_0_0 mod 2) = 1 then
-        winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1));
+      if is_set(sums_sum_0(0), 0) then
+        winnerswinner1_of_pair_0_0_choice := (not is_set(sums_sum_0(1), 1)) or (not is_set(sums_sum_0(1), 0));
       else
-        winnerswinner1_of_pair_0_0_choice := not (((sums_sum_0_1 / 2) mod 2) = 1);
+        winnerswinner1_of_pair_0_0_choice := not is_set(sums_sum_0(1), 1);
       end if;
-      if ((sums_sum_0_0 / 2) mod 2) = 1 then
-        winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice;
+      if is_set(sums_sum_0(0), 1) then
+        winnerswinner1_of_pair_0_0_choices(2) := winnerswinner1_of_pair_0_0_choice;
       else
-        winnerswinner1_of_pair_0_0_choice_2 := ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+        winnerswinner1_of_pair_0_0_choices(2) := is_set(sums_sum_0(0), 0) and ((sums_sum_0(1) mod 4) = 0);
       end if;
-      winnerswinner1_of_pair_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
-      if winnerswinner1_of_pair_0_0_choice_2 then
-        winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_0_value;
+      winnerswinner1_of_pair_0_0_value := is_set(sums_sum_0(1), 2);
+      if winnerswinner1_of_pair_0_0_choices(2) then
+        winnerswinner1_of_pair_0_0_choices(3) := (not is_set(sums_sum_0(0), 2)) and winnerswinner1_of_pair_0_0_value;
       else
-        winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_0_value;
+        winnerswinner1_of_pair_0_0_choices(3) := (not is_set(sums_sum_0(0), 2)) or winnerswinner1_of_pair_0_0_value;
       end if;
-      winnerswinner1_of_pair_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
-      if winnerswinner1_of_pair_0_0_choice_3 then
-        winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_0_value_2;
+      for i in 2 to 5 loop
+        winnerswinner1_of_pair_0_0_values(i) := is_set(sums_sum_0(1), i + 1);
+        if winnerswinner1_of_pair_0_0_choices(i + 1) then
+          winnerswinner1_of_pair_0_0_choices(i + 2) := (not is_set(sums_sum_0(0), i + 1)) or
+            winnerswinner1_of_pair_0_0_values(i);
+        else
+          winnerswinner1_of_pair_0_0_choices(i + 2) := (not is_set(sums_sum_0(0), i + 1)) and
+            winnerswinner1_of_pair_0_0_values(i);
+        end if;
+      end loop;
+      if winnerswinner1_of_pair_0_0_choices(7) then
+        winnerswinner1_of_pair_0_0_choices(8) := is_set(sums_sum_0(0), 7) and (not is_set(sums_sum_0(1), 7));
       else
-        winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_0_value_2;
+        winnerswinner1_of_pair_0_0_choices(8) := is_set(sums_sum_0(0), 7) or (not is_set(sums_sum_0(1), 7));
       end if;
-      winnerswinner1_of_pair_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
-      if winnerswinner1_of_pair_0_0_choice_4 then
-        winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_0_value_3;
+      if is_set(sums_sum_0(2), 0) then
+        winnerswinner1_of_pair_0_2_choice := (not is_set(sums_sum_0(3), 1)) or (not is_set(sums_sum_0(3), 0));
       else
-        winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_0_value_3;
+        winnerswinner1_of_pair_0_2_choice := not is_set(sums_sum_0(3), 1);
       end if;
-      winnerswinner1_of_pair_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
-      if winnerswinner1_of_pair_0_0_choice_5 then
-        winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_0_value_4;
+      if is_set(sums_sum_0(2), 1) then
+        winnerswinner1_of_pair_0_2_choices(2) := winnerswinner1_of_pair_0_2_choice;
       else
-        winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_0_value_4;
+        winnerswinner1_of_pair_0_2_choices(2) := is_set(sums_sum_0(2), 0) and ((sums_sum_0(3) mod 4) = 0);
       end if;
-      winnerswinner1_of_pair_0_0_value_5 := ((sums_sum_0_1 / 64) mod 2) = 1;
-      if winnerswinner1_of_pair_0_0_choice_6 then
-        winnerswinner1_of_pair_0_0_choice_7 := (not (((sums_sum_0_0 / 64) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_0_value_5;
+      winnerswinner1_of_pair_0_2_value := is_set(sums_sum_0(3), 2);
+      if winnerswinner1_of_pair_0_2_choices(2) then
+        winnerswinner1_of_pair_0_2_choices(3) := (not is_set(sums_sum_0(2), 2)) and winnerswinner1_of_pair_0_2_value;
       else
-        winnerswinner1_of_pair_0_0_choice_7 := (not (((sums_sum_0_0 / 64) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_0_value_5;
+        winnerswinner1_of_pair_0_2_choices(3) := (not is_set(sums_sum_0(2), 2)) or winnerswinner1_of_pair_0_2_value;
       end if;
-      if winnerswinner1_of_pair_0_0_choice_7 then
-        winnerswinner1_of_pair_0_0_choice_8 := ((sums_sum_0_0 / 128) = 1) and (not ((sums_sum_0_1 / 128) = 1));
+      for i in 2 to 5 loop
+        winnerswinner1_of_pair_0_2_values(i) := is_set(sums_sum_0(3), i + 1);
+        if winnerswinner1_of_pair_0_2_choices(i + 1) then
+          winnerswinner1_of_pair_0_2_choices(i + 2) := (not is_set(sums_sum_0(2), i + 1)) or
+            winnerswinner1_of_pair_0_2_values(i);
+        else
+          winnerswinner1_of_pair_0_2_choices(i + 2) := (not is_set(sums_sum_0(2), i + 1)) and
+            winnerswinner1_of_pair_0_2_values(i);
+        end if;
+      end loop;
+      if winnerswinner1_of_pair_0_2_choices(7) then
+        winnerswinner1_of_pair_0_2_choices(8) := is_set(sums_sum_0(2), 7) and (not is_set(sums_sum_0(3), 7));
       else
-        winnerswinner1_of_pair_0_0_choice_8 := ((sums_sum_0_0 / 128) = 1) or (not ((sums_sum_0_1 / 128) = 1));
+        winnerswinner1_of_pair_0_2_choices(8) := is_set(sums_sum_0(2), 7) or (not is_set(sums_sum_0(3), 7));
       end if;
-      if (sums_sum_0_2 mod 2) = 1 then
-        winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1));
+      if is_set(sums_sum_0(4), 0) then
+        winnerswinner1_of_pair_0_4_choice := (not is_set(sums_sum_0(5), 1)) or (not is_set(sums_sum_0(5), 0));
       else
-        winnerswinner1_of_pair_0_2_choice := not (((sums_sum_0_3 / 2) mod 2) = 1);
+        winnerswinner1_of_pair_0_4_choice := not is_set(sums_sum_0(5), 1);
       end if;
-      if ((sums_sum_0_2 / 2) mod 2) = 1 then
-        winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice;
+      if is_set(sums_sum_0(4), 1) then
+        winnerswinner1_of_pair_0_4_choices(2) := winnerswinner1_of_pair_0_4_choice;
       else
-        winnerswinner1_of_pair_0_2_choice_2 := ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+        winnerswinner1_of_pair_0_4_choices(2) := is_set(sums_sum_0(4), 0) and ((sums_sum_0(5) mod 4) = 0);
       end if;
-      winnerswinner1_of_pair_0_2_value := ((sums_sum_0_3 / 4) mod 2) = 1;
-      if winnerswinner1_of_pair_0_2_choice_2 then
-        winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_2_value;
+      winnerswinner1_of_pair_0_4_value := is_set(sums_sum_0(5), 2);
+      if winnerswinner1_of_pair_0_4_choices(2) then
+        winnerswinner1_of_pair_0_4_choices(3) := (not is_set(sums_sum_0(4), 2)) and winnerswinner1_of_pair_0_4_value;
       else
-        winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_2_value;
+        winnerswinner1_of_pair_0_4_choices(3) := (not is_set(sums_sum_0(4), 2)) or winnerswinner1_of_pair_0_4_value;
       end if;
-      winnerswinner1_of_pair_0_2_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
-      if winnerswinner1_of_pair_0_2_choice_3 then
-        winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_2_value_2;
+      for i in 2 to 5 loop
+        winnerswinner1_of_pair_0_4_values(i) := is_set(sums_sum_0(5), i + 1);
+        if winnerswinner1_of_pair_0_4_choices(i + 1) then
+          winnerswinner1_of_pair_0_4_choices(i + 2) := (not is_set(sums_sum_0(4), i + 1)) or
+            winnerswinner1_of_pair_0_4_values(i);
+        else
+          winnerswinner1_of_pair_0_4_choices(i + 2) := (not is_set(sums_sum_0(4), i + 1)) and
+            winnerswinner1_of_pair_0_4_values(i);
+        end if;
+      end loop;
+      if winnerswinner1_of_pair_0_4_choices(7) then
+        winnerswinner1_of_pair_0_4_choices(8) := is_set(sums_sum_0(4), 7) and (not is_set(sums_sum_0(5), 7));
       else
-        winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_2_value_2;
+        winnerswinner1_of_pair_0_4_choices(8) := is_set(sums_sum_0(4), 7) or (not is_set(sums_sum_0(5), 7));
       end if;
-      winnerswinner1_of_pair_0_2_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
-      if winnerswinner1_of_pair_0_2_choice_4 then
-        winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_2_value_3;
+      if is_set(sums_sum_0(6), 0) then
+        winnerswinner1_of_pair_0_6_choice := (not is_set(sums_sum_0(7), 1)) or (not is_set(sums_sum_0(7), 0));
       else
-        winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_2_value_3;
+        winnerswinner1_of_pair_0_6_choice := not is_set(sums_sum_0(7), 1);
       end if;
-      winnerswinner1_of_pair_0_2_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
-      if winnerswinner1_of_pair_0_2_choice_5 then
-        winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_2_value_4;
+      if is_set(sums_sum_0(6), 1) then
+        winnerswinner1_of_pair_0_6_choices(2) := winnerswinner1_of_pair_0_6_choice;
       else
-        winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_2_value_4;
+        winnerswinner1_of_pair_0_6_choices(2) := is_set(sums_sum_0(6), 0) and ((sums_sum_0(7) mod 4) = 0);
       end if;
-      winnerswinner1_of_pair_0_2_value_5 := ((sums_sum_0_3 / 64) mod 2) = 1;
-      if winnerswinner1_of_pair_0_2_choice_6 then
-        winnerswinner1_of_pair_0_2_choice_7 := (not (((sums_sum_0_2 / 64) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_2_value_5;
-      else
-        winnerswinner1_of_pair_0_2_choice_7 := (not (((sums_sum_0_2 / 64) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_2_value_5;
-      end if;
-      if winnerswinner1_of_pair_0_2_choice_7 then
-        winnerswinner1_of_pair_0_2_choice_8 := ((sums_sum_0_2 / 128) = 1) and (not ((sums_sum_0_3 / 128) = 1));
-      else
-        winnerswinner1_of_pair_0_2_choice_8 := ((sums_sum_0_2 / 128) = 1) or (not ((sums_sum_0_3 / 128) = 1));
-      end if;
-      if (sums_sum_0_4 mod 2) = 1 then
-        winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1));
-      else
-        winnerswinner1_of_pair_0_4_choice := not (((sums_sum_0_5 / 2) mod 2) = 1);
-      end if;
-      if ((sums_sum_0_4 / 2) mod 2) = 1 then
-        winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice;
-      else
-        winnerswinner1_of_pair_0_4_choice_2 := ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
-      end if;
-      winnerswinner1_of_pair_0_4_value := ((sums_sum_0_5 / 4) mod 2) = 1;
-      if winnerswinner1_of_pair_0_4_choice_2 then
-        winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_4_value;
-      else
-        winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_4_value;
-      end if;
-      winnerswinner1_of_pair_0_4_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
-      if winnerswinner1_of_pair_0_4_choice_3 then
-        winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_4_value_2;
-      else
-        winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_4_value_2;
-      end if;
-      winnerswinner1_of_pair_0_4_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
-      if winnerswinner1_of_pair_0_4_choice_4 then
-        winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_4_value_3;
-      else
-        winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_4_value_3;
-      end if;
-      winnerswinner1_of_pair_0_4_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
-      if winnerswinner1_of_pair_0_4_choice_5 then
-        winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_4_value_4;
-      else
-        winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_4_value_4;
-      end if;
-      winnerswinner1_of_pair_0_4_value_5 := ((sums_sum_0_5 / 64) mod 2) = 1;
-      if winnerswinner1_of_pair_0_4_choice_6 then
-        winnerswinner1_of_pair_0_4_choice_7 := (not (((sums_sum_0_4 / 64) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_4_value_5;
-      else
-        winnerswinner1_of_pair_0_4_choice_7 := (not (((sums_sum_0_4 / 64) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_4_value_5;
-      end if;
-      if winnerswinner1_of_pair_0_4_choice_7 then
-        winnerswinner1_of_pair_0_4_choice_8 := ((sums_sum_0_4 / 128) = 1) and (not ((sums_sum_0_5 / 128) = 1));
-      else
-        winnerswinner1_of_pair_0_4_choice_8 := ((sums_sum_0_4 / 128) = 1) or (not ((sums_sum_0_5 / 128) = 1));
-      end if;
-      if (sums_sum_0_6 mod 2) = 1 then
-        winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1));
-      else
-        winnerswinner1_of_pair_0_6_choice := not (((sums_sum_0_7 / 2) mod 2) = 1);
-      end if;
-      if ((sums_sum_0_6 / 2) mod 2) = 1 then
-        winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice;
-      else
-        winnerswinner1_of_pair_0_6_choice_2 := ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
-      end if;
-      winnerswinner1_of_pair_0_6_value := ((sums_sum_0_7 / 4) mod 2) = 1;
-      if winnerswinner1_of_pair_0_6_choice_2 then
-        winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_6_value;
-      else
-        winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_6_value;
-      end if;
-      winnerswinner1_of_pair_0_6_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
-      if winnerswinner1_of_pair_0_6_choice_3 then
-        winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_6_value_2;
-      else
-        winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_6_value_2;
-      end if;
-      winnerswinner1_of_pair_0_6_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
-      if winnerswinner1_of_pair_0_6_choice_4 then
-        winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_6_value_3;
-      else
-        winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_6_value_3;
-      end if;
-      winnerswinner1_of_pair_0_6_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
-      if winnerswinner1_of_pair_0_6_choice_5 then
-        winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_6_value_4;
-      else
-        winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_6_value_4;
-      end if;
-      winnerswinner1_of_pair_0_6_value_5 := ((sums_sum_0_7 / 64) mod 2) = 1;
-      if winnerswinner1_of_pair_0_6_choice_6 then
-        winnerswinner1_of_pair_0_6_choice_7 := (not (((sums_sum_0_6 / 64) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_6_value_5;
-      else
-        winnerswinner1_of_pair_0_6_choice_7 := (not (((sums_sum_0_6 / 64) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_6_value_5;
-      end if;
-      if winnerswinner1_of_pair_0_6_choice_7 then
-        winnerswinner1_of_pair_0_6_choice_8 := ((sums_sum_0_6 / 128) = 1) and (not ((sums_sum_0_7 / 128) = 1));
-      else
-        winnerswinner1_of_pair_0_6_choice_8 := ((sums_sum_0_6 / 128) = 1) or (not ((sums_sum_0_7 / 128) = 1));
-      end if;
-      if (sums_sum_0_8 mod 2) = 1 then
-        winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1));
-      else
-        winnerswinner1_of_pair_0_8_choice := not (((sums_sum_0_9 / 2) mod 2) = 1);
-      end if;
-      if ((sums_sum_0_8 / 2) mod 2) = 1 then
-        winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice;
-      else
-        winnerswinner1_of_pair_0_8_choice_2 := ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
-      end if;
-      winnerswinner1_of_pair_0_8_value := ((sums_sum_0_9 / 4) mod 2) = 1;
-      if winnerswinner1_of_pair_0_8_choice_2 then
-        winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_8_value;
-      else
-        winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_8_value;
-      end if;
-      winnerswinner1_of_pair_0_8_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
-      if winnerswinner1_of_pair_0_8_choice_3 then
-        winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_8_value_2;
-      else
-        winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_8_value_2;
-      end if;
-      winnerswinner1_of_pair_0_8_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
-      if winnerswinner1_of_pair_0_8_choice_4 then
-        winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_8_value_3;
-      else
-        winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_8_value_3;
-      end if;
-      winnerswinner1_of_pair_0_8_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
-      if winnerswinner1_of_pair_0_8_choice_5 then
-        winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_8_value_4;
-      else
-        winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_8_value_4;
-      end if;
-      winnerswinner1_of_pair_0_8_value_5 := ((sums_sum_0_9 / 64) mod 2) = 1;
-      if winnerswinner1_of_pair_0_8_choice_6 then
-        winnerswinner1_of_pair_0_8_choice_7 := (not (((sums_sum_0_8 / 64) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_8_value_5;
-      else
-        winnerswinner1_of_pair_0_8_choice_7 := (not (((sums_sum_0_8 / 64) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_8_value_5;
-      end if;
-      if winnerswinner1_of_pair_0_8_choice_7 then
-        winnerswinner1_of_pair_0_8_choice_8 := ((sums_sum_0_8 / 128) = 1) and (not ((sums_sum_0_9 / 128) = 1));
-      else
-        winnerswinner1_of_pair_0_8_choice_8 := ((sums_sum_0_8 / 128) = 1) or (not ((sums_sum_0_9 / 128) = 1));
-      end if;
-      if (sums_sum_0_10 mod 2) = 1 then
-        winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
-          1));
-      else
-        winnerswinner1_of_pair_0_10_choice := not (((sums_sum_0_11 / 2) mod 2) = 1);
-      end if;
-      if ((sums_sum_0_10 / 2) mod 2) = 1 then
-        winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice;
-      else
-        winnerswinner1_of_pair_0_10_choice_2 := ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
-      end if;
-      winnerswinner1_of_pair_0_10_value := ((sums_sum_0_11 / 4) mod 2) = 1;
-      if winnerswinner1_of_pair_0_10_choice_2 then
-        winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_10_value;
-      else
-        winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_10_value;
-      end if;
-      winnerswinner1_of_pair_0_10_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
-      if winnerswinner1_of_pair_0_10_choice_3 then
-        winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_10_value_2;
-      else
-        winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_10_value_2;
-      end if;
-      winnerswinner1_of_pair_0_10_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
-      if winnerswinner1_of_pair_0_10_choice_4 then
-        winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_10_value_3;
-      else
-        winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_10_value_3;
-      end if;
-      winnerswinner1_of_pair_0_10_value_4 := ((sums_sum_0_11 / 32) mod 2) = 1;
-      if winnerswinner1_of_pair_0_10_choice_5 then
-        winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_10_value_4;
-      else
-        winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_10_value_4;
-      end if;
-      winnerswinner1_of_pair_0_10_value_5 := ((sums_sum_0_11 / 64) mod 2) = 1;
-      if winnerswinner1_of_pair_0_10_choice_6 then
-        winnerswinner1_of_pair_0_10_choice_7 := (not (((sums_sum_0_10 / 64) mod 2) = 1)) or
-          winnerswinner1_of_pair_0_10_value_5;
-      else
-        winnerswinner1_of_pair_0_10_choice_7 := (not (((sums_sum_0_10 / 64) mod 2) = 1)) and
-          winnerswinner1_of_pair_0_10_value_5;
-      end if;
-      if winnerswinner1_of_pair_0_10_choice_7 then
-        winnerswinner1_of_pair_0_10_choice_8 := ((sums_sum_0_10 / 128) = 1) and (not ((sums_sum_0_11 / 128) = 1));
-      else
-        winnerswinner1_of_pair_0_10_choice_8 := ((sums_sum_0_10 / 128) = 1) or (not ((sums_sum_0_11 / 128) = 1));
-      end if;
-      if (winnerswinner1_of_pair_0_1 mod 2) = 1 then
-        winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
-          ((winnerswinner1_of_pair_0_2 mod 2) = 1));
-      else
-        winnerswinner1_of_four_0_0_choice := ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not
-          ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_2 mod 2) = 1));
-      end if;
-      winnerswinner1_of_four_0_0_value := ((winnerswinner1_of_pair_0_1 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_0_value_2 := ((winnerswinner1_of_pair_0_0 / 2) mod 2) = 1;
-      if (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1))
-        then
-        winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
-          winnerswinner1_of_four_0_0_value_2;
-      else
-        winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice and (winnerswinner1_of_four_0_0_value
-          or winnerswinner1_of_four_0_0_value_2);
-      end if;
-      winnerswinner1_of_four_0_0_value_3 := ((winnerswinner1_of_pair_0_3 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_0_value_4 := ((winnerswinner1_of_pair_0_2 / 4) mod 2) = 1;
-      if winnerswinner1_of_four_0_0_choice_2 then
-        winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
-          winnerswinner1_of_four_0_0_value_4);
-      else
-        winnerswinner1_of_four_0_0_choice_3 := ((not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_3 or
-          winnerswinner1_of_four_0_0_value_4;
-      end if;
-      winnerswinner1_of_four_0_0_value_5 := ((winnerswinner1_of_pair_0_3 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_0_value_6 := ((winnerswinner1_of_pair_0_2 / 8) mod 2) = 1;
-      if winnerswinner1_of_four_0_0_choice_3 then
-        winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
-          winnerswinner1_of_four_0_0_value_6;
-      else
-        winnerswinner1_of_four_0_0_choice_4 := (not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_5 or
-          winnerswinner1_of_four_0_0_value_6);
-      end if;
-      winnerswinner1_of_four_0_0_value_7 := ((winnerswinner1_of_pair_0_3 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_0_value_8 := ((winnerswinner1_of_pair_0_2 / 16) mod 2) = 1;
-      if winnerswinner1_of_four_0_0_choice_4 then
-        winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
-          winnerswinner1_of_four_0_0_value_8;
-      else
-        winnerswinner1_of_four_0_0_choice_5 := (not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_7 or
-          winnerswinner1_of_four_0_0_value_8);
-      end if;
-      winnerswinner1_of_four_0_0_value_9 := ((winnerswinner1_of_pair_0_3 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_0_value_10 := ((winnerswinner1_of_pair_0_2 / 32) mod 2) = 1;
-      if winnerswinner1_of_four_0_0_choice_5 then
-        winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
-          winnerswinner1_of_four_0_0_value_10;
-      else
-        winnerswinner1_of_four_0_0_choice_6 := (not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_9 or
-          winnerswinner1_of_four_0_0_value_10);
-      end if;
-      winnerswinner1_of_four_0_0_value_11 := ((winnerswinner1_of_pair_0_3 / 64) mod 2) = 1;
-      winnerswinner1_of_four_0_0_value_12 := ((winnerswinner1_of_pair_0_2 / 64) mod 2) = 1;
-      if winnerswinner1_of_four_0_0_choice_6 then
-        winnerswinner1_of_four_0_0_choice_7 := ((not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_11 or
-          winnerswinner1_of_four_0_0_value_12;
-      else
-        winnerswinner1_of_four_0_0_choice_7 := (not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_11 or
-          winnerswinner1_of_four_0_0_value_12);
-      end if;
-      if winnerswinner1_of_four_0_0_choice_7 then
-        winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_0 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_2 / 128) = 1));
-      else
-        winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_0 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_2 / 128) = 1)));
-      end if;
-      if (winnerswinner1_of_pair_0_5 mod 2) = 1 then
-        winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
-          ((winnerswinner1_of_pair_0_6 mod 2) = 1));
-      else
-        winnerswinner1_of_four_0_4_choice := ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not
-          ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_6 mod 2) = 1));
-      end if;
-      winnerswinner1_of_four_0_4_value := ((winnerswinner1_of_pair_0_5 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_4_value_2 := ((winnerswinner1_of_pair_0_4 / 2) mod 2) = 1;
-      if (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1))
-        then
-        winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
-          winnerswinner1_of_four_0_4_value_2;
-      else
-        winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice and (winnerswinner1_of_four_0_4_value
-          or winnerswinner1_of_four_0_4_value_2);
-      end if;
-      winnerswinner1_of_four_0_4_value_3 := ((winnerswinner1_of_pair_0_7 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_4_value_4 := ((winnerswinner1_of_pair_0_6 / 4) mod 2) = 1;
-      if winnerswinner1_of_four_0_4_choice_2 then
-        winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
-          winnerswinner1_of_four_0_4_value_4);
-      else
-        winnerswinner1_of_four_0_4_choice_3 := ((not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_3 or
-          winnerswinner1_of_four_0_4_value_4;
-      end if;
-      winnerswinner1_of_four_0_4_value_5 := ((winnerswinner1_of_pair_0_7 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_4_value_6 := ((winnerswinner1_of_pair_0_6 / 8) mod 2) = 1;
-      if winnerswinner1_of_four_0_4_choice_3 then
-        winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
-          winnerswinner1_of_four_0_4_value_6;
-      else
-        winnerswinner1_of_four_0_4_choice_4 := (not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_5 or
-          winnerswinner1_of_four_0_4_value_6);
-      end if;
-      winnerswinner1_of_four_0_4_value_7 := ((winnerswinner1_of_pair_0_7 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_4_value_8 := ((winnerswinner1_of_pair_0_6 / 16) mod 2) = 1;
-      if winnerswinner1_of_four_0_4_choice_4 then
-        winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
-          winnerswinner1_of_four_0_4_value_8;
-      else
-        winnerswinner1_of_four_0_4_choice_5 := (not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_7 or
-          winnerswinner1_of_four_0_4_value_8);
-      end if;
-      winnerswinner1_of_four_0_4_value_9 := ((winnerswinner1_of_pair_0_7 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_4_value_10 := ((winnerswinner1_of_pair_0_6 / 32) mod 2) = 1;
-      if winnerswinner1_of_four_0_4_choice_5 then
-        winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
-          winnerswinner1_of_four_0_4_value_10;
-      else
-        winnerswinner1_of_four_0_4_choice_6 := (not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_9 or
-          winnerswinner1_of_four_0_4_value_10);
-      end if;
-      winnerswinner1_of_four_0_4_value_11 := ((winnerswinner1_of_pair_0_7 / 64) mod 2) = 1;
-      winnerswinner1_of_four_0_4_value_12 := ((winnerswinner1_of_pair_0_6 / 64) mod 2) = 1;
-      if winnerswinner1_of_four_0_4_choice_6 then
-        winnerswinner1_of_four_0_4_choice_7 := ((not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_11 or
-          winnerswinner1_of_four_0_4_value_12;
-      else
-        winnerswinner1_of_four_0_4_choice_7 := (not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_11 or
-          winnerswinner1_of_four_0_4_value_12);
-      end if;
-      if winnerswinner1_of_four_0_4_choice_7 then
-        winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_4 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_6 / 128) = 1));
-      else
-        winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_4 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_6 / 128) = 1)));
-      end if;
-      if (winnerswinner1_of_pair_0_9 mod 2) = 1 then
-        winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
-          ((winnerswinner1_of_pair_0_10 mod 2) = 1));
-      else
-        winnerswinner1_of_four_0_8_choice := ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not
-          ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_10 mod 2) = 1));
-      end if;
-      winnerswinner1_of_four_0_8_value := ((winnerswinner1_of_pair_0_9 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_8_value_2 := ((winnerswinner1_of_pair_0_8 / 2) mod 2) = 1;
-      if (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_10 / 2) mod 2) =
-        1)) then
-        winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
-          winnerswinner1_of_four_0_8_value_2;
-      else
-        winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice and (winnerswinner1_of_four_0_8_value
-          or winnerswinner1_of_four_0_8_value_2);
-      end if;
-      winnerswinner1_of_four_0_8_value_3 := ((winnerswinner1_of_pair_0_11 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_8_value_4 := ((winnerswinner1_of_pair_0_10 / 4) mod 2) = 1;
-      if winnerswinner1_of_four_0_8_choice_2 then
-        winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
-          winnerswinner1_of_four_0_8_value_4);
-      else
-        winnerswinner1_of_four_0_8_choice_3 := ((not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_3 or
-          winnerswinner1_of_four_0_8_value_4;
-      end if;
-      winnerswinner1_of_four_0_8_value_5 := ((winnerswinner1_of_pair_0_11 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_8_value_6 := ((winnerswinner1_of_pair_0_10 / 8) mod 2) = 1;
-      if winnerswinner1_of_four_0_8_choice_3 then
-        winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
-          winnerswinner1_of_four_0_8_value_6;
-      else
-        winnerswinner1_of_four_0_8_choice_4 := (not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_5 or
-          winnerswinner1_of_four_0_8_value_6);
-      end if;
-      winnerswinner1_of_four_0_8_value_7 := ((winnerswinner1_of_pair_0_11 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_8_value_8 := ((winnerswinner1_of_pair_0_10 / 16) mod 2) = 1;
-      if winnerswinner1_of_four_0_8_choice_4 then
-        winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
-          winnerswinner1_of_four_0_8_value_8;
-      else
-        winnerswinner1_of_four_0_8_choice_5 := (not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_7 or
-          winnerswinner1_of_four_0_8_value_8);
-      end if;
-      winnerswinner1_of_four_0_8_value_9 := ((winnerswinner1_of_pair_0_11 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_8_value_10 := ((winnerswinner1_of_pair_0_10 / 32) mod 2) = 1;
-      if winnerswinner1_of_four_0_8_choice_5 then
-        winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
-          winnerswinner1_of_four_0_8_value_10;
-      else
-        winnerswinner1_of_four_0_8_choice_6 := (not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_9 or
-          winnerswinner1_of_four_0_8_value_10);
-      end if;
-      winnerswinner1_of_four_0_8_value_11 := ((winnerswinner1_of_pair_0_11 / 64) mod 2) = 1;
-      winnerswinner1_of_four_0_8_value_12 := ((winnerswinner1_of_pair_0_10 / 64) mod 2) = 1;
-      if winnerswinner1_of_four_0_8_choice_6 then
-        winnerswinner1_of_four_0_8_choice_7 := ((not (((winnerswinner1_of_pair_0_9 / 64) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_8 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_11 or
-          winnerswinner1_of_four_0_8_value_12;
-      else
-        winnerswinner1_of_four_0_8_choice_7 := (not (((winnerswinner1_of_pair_0_9 / 64) mod 2) = 1)) and (not
-          (((winnerswinner1_of_pair_0_8 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_11 or
-          winnerswinner1_of_four_0_8_value_12);
-      end if;
-      if winnerswinner1_of_four_0_8_choice_7 then
-        winnerswinner1_of_four_0_8_choice_8 := (not ((not ((winnerswinner1_of_pair_0_9 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_8 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_10 / 128) = 1));
-      else
-        winnerswinner1_of_four_0_8_choice_8 := (not ((not ((winnerswinner1_of_pair_0_9 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_8 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_11 / 128) = 1)) and (not
-          ((winnerswinner1_of_pair_0_10 / 128) = 1)));
-      end if;
-      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choice_8;
+      winnerswinner1_of_pair_0_6_value := is_set(sums_sum_0(7), 2);
+      if winnerswinner1_of_pair_0_6_choices(2) then
+        winnerswinner1_of_pair_0_6_choices(3) := (not is_set(sums_sum_0(6), 2)) and winnerswinner1_of_pair_0_6_value;
+      else
+        winnerswinner1_of_pair_0_6_choices(3) := (not is_set(sums_sum_0(6), 2)) or winnerswinner1_of_pair_0_6_value;
+      end if;
+      for i in 2 to 5 loop
+        winnerswinner1_of_pair_0_6_values(i) := is_set(sums_sum_0(7), i + 1);
+        if winnerswinner1_of_pair_0_6_choices(i + 1) then
+          winnerswinner1_of_pair_0_6_choices(i + 2) := (not is_set(sums_sum_0(6), i + 1)) or
+            winnerswinner1_of_pair_0_6_values(i);
+        else
+          winnerswinner1_of_pair_0_6_choices(i + 2) := (not is_set(sums_sum_0(6), i + 1)) and
+            winnerswinner1_of_pair_0_6_values(i);
+        end if;
+      end loop;
+      if winnerswinner1_of_pair_0_6_choices(7) then
+        winnerswinner1_of_pair_0_6_choices(8) := is_set(sums_sum_0(6), 7) and (not is_set(sums_sum_0(7), 7));
+      else
+        winnerswinner1_of_pair_0_6_choices(8) := is_set(sums_sum_0(6), 7) or (not is_set(sums_sum_0(7), 7));
+      end if;
+      if is_set(sums_sum_0(8), 0) then
+        winnerswinner1_of_pair_0_8_choice := (not is_set(sums_sum_0(9), 1)) or (not is_set(sums_sum_0(9), 0));
+      else
+        winnerswinner1_of_pair_0_8_choice := not is_set(sums_sum_0(9), 1);
+      end if;
+      if is_set(sums_sum_0(8), 1) then
+        winnerswinner1_of_pair_0_8_choices(2) := winnerswinner1_of_pair_0_8_choice;
+      else
+        winnerswinner1_of_pair_0_8_choices(2) := is_set(sums_sum_0(8), 0) and ((sums_sum_0(9) mod 4) = 0);
+      end if;
+      winnerswinner1_of_pair_0_8_value := is_set(sums_sum_0(9), 2);
+      if winnerswinner1_of_pair_0_8_choices(2) then
+        winnerswinner1_of_pair_0_8_choices(3) := (not is_set(sums_sum_0(8), 2)) and winnerswinner1_of_pair_0_8_value;
+      else
+        winnerswinner1_of_pair_0_8_choices(3) := (not is_set(sums_sum_0(8), 2)) or winnerswinner1_of_pair_0_8_value;
+      end if;
+      for i in 2 to 5 loop
+        winnerswinner1_of_pair_0_8_values(i) := is_set(sums_sum_0(9), i + 1);
+        if winnerswinner1_of_pair_0_8_choices(i + 1) then
+          winnerswinner1_of_pair_0_8_choices(i + 2) := (not is_set(sums_sum_0(8), i + 1)) or
+            winnerswinner1_of_pair_0_8_values(i);
+        else
+          winnerswinner1_of_pair_0_8_choices(i + 2) := (not is_set(sums_sum_0(8), i + 1)) and
+            winnerswinner1_of_pair_0_8_values(i);
+        end if;
+      end loop;
+      if winnerswinner1_of_pair_0_8_choices(7) then
+        winnerswinner1_of_pair_0_8_choices(8) := is_set(sums_sum_0(8), 7) and (not is_set(sums_sum_0(9), 7));
+      else
+        winnerswinner1_of_pair_0_8_choices(8) := is_set(sums_sum_0(8), 7) or (not is_set(sums_sum_0(9), 7));
+      end if;
+      if is_set(sums_sum_0(10), 0) then
+        winnerswinner1_of_pair_0_10_choice := (not is_set(sums_sum_0(11), 1)) or (not is_set(sums_sum_0(11), 0));
+      else
+        winnerswinner1_of_pair_0_10_choice := not is_set(sums_sum_0(11), 1);
+      end if;
+      if is_set(sums_sum_0(10), 1) then
+        winnerswinner1_of_pair_0_10_choices(2) := winnerswinner1_of_pair_0_10_choice;
+      else
+        winnerswinner1_of_pair_0_10_choices(2) := is_set(sums_sum_0(10), 0) and ((sums_sum_0(11) mod 4) = 0);
+      end if;
+      winnerswinner1_of_pair_0_10_value := is_set(sums_sum_0(11), 2);
+      if winnerswinner1_of_pair_0_10_choices(2) then
+        winnerswinner1_of_pair_0_10_choices(3) := (not is_set(sums_sum_0(10), 2)) and winnerswinner1_of_pair_0_10_value;
+      else
+        winnerswinner1_of_pair_0_10_choices(3) := (not is_set(sums_sum_0(10), 2)) or winnerswinner1_of_pair_0_10_value;
+      end if;
+      for i in 2 to 5 loop
+        winnerswinner1_of_pair_0_10_values(i) := is_set(sums_sum_0(11), i + 1);
+        if winnerswinner1_of_pair_0_10_choices(i + 1) then
+          winnerswinner1_of_pair_0_10_choices(i + 2) := (not is_set(sums_sum_0(10), i + 1)) or
+            winnerswinner1_of_pair_0_10_values(i);
+        else
+          winnerswinner1_of_pair_0_10_choices(i + 2) := (not is_set(sums_sum_0(10), i + 1)) and
+            winnerswinner1_of_pair_0_10_values(i);
+        end if;
+      end loop;
+      if winnerswinner1_of_pair_0_10_choices(7) then
+        winnerswinner1_of_pair_0_10_choices(8) := is_set(sums_sum_0(10), 7) and (not is_set(sums_sum_0(11), 7));
+      else
+        winnerswinner1_of_pair_0_10_choices(8) := is_set(sums_sum_0(10), 7) or (not is_set(sums_sum_0(11), 7));
+      end if;
+      if is_set(winnerswinner1_of_pair_0(1), 0) then
+        winnerswinner1_of_four_0_0_choice := (not is_set(winnerswinner1_of_pair_0(3), 0)) and (not
+          is_set(winnerswinner1_of_pair_0(2), 0));
+      else
+        winnerswinner1_of_four_0_0_choice := is_set(winnerswinner1_of_pair_0(0), 0) and (not
+          is_set(winnerswinner1_of_pair_0(3), 0)) and (not is_set(winnerswinner1_of_pair_0(2), 0));
+      end if;
+      winnerswinner1_of_four_0_0_value := is_set(winnerswinner1_of_pair_0(1), 1);
+      winnerswinner1_of_four_0_0_values(2) := is_set(winnerswinner1_of_pair_0(0), 1);
+      if (not is_set(winnerswinner1_of_pair_0(3), 1)) and (not is_set(winnerswinner1_of_pair_0(2), 1)) then
+        winnerswinner1_of_four_0_0_choices(2) := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value
+          or winnerswinner1_of_four_0_0_values(2);
+      else
+        winnerswinner1_of_four_0_0_choices(2) := winnerswinner1_of_four_0_0_choice and
+          (winnerswinner1_of_four_0_0_value or winnerswinner1_of_four_0_0_values(2));
+      end if;
+      winnerswinner1_of_four_0_0_values(3) := is_set(winnerswinner1_of_pair_0(3), 2);
+      winnerswinner1_of_four_0_0_values(4) := is_set(winnerswinner1_of_pair_0(2), 2);
+      if winnerswinner1_of_four_0_0_choices(2) then
+        winnerswinner1_of_four_0_0_choices(3) := (not is_set(winnerswinner1_of_pair_0(1), 2)) and (not
+          is_set(winnerswinner1_of_pair_0(0), 2)) and (winnerswinner1_of_four_0_0_values(3) or
+          winnerswinner1_of_four_0_0_values(4));
+      else
+        winnerswinner1_of_four_0_0_choices(3) := ((not is_set(winnerswinner1_of_pair_0(1), 2)) and (not
+          is_set(winnerswinner1_of_pair_0(0), 2))) or winnerswinner1_of_four_0_0_values(3) or
+          winnerswinner1_of_four_0_0_values(4);
+      end if;
+      for i in 3 to 6 loop
+        winnerswinner1_of_four_0_0_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(3), i);
+        winnerswinner1_of_four_0_0_values(2 * i) := is_set(winnerswinner1_of_pair_0(2), i);
+        if winnerswinner1_of_four_0_0_choices(i) then
+          winnerswinner1_of_four_0_0_choices(i + 1) := ((not is_set(winnerswinner1_of_pair_0(1), i)) and (not
+            is_set(winnerswinner1_of_pair_0(0), i))) or winnerswinner1_of_four_0_0_values(2 * i - 1) or
+            winnerswinner1_of_four_0_0_values(2 * i);
+        else
+          winnerswinner1_of_four_0_0_choices(i + 1) := (not is_set(winnerswinner1_of_pair_0(1), i)) and (not
+            is_set(winnerswinner1_of_pair_0(0), i)) and (winnerswinner1_of_four_0_0_values(2 * i - 1) or
+            winnerswinner1_of_four_0_0_values(2 * i));
+        end if;
+      end loop;
+      if winnerswinner1_of_four_0_0_choices(7) then
+        winnerswinner1_of_four_0_0_choices(8) := (not ((not is_set(winnerswinner1_of_pair_0(1), 7)) and (not
+          is_set(winnerswinner1_of_pair_0(0), 7)))) and (not is_set(winnerswinner1_of_pair_0(3), 7)) and (not
+          is_set(winnerswinner1_of_pair_0(2), 7));
+      else
+        winnerswinner1_of_four_0_0_choices(8) := (not ((not is_set(winnerswinner1_of_pair_0(1), 7)) and (not
+          is_set(winnerswinner1_of_pair_0(0), 7)))) or ((not is_set(winnerswinner1_of_pair_0(3), 7)) and (not
+          is_set(winnerswinner1_of_pair_0(2), 7)));
+      end if;
+      if is_set(winnerswinner1_of_pair_0(5), 0) then
+        winnerswinner1_of_four_0_4_choice := (not is_set(winnerswinner1_of_pair_0(7), 0)) and (not
+          is_set(winnerswinner1_of_pair_0(6), 0));
+      else
+        winnerswinner1_of_four_0_4_choice := is_set(winnerswinner1_of_pair_0(4), 0) and (not
+          is_set(winnerswinner1_of_pair_0(7), 0)) and (not is_set(winnerswinner1_of_pair_0(6), 0));
+      end if;
+      winnerswinner1_of_four_0_4_value := is_set(winnerswinner1_of_pair_0(5), 1);
+      winnerswinner1_of_four_0_4_values(2) := is_set(winnerswinner1_of_pair_0(4), 1);
+      if (not is_set(winnerswinner1_of_pair_0(7), 1)) and (not is_set(winnerswinner1_of_pair_0(6), 1)) then
+        winnerswinner1_of_four_0_4_choices(2) := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value
+          or winnerswinner1_of_four_0_4_values(2);
+      else
+        winnerswinner1_of_four_0_4_choices(2) := winnerswinner1_of_four_0_4_choice and
+          (winnerswinner1_of_four_0_4_value or winnerswinner1_of_four_0_4_values(2));
+      end if;
+      winnerswinner1_of_four_0_4_values(3) := is_set(winnerswinner1_of_pair_0(7), 2);
+      winnerswinner1_of_four_0_4_values(4) := is_set(winnerswinner1_of_pair_0(6), 2);
+      if winnerswinner1_of_four_0_4_choices(2) then
+        winnerswinner1_of_four_0_4_choices(3) := (not is_set(winnerswinner1_of_pair_0(5), 2)) and (not
+          is_set(winnerswinner1_of_pair_0(4), 2)) and (winnerswinner1_of_four_0_4_values(3) or
+          winnerswinner1_of_four_0_4_values(4));
+      else
+        winnerswinner1_of_four_0_4_choices(3) := ((not is_set(winnerswinner1_of_pair_0(5), 2)) and (not
+          is_set(winnerswinner1_of_pair_0(4), 2))) or winnerswinner1_of_four_0_4_values(3) or
+          winnerswinner1_of_four_0_4_values(4);
+      end if;
+      for i in 3 to 6 loop
+        winnerswinner1_of_four_0_4_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(7), i);
+        winnerswinner1_of_four_0_4_values(2 * i) := is_set(winnerswinner1_of_pair_0(6), i);
+        if winnerswinner1_of_four_0_4_choices(i) then
+          winnerswinner1_of_four_0_4_choices(i + 1) := ((not is_set(winnerswinner1_of_pair_0(5), i)) and (not
+            is_set(winnerswinner1_of_pair_0(4), i))) or winnerswinner1_of_four_0_4_values(2 * i - 1) or
+            winnerswinner1_of_four_0_4_values(2 * i);
+        else
+          winnerswinner1_of_four_0_4_choices(i + 1) := (not is_set(winnerswinner1_of_pair_0(5), i)) and (not
+            is_set(winnerswinner1_of_pair_0(4), i)) and (winnerswinner1_of_four_0_4_values(2 * i - 1) or
+            winnerswinner1_of_four_0_4_values(2 * i));
+        end if;
+      end loop;
+      if winnerswinner1_of_four_0_4_choices(7) then
+        winnerswinner1_of_four_0_4_choices(8) := (not ((not is_set(winnerswinner1_of_pair_0(5), 7)) and (not
+          is_set(winnerswinner1_of_pair_0(4), 7)))) and (not is_set(winnerswinner1_of_pair_0(7), 7)) and (not
+          is_set(winnerswinner1_of_pair_0(6), 7));
+      else
+        winnerswinner1_of_four_0_4_choices(8) := (not ((not is_set(winnerswinner1_of_pair_0(5), 7)) and (not
+          is_set(winnerswinner1_of_pair_0(4), 7)))) or ((not is_set(winnerswinner1_of_pair_0(7), 7)) and (not
+          is_set(winnerswinner1_of_pair_0(6), 7)));
+      end if;
+      if is_set(winnerswinner1_of_pair_0(9), 0) then
+        winnerswinner1_of_four_0_8_choice := (not is_set(winnerswinner1_of_pair_0(11), 0)) and (not
+          is_set(winnerswinner1_of_pair_0(10), 0));
+      else
+        winnerswinner1_of_four_0_8_choice := is_set(winnerswinner1_of_pair_0(8), 0) and (not
+          is_set(winnerswinner1_of_pair_0(11), 0)) and (not is_set(winnerswinner1_of_pair_0(10), 0));
+      end if;
+      winnerswinner1_of_four_0_8_value := is_set(winnerswinner1_of_pair_0(9), 1);
+      winnerswinner1_of_four_0_8_values(2) := is_set(winnerswinner1_of_pair_0(8), 1);
+      if (not is_set(winnerswinner1_of_pair_0(11), 1)) and (not is_set(winnerswinner1_of_pair_0(10), 1)) then
+        winnerswinner1_of_four_0_8_choices(2) := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value
+          or winnerswinner1_of_four_0_8_values(2);
+      else
+        winnerswinner1_of_four_0_8_choices(2) := winnerswinner1_of_four_0_8_choice and
+          (winnerswinner1_of_four_0_8_value or winnerswinner1_of_four_0_8_values(2));
+      end if;
+      winnerswinner1_of_four_0_8_values(3) := is_set(winnerswinner1_of_pair_0(11), 2);
+      winnerswinner1_of_four_0_8_values(4) := is_set(winnerswinner1_of_pair_0(10), 2);
+      if winnerswinner1_of_four_0_8_choices(2) then
+        winnerswinner1_of_four_0_8_choices(3) := (not is_set(winnerswinner1_of_pair_0(9), 2)) and (not
+          is_set(winnerswinner1_of_pair_0(8), 2)) and (winnerswinner1_of_four_0_8_values(3) or
+          winnerswinner1_of_four_0_8_values(4));
+      else
+        winnerswinner1_of_four_0_8_choices(3) := ((not is_set(winnerswinner1_of_pair_0(9), 2)) and (not
+          is_set(winnerswinner1_of_pair_0(8), 2))) or winnerswinner1_of_four_0_8_values(3) or
+          winnerswinner1_of_four_0_8_values(4);
+      end if;
+      for i in 3 to 6 loop
+        winnerswinner1_of_four_0_8_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(11), i);
+        winnerswinner1_of_four_0_8_values(2 * i) := is_set(winnerswinner1_of_pair_0(10), i);
+        if winnerswinner1_of_four_0_8_choices(i) then
+          winnerswinner1_of_four_0_8_choices(i + 1) := ((not is_set(winnerswinner1_of_pair_0(9), i)) and (not
+            is_set(winnerswinner1_of_pair_0(8), i))) or winnerswinner1_of_four_0_8_values(2 * i - 1) or
+            winnerswinner1_of_four_0_8_values(2 * i);
+        else
+          winnerswinner1_of_four_0_8_choices(i + 1) := (not is_set(winnerswinner1_of_pair_0(9), i)) and (not
+            is_set(winnerswinner1_of_pair_0(8), i)) and (winnerswinner1_of_four_0_8_values(2 * i - 1) or
+            winnerswinner1_of_four_0_8_values(2 * i));
+        end if;
+      end loop;
+      if winnerswinner1_of_four_0_8_choices(7) then
+        winnerswinner1_of_four_0_8_choices(8) := (not ((not is_set(winnerswinner1_of_pair_0(9), 7)) and (not
+          is_set(winnerswinner1_of_pair_0(8), 7)))) and (not is_set(winnerswinner1_of_pair_0(11), 7)) and (not
+          is_set(winnerswinner1_of_pair_0(10), 7));
+      else
+        winnerswinner1_of_four_0_8_choices(8) := (not ((not is_set(winnerswinner1_of_pair_0(9), 7)) and (not
+          is_set(winnerswinner1_of_pair_0(8), 7)))) or ((not is_set(winnerswinner1_of_pair_0(11), 7)) and (not
+          is_set(winnerswinner1_of_pair_0(10), 7)));
+      end if;
+      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choices(8);
       winnerswinner1_pair_tag_valid <= sums_tag_valid;
       winnerswinner1_pair_tag_map_column <= sums_tag_map_column;
       winnerswinner1_pair_tag_output_column <= sums_tag_output_column;
@@ -6832,15 +4034,11 @@ begin
       winnerswinner1_four_tag_output_column <= winnerswinner1_pair_tag_output_column;
       winnerswinner1_four_tag_start_of_frame <= winnerswinner1_pair_tag_start_of_frame;
       winnerswinner1_four_tag_end_of_line <= winnerswinner1_pair_tag_end_of_line;
-      winnerswinner1_best_cost_0_0 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_2, 8)) or
-        (to_unsigned(winnerswinner1_of_four_0_3, 8)))) or (to_unsigned(winnerswinner1_of_four_0_1, 8)))) or
-        (to_unsigned(winnerswinner1_of_four_0_0, 8))));
-      winnerswinner1_best_cost_0_1 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_6, 8)) or
-        (to_unsigned(winnerswinner1_of_four_0_7, 8)))) or (to_unsigned(winnerswinner1_of_four_0_5, 8)))) or
-        (to_unsigned(winnerswinner1_of_four_0_4, 8))));
-      winnerswinner1_best_cost_0_2 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_10, 8)) or
-        (to_unsigned(winnerswinner1_of_four_0_11, 8)))) or (to_unsigned(winnerswinner1_of_four_0_9, 8)))) or
-        (to_unsigned(winnerswinner1_of_four_0_8, 8))));
+      for i in 0 to 2 loop
+        winnerswinner1_best_cost_0(i) <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0(4 * i + 2), 8)) or
+          (to_unsigned(winnerswinner1_of_four_0(4 * i + 3), 8)))) or (to_unsigned(winnerswinner1_of_four_0(4 * i + 1),
+          8)))) or (to_unsigned(winnerswinner1_of_four_0(4 * i), 8))));
+      end loop;
       winnerswinner1_best_index_0_0 <= winnerswinner1_four_index_0_0;
       winnerswinner1_best_index_0_1 <= winnerswinner1_four_index_0_1;
       winnerswinner1_best_index_0_2 <= winnerswinner1_four_index_0_2;
@@ -6849,220 +4047,173 @@ begin
       winnerswinner1_tag_output_column <= winnerswinner1_four_tag_output_column;
       winnerswinner1_tag_start_of_frame <= winnerswinner1_four_tag_start_of_frame;
       winnerswinner1_tag_end_of_line <= winnerswinner1_four_tag_end_of_line;
-      if winnerswinner1_of_pair_0_0_choice_8 then
-        winnerswinner1_of_pair_0_0 <= 0;
-        winnerswinner1_of_pair_0_1 <= sums_sum_0_1;
+      if winnerswinner1_of_pair_0_0_choices(8) then
+        winnerswinner1_of_pair_0(0) <= 0;
+        winnerswinner1_of_pair_0(1) <= sums_sum_0(1);
       else
-        winnerswinner1_of_pair_0_0 <= sums_sum_0_0;
-        winnerswinner1_of_pair_0_1 <= 0;
+        winnerswinner1_of_pair_0(0) <= sums_sum_0(0);
+        winnerswinner1_of_pair_0(1) <= 0;
       end if;
-      if winnerswinner1_of_pair_0_2_choice_8 then
-        winnerswinner1_of_pair_0_2 <= 0;
-        winnerswinner1_of_pair_0_3 <= sums_sum_0_3;
+      if winnerswinner1_of_pair_0_2_choices(8) then
+        winnerswinner1_of_pair_0(2) <= 0;
+        winnerswinner1_of_pair_0(3) <= sums_sum_0(3);
         winnerswinner1_pair_index_0_1 <= 3;
       else
-        winnerswinner1_of_pair_0_2 <= sums_sum_0_2;
-        winnerswinner1_of_pair_0_3 <= 0;
+        winnerswinner1_of_pair_0(2) <= sums_sum_0(2);
+        winnerswinner1_of_pair_0(3) <= 0;
         winnerswinner1_pair_index_0_1 <= 2;
       end if;
-      if winnerswinner1_of_pair_0_4_choice_8 then
-        winnerswinner1_of_pair_0_4 <= 0;
-        winnerswinner1_of_pair_0_5 <= sums_sum_0_5;
+      if winnerswinner1_of_pair_0_4_choices(8) then
+        winnerswinner1_of_pair_0(4) <= 0;
+        winnerswinner1_of_pair_0(5) <= sums_sum_0(5);
         winnerswinner1_pair_index_0_2 <= 5;
       else
-        winnerswinner1_of_pair_0_4 <= sums_sum_0_4;
-        winnerswinner1_of_pair_0_5 <= 0;
+        winnerswinner1_of_pair_0(4) <= sums_sum_0(4);
+        winnerswinner1_of_pair_0(5) <= 0;
         winnerswinner1_pair_index_0_2 <= 4;
       end if;
-      if winnerswinner1_of_pair_0_6_choice_8 then
-        winnerswinner1_of_pair_0_6 <= 0;
-        winnerswinner1_of_pair_0_7 <= sums_sum_0_7;
+      if winnerswinner1_of_pair_0_6_choices(8) then
+        winnerswinner1_of_pair_0(6) <= 0;
+        winnerswinner1_of_pair_0(7) <= sums_sum_0(7);
         winnerswinner1_pair_index_0_3 <= 7;
       else
-        winnerswinner1_of_pair_0_6 <= sums_sum_0_6;
-        winnerswinner1_of_pair_0_7 <= 0;
+        winnerswinner1_of_pair_0(6) <= sums_sum_0(6);
+        winnerswinner1_of_pair_0(7) <= 0;
         winnerswinner1_pair_index_0_3 <= 6;
       end if;
-      if winnerswinner1_of_pair_0_8_choice_8 then
-        winnerswinner1_of_pair_0_8 <= 0;
-        winnerswinner1_of_pair_0_9 <= sums_sum_0_9;
+      if winnerswinner1_of_pair_0_8_choices(8) then
+        winnerswinner1_of_pair_0(8) <= 0;
+        winnerswinner1_of_pair_0(9) <= sums_sum_0(9);
         winnerswinner1_pair_index_0_4 <= 9;
       else
-        winnerswinner1_of_pair_0_8 <= sums_sum_0_8;
-        winnerswinner1_of_pair_0_9 <= 0;
+        winnerswinner1_of_pair_0(8) <= sums_sum_0(8);
+        winnerswinner1_of_pair_0(9) <= 0;
         winnerswinner1_pair_index_0_4 <= 8;
       end if;
-      if winnerswinner1_of_pair_0_10_choice_8 then
-        winnerswinner1_of_pair_0_10 <= 0;
-        winnerswinner1_of_pair_0_11 <= sums_sum_0_11;
+      if winnerswinner1_of_pair_0_10_choices(8) then
+        winnerswinner1_of_pair_0(10) <= 0;
+        winnerswinner1_of_pair_0(11) <= sums_sum_0(11);
         winnerswinner1_pair_index_0_5 <= 11;
       else
-        winnerswinner1_of_pair_0_10 <= sums_sum_0_10;
-        winnerswinner1_of_pair_0_11 <= 0;
+        winnerswinner1_of_pair_0(10) <= sums_sum_0(10);
+        winnerswinner1_of_pair_0(11) <= 0;
         winnerswinner1_pair_index_0_5 <= 10;
       end if;
-      if winnerswinner1_of_four_0_0_choice_8 then
-        winnerswinner1_of_four_0_0 <= 0;
-        winnerswinner1_of_four_0_1 <= 0;
-        winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2;
-        winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3;
+      if winnerswinner1_of_four_0_0_choices(8) then
+        winnerswinner1_of_four_0(0) <= 0;
+        winnerswinner1_of_four_0(1) <= 0;
+        winnerswinner1_of_four_0(2) <= winnerswinner1_of_pair_0(2);
+        winnerswinner1_of_four_0(3) <= winnerswinner1_of_pair_0(3);
         winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1;
       else
-        winnerswinner1_of_four_0_0 <= winnerswinner1_of_pair_0_0;
-        winnerswinner1_of_four_0_1 <= winnerswinner1_of_pair_0_1;
-        winnerswinner1_of_four_0_2 <= 0;
-        winnerswinner1_of_four_0_3 <= 0;
+        winnerswinner1_of_four_0(0) <= winnerswinner1_of_pair_0(0);
+        winnerswinner1_of_four_0(1) <= winnerswinner1_of_pair_0(1);
+        winnerswinner1_of_four_0(2) <= 0;
+        winnerswinner1_of_four_0(3) <= 0;
         winnerswinner1_four_index_0_0 <= as_number(winnerswinner1_pair_index_0_0);
       end if;
-      if winnerswinner1_of_four_0_4_choice_8 then
-        winnerswinner1_of_four_0_4 <= 0;
-        winnerswinner1_of_four_0_5 <= 0;
-        winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6;
-        winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7;
+      if winnerswinner1_of_four_0_4_choices(8) then
+        winnerswinner1_of_four_0(4) <= 0;
+        winnerswinner1_of_four_0(5) <= 0;
+        winnerswinner1_of_four_0(6) <= winnerswinner1_of_pair_0(6);
+        winnerswinner1_of_four_0(7) <= winnerswinner1_of_pair_0(7);
         winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3;
       else
-        winnerswinner1_of_four_0_4 <= winnerswinner1_of_pair_0_4;
-        winnerswinner1_of_four_0_5 <= winnerswinner1_of_pair_0_5;
-        winnerswinner1_of_four_0_6 <= 0;
-        winnerswinner1_of_four_0_7 <= 0;
+        winnerswinner1_of_four_0(4) <= winnerswinner1_of_pair_0(4);
+        winnerswinner1_of_four_0(5) <= winnerswinner1_of_pair_0(5);
+        winnerswinner1_of_four_0(6) <= 0;
+        winnerswinner1_of_four_0(7) <= 0;
         winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_2;
       end if;
-      if winnerswinner1_of_four_0_8_choice_8 then
-        winnerswinner1_of_four_0_8 <= 0;
-        winnerswinner1_of_four_0_9 <= 0;
-        winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10;
-        winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11;
+      if winnerswinner1_of_four_0_8_choices(8) then
+        winnerswinner1_of_four_0(8) <= 0;
+        winnerswinner1_of_four_0(9) <= 0;
+        winnerswinner1_of_four_0(10) <= winnerswinner1_of_pair_0(10);
+        winnerswinner1_of_four_0(11) <= winnerswinner1_of_pair_0(11);
         winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5;
       else
-        winnerswinner1_of_four_0_8 <= winnerswinner1_of_pair_0_8;
-        winnerswinner1_of_four_0_9 <= winnerswinner1_of_pair_0_9;
-        winnerswinner1_of_four_0_10 <= 0;
-        winnerswinner1_of_four_0_11 <= 0;
+        winnerswinner1_of_four_0(8) <= winnerswinner1_of_pair_0(8);
+        winnerswinner1_of_four_0(9) <= winnerswinner1_of_pair_0(9);
+        winnerswinner1_of_four_0(10) <= 0;
+        winnerswinner1_of_four_0(11) <= 0;
         winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_4;
       end if;
       -- winnerswinner2
-      if (winnerswinner1_best_cost_0_0 mod 2) = 1 then
-        winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
-          ((winnerswinner1_best_cost_0_1 mod 2) = 1));
+      if is_set(winnerswinner1_best_cost_0(0), 0) then
+        winnerswinner2_of_pair_0_0_choice := (not is_set(winnerswinner1_best_cost_0(1), 1)) or (not
+          is_set(winnerswinner1_best_cost_0(1), 0));
       else
-        winnerswinner2_of_pair_0_0_choice := not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
+        winnerswinner2_of_pair_0_0_choice := not is_set(winnerswinner1_best_cost_0(1), 1);
       end if;
-      if ((winnerswinner1_best_cost_0_0 / 2) mod 2) = 1 then
-        winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice;
+      if is_set(winnerswinner1_best_cost_0(0), 1) then
+        winnerswinner2_of_pair_0_0_choices(2) := winnerswinner2_of_pair_0_0_choice;
       else
-        winnerswinner2_of_pair_0_0_choice_2 := ((winnerswinner1_best_cost_0_0 mod 2) = 1) and
-          ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+        winnerswinner2_of_pair_0_0_choices(2) := is_set(winnerswinner1_best_cost_0(0), 0) and
+          ((winnerswinner1_best_cost_0(1) mod 4) = 0);
       end if;
-      winnerswinner2_of_pair_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
-      if winnerswinner2_of_pair_0_0_choice_2 then
-        winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
+      winnerswinner2_of_pair_0_0_value := is_set(winnerswinner1_best_cost_0(1), 2);
+      if winnerswinner2_of_pair_0_0_choices(2) then
+        winnerswinner2_of_pair_0_0_choices(3) := (not is_set(winnerswinner1_best_cost_0(0), 2)) and
           winnerswinner2_of_pair_0_0_value;
       else
-        winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_choices(3) := (not is_set(winnerswinner1_best_cost_0(0), 2)) or
           winnerswinner2_of_pair_0_0_value;
       end if;
-      winnerswinner2_of_pair_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
-      if winnerswinner2_of_pair_0_0_choice_3 then
-        winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
-          winnerswinner2_of_pair_0_0_value_2;
+      for i in 2 to 5 loop
+        winnerswinner2_of_pair_0_0_values(i) := is_set(winnerswinner1_best_cost_0(1), i + 1);
+        if winnerswinner2_of_pair_0_0_choices(i + 1) then
+          winnerswinner2_of_pair_0_0_choices(i + 2) := (not is_set(winnerswinner1_best_cost_0(0), i + 1)) or
+            winnerswinner2_of_pair_0_0_values(i);
+        else
+          winnerswinner2_of_pair_0_0_choices(i + 2) := (not is_set(winnerswinner1_best_cost_0(0), i + 1)) and
+            winnerswinner2_of_pair_0_0_values(i);
+        end if;
+      end loop;
+      if winnerswinner2_of_pair_0_0_choices(7) then
+        winnerswinner2_of_pair_0_0_choices(8) := is_set(winnerswinner1_best_cost_0(0), 7) and (not
+          is_set(winnerswinner1_best_cost_0(1), 7));
       else
-        winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and
-          winnerswinner2_of_pair_0_0_value_2;
+        winnerswinner2_of_pair_0_0_choices(8) := is_set(winnerswinner1_best_cost_0(0), 7) or (not
+          is_set(winnerswinner1_best_cost_0(1), 7));
       end if;
-      winnerswinner2_of_pair_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
-      if winnerswinner2_of_pair_0_0_choice_4 then
-        winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
-          winnerswinner2_of_pair_0_0_value_3;
+      winnerswinner2_four_index_0_0_value := is_set(winnerswinner2_of_pair_0(1), 1);
+      winnerswinner2_four_index_0_0_values(2) := is_set(winnerswinner2_of_pair_0(0), 1);
+      if (not is_set(winnerswinner2_of_pair_0(2), 0)) and (is_set(winnerswinner2_of_pair_0(1), 0) or
+        is_set(winnerswinner2_of_pair_0(0), 0)) then
+        winnerswinner2_four_index_0_0_choice := (not is_set(winnerswinner2_of_pair_0(2), 1)) or
+          winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_values(2);
       else
-        winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and
-          winnerswinner2_of_pair_0_0_value_3;
+        winnerswinner2_four_index_0_0_choice := (not is_set(winnerswinner2_of_pair_0(2), 1)) and
+          (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_values(2));
       end if;
-      winnerswinner2_of_pair_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
-      if winnerswinner2_of_pair_0_0_choice_5 then
-        winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
-          winnerswinner2_of_pair_0_0_value_4;
-      else
-        winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and
-          winnerswinner2_of_pair_0_0_value_4;
-      end if;
-      winnerswinner2_of_pair_0_0_value_5 := ((winnerswinner1_best_cost_0_1 / 64) mod 2) = 1;
-      if winnerswinner2_of_pair_0_0_choice_6 then
-        winnerswinner2_of_pair_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) or
-          winnerswinner2_of_pair_0_0_value_5;
-      else
-        winnerswinner2_of_pair_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) and
-          winnerswinner2_of_pair_0_0_value_5;
-      end if;
-      if winnerswinner2_of_pair_0_0_choice_7 then
-        winnerswinner2_of_pair_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) and (not
-          ((winnerswinner1_best_cost_0_1 / 128) = 1));
-      else
-        winnerswinner2_of_pair_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) or (not
-          ((winnerswinner1_best_cost_0_1 / 128) = 1));
-      end if;
-      winnerswinner2_four_index_0_0_value := ((winnerswinner2_of_pair_0_1 / 2) mod 2) = 1;
-      winnerswinner2_four_index_0_0_value_2 := ((winnerswinner2_of_pair_0_0 / 2) mod 2) = 1;
-      if (not ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
-        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) then
-        winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
-          winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2;
-      else
-        winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
-          (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
-      end if;
-      winnerswinner2_four_index_0_0_value_3 := ((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1;
-      winnerswinner2_four_index_0_0_value_4 := ((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1;
+      winnerswinner2_four_index_0_0_values(3) := is_set(winnerswinner2_of_pair_0(1), 2);
+      winnerswinner2_four_index_0_0_values(4) := is_set(winnerswinner2_of_pair_0(0), 2);
       if winnerswinner2_four_index_0_0_choice then
-        winnerswinner2_four_index_0_0_choice_2 := (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) or
-          winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4;
+        winnerswinner2_four_index_0_0_choices(2) := (not is_set(winnerswinner2_of_pair_0(2), 2)) or
+          winnerswinner2_four_index_0_0_values(3) or winnerswinner2_four_index_0_0_values(4);
       else
-        winnerswinner2_four_index_0_0_choice_2 := (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) and
-          (winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4);
+        winnerswinner2_four_index_0_0_choices(2) := (not is_set(winnerswinner2_of_pair_0(2), 2)) and
+          (winnerswinner2_four_index_0_0_values(3) or winnerswinner2_four_index_0_0_values(4));
       end if;
-      winnerswinner2_four_index_0_0_value_5 := ((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1;
-      winnerswinner2_four_index_0_0_value_6 := ((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1;
-      if winnerswinner2_four_index_0_0_choice_2 then
-        winnerswinner2_four_index_0_0_choice_3 := (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) or
-          winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6;
+      for i in 3 to 6 loop
+        winnerswinner2_four_index_0_0_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(1), i);
+        winnerswinner2_four_index_0_0_values(2 * i) := is_set(winnerswinner2_of_pair_0(0), i);
+        if winnerswinner2_four_index_0_0_choices(i - 1) then
+          winnerswinner2_four_index_0_0_choices(i) := (not is_set(winnerswinner2_of_pair_0(2), i)) or
+            winnerswinner2_four_index_0_0_values(2 * i - 1) or winnerswinner2_four_index_0_0_values(2 * i);
+        else
+          winnerswinner2_four_index_0_0_choices(i) := (not is_set(winnerswinner2_of_pair_0(2), i)) and
+            (winnerswinner2_four_index_0_0_values(2 * i - 1) or winnerswinner2_four_index_0_0_values(2 * i));
+        end if;
+      end loop;
+      if winnerswinner2_four_index_0_0_choices(6) then
+        winnerswinner2_four_index_0_0_choices(7) := (not is_set(winnerswinner2_of_pair_0(2), 7)) or
+          is_set(winnerswinner2_of_pair_0(1), 7) or is_set(winnerswinner2_of_pair_0(0), 7);
       else
-        winnerswinner2_four_index_0_0_choice_3 := (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) and
-          (winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6);
+        winnerswinner2_four_index_0_0_choices(7) := (not is_set(winnerswinner2_of_pair_0(2), 7)) and
+          (is_set(winnerswinner2_of_pair_0(1), 7) or is_set(winnerswinner2_of_pair_0(0), 7));
       end if;
-      winnerswinner2_four_index_0_0_value_7 := ((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1;
-      winnerswinner2_four_index_0_0_value_8 := ((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1;
-      if winnerswinner2_four_index_0_0_choice_3 then
-        winnerswinner2_four_index_0_0_choice_4 := (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) or
-          winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8;
-      else
-        winnerswinner2_four_index_0_0_choice_4 := (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) and
-          (winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8);
-      end if;
-      winnerswinner2_four_index_0_0_value_9 := ((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1;
-      winnerswinner2_four_index_0_0_value_10 := ((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1;
-      if winnerswinner2_four_index_0_0_choice_4 then
-        winnerswinner2_four_index_0_0_choice_5 := (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) or
-          winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10;
-      else
-        winnerswinner2_four_index_0_0_choice_5 := (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) and
-          (winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10);
-      end if;
-      winnerswinner2_four_index_0_0_value_11 := ((winnerswinner2_of_pair_0_1 / 64) mod 2) = 1;
-      winnerswinner2_four_index_0_0_value_12 := ((winnerswinner2_of_pair_0_0 / 64) mod 2) = 1;
-      if winnerswinner2_four_index_0_0_choice_5 then
-        winnerswinner2_four_index_0_0_choice_6 := (not (((winnerswinner2_of_pair_0_2 / 64) mod 2) = 1)) or
-          winnerswinner2_four_index_0_0_value_11 or winnerswinner2_four_index_0_0_value_12;
-      else
-        winnerswinner2_four_index_0_0_choice_6 := (not (((winnerswinner2_of_pair_0_2 / 64) mod 2) = 1)) and
-          (winnerswinner2_four_index_0_0_value_11 or winnerswinner2_four_index_0_0_value_12);
-      end if;
-      if winnerswinner2_four_index_0_0_choice_6 then
-        winnerswinner2_four_index_0_0_choice_7 := (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) or
-          ((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1);
-      else
-        winnerswinner2_four_index_0_0_choice_7 := (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) and
-          (((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1));
-      end if;
-      winnerswinner2_of_pair_0_2 <= winnerswinner1_best_cost_0_2;
+      winnerswinner2_of_pair_0(2) <= winnerswinner1_best_cost_0(2);
       winnerswinner2_pair_index_0_1 <= winnerswinner1_best_index_0_2;
       winnerswinner2_pair_tag_valid <= winnerswinner1_tag_valid;
       winnerswinner2_pair_tag_map_column <= winnerswinner1_tag_map_column;
@@ -7080,16 +4231,16 @@ begin
       winnerswinner2_tag_output_column <= winnerswinner2_four_tag_output_column;
       winnerswinner2_tag_start_of_frame <= winnerswinner2_four_tag_start_of_frame;
       winnerswinner2_tag_end_of_line <= winnerswinner2_four_tag_end_of_line;
-      if winnerswinner2_of_pair_0_0_choice_8 then
-        winnerswinner2_of_pair_0_0 <= 0;
-        winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1;
+      if winnerswinner2_of_pair_0_0_choices(8) then
+        winnerswinner2_of_pair_0(0) <= 0;
+        winnerswinner2_of_pair_0(1) <= winnerswinner1_best_cost_0(1);
         winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1;
       else
-        winnerswinner2_of_pair_0_0 <= winnerswinner1_best_cost_0_0;
-        winnerswinner2_of_pair_0_1 <= 0;
+        winnerswinner2_of_pair_0(0) <= winnerswinner1_best_cost_0(0);
+        winnerswinner2_of_pair_0(1) <= 0;
         winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_0;
       end if;
-      if winnerswinner2_four_index_0_0_choice_7 then
+      if winnerswinner2_four_index_0_0_choices(7) then
         winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1;
       else
         winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_0;
@@ -7168,132 +4319,105 @@ begin
       end if;
       -- relief
       if transform_columns_valid then
-        relief_centre_column_0 <= transform_right_column_2;
-        relief_centre_column_1 <= relief_centre_column_0;
-        relief_centre_column_2 <= relief_centre_column_1;
-        relief_centre_column_3 <= relief_centre_column_2;
-        relief_centre_column_4 <= relief_centre_column_3;
+        relief_centre_column(0) <= transform_right_column_2;
+        relief_centre_column(1) <= relief_centre_column(0);
+        relief_centre_column(2) <= relief_centre_column(1);
+        relief_centre_column(3) <= relief_centre_column(2);
+        relief_centre_column(4) <= relief_centre_column(3);
       end if;
-      if (relief_centre_grey_0 mod 2) = 1 then
-        relief_newest_choice := (not (((relief_before / 2) mod 2) = 1)) or (not ((relief_before mod 2) = 1));
+      if is_set(relief_centre_grey_0, 0) then
+        relief_newest_choice := (not is_set(relief_before, 1)) or (not is_set(relief_before, 0));
       else
-        relief_newest_choice := not (((relief_before / 2) mod 2) = 1);
+        relief_newest_choice := not is_set(relief_before, 1);
       end if;
-      if ((relief_centre_grey_0 / 2) mod 2) = 1 then
-        relief_newest_choice_2 := relief_newest_choice;
+      if is_set(relief_centre_grey_0, 1) then
+        relief_newest_choices(2) := relief_newest_choice;
       else
-        relief_newest_choice_2 := ((relief_centre_grey_0 mod 2) = 1) and ((relief_before mod 4) = 0);
+        relief_newest_choices(2) := is_set(relief_centre_grey_0, 0) and ((relief_before mod 4) = 0);
       end if;
-      relief_newest_value := ((relief_before / 4) mod 2) = 1;
-      if relief_newest_choice_2 then
-        relief_newest_choice_3 := (not (((relief_centre_grey_0 / 4) mod 2) = 1)) and relief_newest_value;
+      relief_newest_value := is_set(relief_before, 2);
+      if relief_newest_choices(2) then
+        relief_newest_choices(3) := (not is_set(relief_centre_grey_0, 2)) and relief_newest_value;
       else
-        relief_newest_choice_3 := (not (((relief_centre_grey_0 / 4) mod 2) = 1)) or relief_newest_value;
+        relief_newest_choices(3) := (not is_set(relief_centre_grey_0, 2)) or relief_newest_value;
       end if;
-      relief_newest_value_2 := ((relief_before / 8) mod 2) = 1;
-      if relief_newest_choice_3 then
-        relief_newest_choice_4 := (not (((relief_centre_grey_0 / 8) mod 2) = 1)) or relief_newest_value_2;
+      for i in 2 to 5 loop
+        relief_newest_values(i) := is_set(relief_before, i + 1);
+        if relief_newest_choices(i + 1) then
+          relief_newest_choices(i + 2) := (not is_set(relief_centre_grey_0, i + 1)) or relief_newest_values(i);
+        else
+          relief_newest_choices(i + 2) := (not is_set(relief_centre_grey_0, i + 1)) and relief_newest_values(i);
+        end if;
+      end loop;
+      if relief_newest_choices(7) then
+        relief_newest_choices(8) := (not is_set(relief_centre_grey_0, 7)) or is_set(relief_before, 7);
       else
-        relief_newest_choice_4 := (not (((relief_centre_grey_0 / 8) mod 2) = 1)) and relief_newest_value_2;
+        relief_newest_choices(8) := (not is_set(relief_centre_grey_0, 7)) and is_set(relief_before, 7);
       end if;
-      relief_newest_value_3 := ((relief_before / 16) mod 2) = 1;
-      if relief_newest_choice_4 then
-        relief_newest_choice_5 := (not (((relief_centre_grey_0 / 16) mod 2) = 1)) or relief_newest_value_3;
+      relief_newest_values_from_6(6) := (relief_before - relief_centre_grey_0) mod 256;
+      relief_newest_values_from_6(7) := (relief_centre_grey_0 - relief_before) mod 256;
+      if relief_newest_choices(8) then
+        relief_newest_choices(9) := is_set(relief_newest_values_from_6(6), 2);
       else
-        relief_newest_choice_5 := (not (((relief_centre_grey_0 / 16) mod 2) = 1)) and relief_newest_value_3;
+        relief_newest_choices(9) := is_set(relief_newest_values_from_6(7), 2);
       end if;
-      relief_newest_value_4 := ((relief_before / 32) mod 2) = 1;
-      if relief_newest_choice_5 then
-        relief_newest_choice_6 := (not (((relief_centre_grey_0 / 32) mod 2) = 1)) or relief_newest_value_4;
+      for i in 10 to 11 loop
+        if relief_newest_choices(8) then
+          relief_newest_choices(i) := not is_set(relief_newest_values_from_6(6), 23 - 2 * i);
+        else
+          relief_newest_choices(i) := not is_set(relief_newest_values_from_6(7), 23 - 2 * i);
+        end if;
+      end loop;
+      if relief_newest_choices(8) then
+        relief_newest_choices(12) := is_set(relief_newest_values_from_6(6), 4);
       else
-        relief_newest_choice_6 := (not (((relief_centre_grey_0 / 32) mod 2) = 1)) and relief_newest_value_4;
+        relief_newest_choices(12) := is_set(relief_newest_values_from_6(7), 4);
       end if;
-      relief_newest_value_5 := ((relief_before / 64) mod 2) = 1;
-      if relief_newest_choice_6 then
-        relief_newest_choice_7 := (not (((relief_centre_grey_0 / 64) mod 2) = 1)) or relief_newest_value_5;
+      if relief_newest_choices(8) then
+        relief_newest_choices(13) := not is_set(relief_newest_values_from_6(6), 5);
       else
-        relief_newest_choice_7 := (not (((relief_centre_grey_0 / 64) mod 2) = 1)) and relief_newest_value_5;
+        relief_newest_choices(13) := not is_set(relief_newest_values_from_6(7), 5);
       end if;
-      if relief_newest_choice_7 then
-        relief_newest_choice_8 := (not ((relief_centre_grey_0 / 128) = 1)) or ((relief_before / 128) = 1);
+      for i in 14 to 15 loop
+        if relief_newest_choices(8) then
+          relief_newest_choices(i) := is_set(relief_newest_values_from_6(6), i - 8);
+        else
+          relief_newest_choices(i) := is_set(relief_newest_values_from_6(7), i - 8);
+        end if;
+      end loop;
+      if relief_newest_choices(7) then
+        relief_newest_choices(16) := is_set(relief_centre_grey_0, 7) and (not is_set(relief_before, 7));
       else
-        relief_newest_choice_8 := (not ((relief_centre_grey_0 / 128) = 1)) and ((relief_before / 128) = 1);
+        relief_newest_choices(16) := is_set(relief_centre_grey_0, 7) or (not is_set(relief_before, 7));
       end if;
-      relief_newest_value_6 := (relief_before - relief_centre_grey_0) mod 256;
-      relief_newest_value_7 := (relief_centre_grey_0 - relief_before) mod 256;
-      if relief_newest_choice_8 then
-        relief_newest_choice_9 := ((relief_newest_value_6 / 4) mod 2) = 1;
+      if relief_newest_choices(16) then
+        relief_newest_choice_17 := (relief_newest_values_from_6(7) / 2) mod 64;
       else
-        relief_newest_choice_9 := ((relief_newest_value_7 / 4) mod 2) = 1;
+        relief_newest_choice_17 := (relief_newest_values_from_6(6) / 2) mod 64;
       end if;
-      if relief_newest_choice_8 then
-        relief_newest_choice_10 := not (((relief_newest_value_6 / 8) mod 2) = 1);
-      else
-        relief_newest_choice_10 := not (((relief_newest_value_7 / 8) mod 2) = 1);
-      end if;
-      if relief_newest_choice_8 then
-        relief_newest_choice_11 := not (((relief_newest_value_6 / 2) mod 2) = 1);
-      else
-        relief_newest_choice_11 := not (((relief_newest_value_7 / 2) mod 2) = 1);
-      end if;
-      if relief_newest_choice_8 then
-        relief_newest_choice_12 := ((relief_newest_value_6 / 16) mod 2) = 1;
-      else
-        relief_newest_choice_12 := ((relief_newest_value_7 / 16) mod 2) = 1;
-      end if;
-      if relief_newest_choice_8 then
-        relief_newest_choice_13 := not (((relief_newest_value_6 / 32) mod 2) = 1);
-      else
-        relief_newest_choice_13 := not (((relief_newest_value_7 / 32) mod 2) = 1);
-      end if;
-      if relief_newest_choice_8 then
-        relief_newest_choice_14 := ((relief_newest_value_6 / 64) mod 2) = 1;
-      else
-        relief_newest_choice_14 := ((relief_newest_value_7 / 64) mod 2) = 1;
-      end if;
-      if relief_newest_choice_8 then
-        relief_newest_choice_15 := (relief_newest_value_6 / 128) = 1;
-      else
-        relief_newest_choice_15 := (relief_newest_value_7 / 128) = 1;
-      end if;
-      if relief_newest_choice_7 then
-        relief_newest_choice_16 := ((relief_centre_grey_0 / 128) = 1) and (not ((relief_before / 128) = 1));
-      else
-        relief_newest_choice_16 := ((relief_centre_grey_0 / 128) = 1) or (not ((relief_before / 128) = 1));
-      end if;
-      if relief_newest_choice_16 then
-        relief_newest_choice_17 := (relief_newest_value_7 / 2) mod 64;
-      else
-        relief_newest_choice_17 := (relief_newest_value_6 / 2) mod 64;
-      end if;
-      relief_centre_grey_0 <= relief_centre_column_4;
+      relief_centre_grey_0 <= relief_centre_column(4);
       relief_rows_read_newest_0 <= to_integer(relief_delayed_0);
       relief_rows_ready_words_0 <= to_integer(relief_rows_read_words_0);
       relief_rows_ready_newest_0 <= relief_rows_read_newest_0;
       relief_shown_0 <= relief_rows_ready_words_0;
-      relief_waiting_0 <= relief_column_0;
-      relief_waiting_1 <= relief_waiting_0;
-      relief_waiting_2 <= relief_waiting_1;
-      relief_waiting_3 <= relief_waiting_2;
-      relief_waiting_4 <= relief_waiting_3;
-      relief_waiting_5 <= relief_waiting_4;
-      relief_waiting_6 <= relief_waiting_5;
-      relief_waiting_7 <= relief_waiting_6;
-      relief_waiting_8 <= relief_waiting_7;
+      relief_waiting(0) <= relief_column_0;
+      for i in 1 to 8 loop
+        relief_waiting(i) <= relief_waiting(i - 1);
+      end loop;
       relief_entered <= relief_entering;
-      if ((not ((not ((not ((not relief_newest_choice_9) and relief_newest_choice_10 and relief_newest_choice_11)) and
-        relief_newest_choice_12)) and relief_newest_choice_13)) and relief_newest_choice_14) or relief_newest_choice_15
-        then
+      if ((not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10) and
+        relief_newest_choices(11))) and relief_newest_choices(12))) and relief_newest_choices(13))) and
+        relief_newest_choices(14)) or relief_newest_choices(15) then
         relief_newest <= 40;
       else
         relief_newest <= relief_newest_choice_17;
       end if;
-      if relief_waiting_8 < 40 then
-        relief_entering <= relief_waiting_8;
+      if relief_waiting(8) < 40 then
+        relief_entering <= relief_waiting(8);
       else
         relief_entering <= 40;
       end if;
-      if transform_filtering_1_valid then
+      if transform_filtering_valid(1) then
         relief_before <= relief_centre_grey_0;
       end if;
       if rows_ready_tag_valid then
@@ -7303,72 +4427,29 @@ begin
         relief_column_0 <= relief_shown_0;
       end if;
       -- other
-      if entry_tag_valid then
-        other_0_choice := forward_left_cost_9 + forward_above_cost_9;
-      else
-        other_0_choice := to_integer(other_0(15 downto 8));
-      end if;
-      if entry_tag_valid then
-        other_0_choice_2 := forward_left_cost_8 + forward_above_cost_8;
-      else
-        other_0_choice_2 := to_integer(other_0(7 downto 0));
-      end if;
-      if entry_tag_valid then
-        other_0_choice_3 := forward_left_cost_10 + forward_above_cost_10;
-      else
-        other_0_choice_3 := to_integer(other_0(23 downto 16));
-      end if;
-      if entry_tag_valid then
-        other_0_choice_4 := forward_left_cost_11 + forward_above_cost_11;
-      else
-        other_0_choice_4 := to_integer(other_0(31 downto 24));
-      end if;
-      if entry_tag_valid then
-        other_1_choice := forward_left_cost_5 + forward_above_cost_5;
-      else
-        other_1_choice := to_integer(other_1(15 downto 8));
-      end if;
-      if entry_tag_valid then
-        other_1_choice_2 := forward_left_cost_4 + forward_above_cost_4;
-      else
-        other_1_choice_2 := to_integer(other_1(7 downto 0));
-      end if;
-      if entry_tag_valid then
-        other_1_choice_3 := forward_left_cost_6 + forward_above_cost_6;
-      else
-        other_1_choice_3 := to_integer(other_1(23 downto 16));
-      end if;
-      if entry_tag_valid then
-        other_1_choice_4 := forward_left_cost_7 + forward_above_cost_7;
-      else
-        other_1_choice_4 := to_integer(other_1(31 downto 24));
-      end if;
-      if entry_tag_valid then
-        other_2_choice := forward_left_cost_1 + forward_above_cost_1;
-      else
-        other_2_choice := to_integer(other_2(15 downto 8));
-      end if;
-      if entry_tag_valid then
-        other_2_choice_2 := forward_left_cost_0 + forward_above_cost_0;
-      else
-        other_2_choice_2 := to_integer(other_2(7 downto 0));
-      end if;
-      if entry_tag_valid then
-        other_2_choice_3 := forward_left_cost_2 + forward_above_cost_2;
-      else
-        other_2_choice_3 := to_integer(other_2(23 downto 16));
-      end if;
-      if entry_tag_valid then
-        other_2_choice_4 := forward_left_cost_3 + forward_above_cost_3;
-      else
-        other_2_choice_4 := to_integer(other_2(31 downto 24));
-      end if;
-      other_0 <= to_unsigned(other_0_choice_4, 8) & to_unsigned(other_0_choice_3, 8) & to_unsigned(other_0_choice, 8) &
-        to_unsigned(other_0_choice_2, 8);
-      other_1 <= to_unsigned(other_1_choice_4, 8) & to_unsigned(other_1_choice_3, 8) & to_unsigned(other_1_choice, 8) &
-        to_unsigned(other_1_choice_2, 8);
-      other_2 <= to_unsigned(other_2_choice_4, 8) & to_unsigned(other_2_choice_3, 8) & to_unsigned(other_2_choice, 8) &
-        to_unsigned(other_2_choice_2, 8);
+      for i in 0 to 2 loop
+        if entry_tag_valid then
+          other_choices(i) := forward_left_cost(9 - 4 * i) + forward_above_cost(9 - 4 * i);
+        else
+          other_choices(i) := to_integer(other(i)(15 downto 8));
+        end if;
+        for j in 2 to 3 loop
+          if entry_tag_valid then
+            other_choice(i, j) := forward_left_cost(2 * j + 4 - 4 * i) + forward_above_cost(2 * j + 4 - 4 * i);
+          else
+            other_choice(i, j) := to_integer(other(i)(16 * j - 25 downto 16 * j - 32));
+          end if;
+        end loop;
+        if entry_tag_valid then
+          other_choice_4(i) := forward_left_cost(11 - 4 * i) + forward_above_cost(11 - 4 * i);
+        else
+          other_choice_4(i) := to_integer(other(i)(31 downto 24));
+        end if;
+      end loop;
+      for i in 0 to 2 loop
+        other(i) <= to_unsigned(other_choice_4(i), 8) & to_unsigned(other_choice(i, 3), 8) &
+          to_unsigned(other_choices(i), 8) & to_unsigned(other_choice(i, 2), 8);
+      end loop;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -7383,10 +4464,10 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_0_start_of_frame <= false;
-        transform_filtering_0_valid <= false;
-        transform_filtering_1_start_of_frame <= false;
-        transform_filtering_1_valid <= false;
+        transform_filtering_start_of_frame(0) <= false;
+        transform_filtering_valid(0) <= false;
+        transform_filtering_start_of_frame(1) <= false;
+        transform_filtering_valid(1) <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 13;
@@ -7462,24 +4543,14 @@ begin
         slice0window_tag_first_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
-        slice0_tag_0_valid <= false;
-        slice0_tag_0_map_column <= false;
-        slice0_tag_0_output_column <= false;
-        slice0_tag_0_first_column <= false;
-        slice0_tag_0_start_of_frame <= false;
-        slice0_tag_0_end_of_line <= false;
-        slice0_tag_1_valid <= false;
-        slice0_tag_1_map_column <= false;
-        slice0_tag_1_output_column <= false;
-        slice0_tag_1_first_column <= false;
-        slice0_tag_1_start_of_frame <= false;
-        slice0_tag_1_end_of_line <= false;
-        slice0_tag_2_valid <= false;
-        slice0_tag_2_map_column <= false;
-        slice0_tag_2_output_column <= false;
-        slice0_tag_2_first_column <= false;
-        slice0_tag_2_start_of_frame <= false;
-        slice0_tag_2_end_of_line <= false;
+        for i in 0 to 2 loop
+          slice0_tag_valid(i) <= false;
+          slice0_tag_map_column(i) <= false;
+          slice0_tag_output_column(i) <= false;
+          slice0_tag_first_column(i) <= false;
+          slice0_tag_start_of_frame(i) <= false;
+          slice0_tag_end_of_line(i) <= false;
+        end loop;
         entry_next_tag_valid <= false;
         entry_next_tag_map_column <= false;
         entry_next_tag_end_of_line <= false;
@@ -7504,37 +4575,17 @@ begin
         forward_cost_delay_ring_write_address <= 0;
         forward_above_delay_ring_read_address <= 1;
         forward_above_delay_ring_write_address <= 0;
-        forward_above_comes_0 <= false;
-        forward_above_comes_1 <= false;
-        forward_above_comes_2 <= false;
-        forward_above_comes_3 <= false;
-        forward_above_comes_4 <= false;
-        forward_above_comes_5 <= false;
-        forward_above_comes_6 <= false;
-        forward_above_comes_7 <= false;
-        forward_above_comes_8 <= false;
-        forward_above_comes_9 <= false;
-        forward_above_column_0 <= 0;
-        forward_above_column_1 <= 0;
-        forward_above_column_2 <= 0;
-        forward_above_column_3 <= 0;
-        forward_above_column_4 <= 0;
-        forward_above_column_5 <= 0;
-        forward_above_column_6 <= 0;
-        forward_above_column_7 <= 0;
-        forward_above_column_8 <= 0;
-        forward_above_column_9 <= 0;
+        for i in 0 to 9 loop
+          forward_above_comes(i) <= false;
+        end loop;
+        for i in 0 to 9 loop
+          forward_above_column(i) <= 0;
+        end loop;
         forward_above_writes_copy_0 <= false;
         forward_above_write_column <= 0;
-        sums_turn_place_0 <= 0;
-        sums_turn_place_1 <= 0;
-        sums_turn_place_2 <= 0;
-        sums_turn_place_3 <= 0;
-        sums_turn_place_4 <= 0;
-        sums_turn_place_5 <= 0;
-        sums_turn_place_6 <= 0;
-        sums_turn_place_7 <= 0;
-        sums_turn_place_8 <= 0;
+        for i in 0 to 8 loop
+          sums_turn_place(i) <= 0;
+        end loop;
         sums_turn_writes_copy_0 <= false;
         sums_turn_write_place <= 0;
         sums_sum_delay_ring_read_address <= 1;
@@ -7544,21 +4595,11 @@ begin
         sums_tag_output_column <= false;
         sums_tag_start_of_frame <= false;
         sums_tag_end_of_line <= false;
-        sums_tags_held_0_output_column <= false;
-        sums_tags_held_0_start_of_frame <= false;
-        sums_tags_held_0_end_of_line <= false;
-        sums_tags_held_1_output_column <= false;
-        sums_tags_held_1_start_of_frame <= false;
-        sums_tags_held_1_end_of_line <= false;
-        sums_tags_held_2_output_column <= false;
-        sums_tags_held_2_start_of_frame <= false;
-        sums_tags_held_2_end_of_line <= false;
-        sums_tags_held_3_output_column <= false;
-        sums_tags_held_3_start_of_frame <= false;
-        sums_tags_held_3_end_of_line <= false;
-        sums_tags_held_4_output_column <= false;
-        sums_tags_held_4_start_of_frame <= false;
-        sums_tags_held_4_end_of_line <= false;
+        for i in 0 to 4 loop
+          sums_tags_held_output_column(i) <= false;
+          sums_tags_held_start_of_frame(i) <= false;
+          sums_tags_held_end_of_line(i) <= false;
+        end loop;
         sums_tags_moved <= false;
         winnerswinner1_pair_tag_valid <= false;
         winnerswinner1_pair_tag_map_column <= false;

@@ -19,6 +19,7 @@ from ..base.tools import Word, find_stereo_hls, run
 from ..synthesis import generate, manifest
 from ..synthesis.bambu import original_files
 from ..synthesis.lowering.naming import Trace, read_trace
+from ..synthesis.presentation import scalars
 from . import checker, coverage, mismatch, registers, report, vectors
 from .report import Report, summary
 from .simulators import IN_GHDL, SIMULATORS, Clocks, CoreSimulation, Covered, Ghdl
@@ -310,6 +311,8 @@ def _simulation(job: Job, design: list[Path], parameters: Parameters) -> CoreSim
     name = f"{job.config}-coverage" if job.coverage else f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
     lanes, bits, kind = parameters["pixels_per_clock"], vectors.row_bits(parameters), rtl.kind_of(parameters)
     folder = _simulations() / name
+    if job.wave or job.coverage:
+        design = scalars.files(design)
     return CoreSimulation(simulator, job.config, design, folder, lanes, bits, job.wave is not None, kind)
 
 
@@ -339,22 +342,22 @@ def _dump_wave(wave: Path, job: Job, simulation: CoreSimulation, verdict: checke
 def _explain(
     job: Job, parameters: Parameters, simulation: CoreSimulation, first: checker.Mismatch, clocks: int
 ) -> None:
-    """Waveform and page of the first mismatch. After a run in another simulator GHDL runs the same
-    VHDL for it."""
+    """Waveform and page of the first mismatch. After a run in another simulator, or of arrays, GHDL runs the same VHDL
+    for it with a signal for each register."""
 
     def dump(path: Path, window: Clocks) -> None:
         if first.clock > AUTOMATIC_WAVE_CLOCKS:
             raise FlowError(f"it lies beyond clock {AUTOMATIC_WAVE_CLOCKS:,}; --wave FILE makes one")
-        source = simulation
-        if job.simulator not in IN_GHDL:
+        source, design = simulation, scalars.files(simulation.vhdl_files)
+        if job.simulator not in IN_GHDL or design != simulation.vhdl_files:
             folder = _simulations() / f"{job.config}-ghdl"
             lanes, bits = simulation.pixels, simulation.disparity_bits
-            source = Ghdl(job.config, simulation.vhdl_files, folder, lanes, bits, kind=simulation.kind)
+            source = Ghdl(job.config, design, folder, lanes, bits, kind=simulation.kind)
             source.build()
         _rerun(job, source, path, window)
 
     has_names = job.simulator != "original" and not job.stimulus
-    trace = _CppTrace(job, parameters, simulation.vhdl_files) if has_names else None
+    trace = _CppTrace(job, parameters, scalars.files(simulation.vhdl_files)) if has_names else None
     for line in mismatch.explain(job.out_directory(), parameters, first, clocks, dump, trace):
         print(line)
 

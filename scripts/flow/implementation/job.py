@@ -17,6 +17,7 @@ from ..base.errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from ..base.tools import ROOT
 from ..shell import design
 from ..synthesis import manifest
+from ..synthesis.presentation import scalars
 from . import figures, nextpnr, record, yosys
 from .families.family import TOP, RoutedFamily
 from .targets import TARGETS, Target
@@ -52,7 +53,7 @@ class Job:
     def design(self) -> Design:
         files = design.vhdl_files(self.config) if self.shell else manifest.vhdl_files(self.vhdl)
         without_bypass = yosys.memories_without_bypass(manifest.read(self.vhdl)["parameters"])
-        return Design(self.entity, files, self.seeds, self.router, without_bypass)
+        return Design(self.entity, scalars.files(files), self.seeds, self.router, without_bypass)
 
 
 @dataclass(frozen=True)

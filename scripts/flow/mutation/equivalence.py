@@ -22,6 +22,7 @@ from ..base import aiger, committed, ghdl, rtl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..shell import template
 from ..synthesis import manifest
+from ..synthesis.presentation import scalars
 from . import differences
 
 SECONDS = 30  # for what is left after the merging of registers
@@ -90,7 +91,11 @@ def graph(design: Design, core: list[Path], shell: list[Path], work: Path) -> Pa
         wrapper = work / f"{rtl.ip_entity(name)}.vhd"
         wrapper.write_text(template.entity(name, manifest.read(committed.folder(name)), generics))
         options = {} if enabled is None else {"enabled_at_reset": enabled}
-        files, top, compared = [*manifest.core_files(name), *shell, wrapper], rtl.ip_entity(name), "stereo_shell"
+        files, top, compared = (
+            [*scalars.files(manifest.core_files(name)), *shell, wrapper],
+            rtl.ip_entity(name),
+            "stereo_shell",
+        )
     try:
         verilog = ghdl.to_verilog(files, work, top, options)
     except FlowError as error:

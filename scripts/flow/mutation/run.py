@@ -22,6 +22,7 @@ from ..cosim import bench, checker, simulators, vectors
 from ..shell import broken, cocotb_runs, contract, design, formal, pool, script, selections
 from ..simulation import simulation, simulators as programs
 from ..synthesis import manifest
+from ..synthesis.presentation import scalars
 from . import arguments, batch, differences, equivalence, judges, mutants, record, schemata
 from .batch import Batch
 from .equivalence import Design, NotSynthesizedError, Prover
@@ -108,7 +109,7 @@ class Run:
         """So many of the core and of the shell for each seed. `together`: those of the core in one build; then streams
         of `others` other seeds look for what the default one does not show."""
         self.others = others
-        self.core_files = manifest.core_files(config)
+        self.core_files = scalars.files(manifest.core_files(config))  # a fault in one register, not in all of a loop
         self.seeds, self.counts, self.jobs, self.say = seeds, (core_count, shell_count), jobs, say
         self.batch: Batch | None = None
         # Each for mutants of the core and for those of the shell.

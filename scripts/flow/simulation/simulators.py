@@ -14,6 +14,7 @@ from pathlib import Path
 
 from ..base import ghdl, nvc
 from ..base.tools import Word, find_ghdl, find_tool, find_verilator, run, tool_version
+from ..synthesis.presentation import scalars
 
 OPTIMISATION = "STEREO_MODEL_OPTIMISATION"  # of a model's C++; the model does the same with any
 VERILATOR_OPTIONS = ["--cc", "--exe", "--build", "-O3", "--x-assign", "fast", "--output-split", "20000", "-Wno-fatal"]
@@ -142,7 +143,9 @@ class Verilator(Simulator):
         verilator = find_verilator()
         written(work, design.texts)
         source = self.verilog(work, design.top)
-        source.write_text(self.edited(ghdl.to_verilog(design.files, work, design.top), design.top))
+        # Wide registers, as arrays become, would be slow, and nobody would find their names.
+        files = scalars.files(design.files)
+        source.write_text(self.edited(ghdl.to_verilog(files, work, design.top), design.top))
         command: list[Word] = [verilator, *VERILATOR_OPTIONS, "-j", os.cpu_count() or 1, *design.options]
         # What runs once is not worth optimising. Verilator's own part and the bench are the same in each simulation.
         settings = f"OPT_FAST={os.environ.get(OPTIMISATION, '-O2')} OPT_SLOW=-O0 OPT_GLOBAL=-O2"
@@ -154,8 +157,8 @@ class Verilator(Simulator):
             for path in design.bench_files:
                 if path.parent != folder:
                     shutil.copy(path, folder)
-            files = [folder / path.name for path in [source, *design.bench_files]]
-            run([*command, "--Mdir", folder / "model", *files], cwd=folder, log=work / "verilator.log")
+            given = [folder / path.name for path in [source, *design.bench_files]]
+            run([*command, "--Mdir", folder / "model", *given], cwd=folder, log=work / "verilator.log")
 
     @staticmethod
     def verilog(work: Path, top: str) -> Path:

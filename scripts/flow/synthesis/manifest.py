@@ -71,7 +71,11 @@ class Manifest(TypedDict):
 
 
 def digest(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()
+    return digest_of(path.read_bytes())
+
+
+def digest_of(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()
 
 
 def _digests(paths: Iterable[Path], digest_of: Callable[[Path], str] = sources.words_digest) -> Digests:

@@ -3,7 +3,8 @@
 
 Each signal and variable is described by its type and by what is assigned to it. In that description, the names of
 others give way to their own descriptions, round after round, until no round tells more of them apart (colour
-refinement). Ports keep their names, so every output hangs on what it hung on before.
+refinement). Ports keep their names, so every output hangs on what it hung on before. Arrays and loops count as the
+signals and statements that they stand for.
 """
 
 import hashlib
@@ -12,6 +13,7 @@ from collections.abc import Callable, Iterable, Iterator
 from operator import itemgetter
 
 from ..base.errors import FlowError
+from .presentation.present import expand
 
 _TOKEN = re.compile(r"--[^\n]*|\s+|(:=|<=|>=|/=|=>|\*\*|'[01]'|\"[^\"]*\"|\w+|.)")
 Words = list[str]
@@ -20,8 +22,8 @@ _AS_BITS = re.compile(r"to_stdlogicvector\(to_bitvector\((\w+)\)\)")  # the same
 
 
 def structure_digest(vhdl: str) -> str:
-    """Of the text of one core, as the lowering writes it."""
-    return Structure(vhdl).digest()
+    """Of the text of one core, as the lowering writes it or as it is presented."""
+    return Structure(expand(vhdl)).digest()
 
 
 class Structure:

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Names that differ in their numbers only, and are of one type, as one array with these numbers as indices."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby, product
+
+FEWEST = 2  # elements of an array
+_NUMBER = re.compile(r"(?<=_)(0|[1-9]\d*)(?=_|$)")
+_RANGE = re.compile(r"(natural|integer) range (-?)(\d+) to (\d+)")
+_UNSIGNED = re.compile(r"unsigned\((\d+) downto 0\)")
+# Of VHDL-93 and VHDL-2008: no name of an array.
+RESERVED = frozenset(
+    """abs access after alias all and architecture array assert assume assume_guarantee attribute begin block
+    body buffer bus case component configuration constant context cover default disconnect downto else elsif end
+    entity exit fairness file for force function generate generic group guarded if impure in inertial inout is
+    label library linkage literal loop map mod nand new next nor not null of on open or others out package
+    parameter port postponed procedure process property protected pure range record register reject release rem
+    report restrict restrict_guarantee return rol ror select sequence severity shared signal sla sll sra srl
+    strong subtype then to transport type unaffected units until use variable vmode vprop vunit wait when while
+    with xnor xor""".split()
+)
+Places = tuple[int, ...]
+# Of a kind and of what drives it: a process that drives one element drives the whole array.
+Kind = tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Array:
+    name: str
+    pattern: str  # of the names of its elements, # for an index
+    kind: Kind
+    ranges: tuple[tuple[int, int], ...]
+
+    @property
+    def type_name(self) -> str:
+        return f"{_type_name(self.kind[0])}_{len(self.ranges)}d"
+
+    @property
+    def type_text(self) -> str:
+        indices = ", ".join(["natural range <>"] * len(self.ranges))
+        return f"type {self.type_name} is array ({indices}) of {self.kind[0]};"
+
+    @property
+    def constraint(self) -> str:
+        return ", ".join(f"{first} to {last}" for first, last in self.ranges)
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether its indices are behind its name."""
+        return self.pattern == self.name + "_#" * len(self.ranges)
+
+    def element(self, indices: Sequence[int]) -> str:
+        parts = iter(indices)
+        return re.sub("#", lambda _: str(next(parts)), self.pattern)
+
+    def elements(self) -> Iterable[tuple[str, Places]]:
+        for indices in product(*(range(first, last + 1) for first, last in self.ranges)):
+            yield self.element(indices), indices
+
+
+def _type_name(kind: str) -> str:
+    match = _RANGE.fullmatch(kind)
+    if match:
+        low = "" if match[1] == "natural" and match[3] == "0" else f"{'minus_' if match[2] else ''}{match[3]}_to_"
+        return f"{match[1]}_{low}{match[4]}"
+    wide = _UNSIGNED.fullmatch(kind)
+    return f"unsigned_{int(wide[1]) + 1}" if wide else kind
+
+
+def found_in(kinds: Mapping[str, Kind], taken: set[str]) -> list[Array]:
+    """`kinds`: of names, in the order of their declarations; `taken`: names that an array cannot have."""
+    families: dict[str, dict[Places, Kind]] = {}
+    for name, kind in kinds.items():
+        key = _NUMBER.sub("#", name)
+        if key != name:
+            families.setdefault(key, {})[tuple(map(int, _NUMBER.findall(name)))] = kind
+    arrays = []
+    used = taken | RESERVED
+    for key, members in families.items():
+        for kind, ranges in sorted(_boxes(members), key=lambda box: box[1]):
+            arrays.append(_named(key, kind, ranges, used))
+            used.add(arrays[-1].name)
+    return arrays
+
+
+_Box = tuple[Kind, tuple[tuple[int, int], ...]]
+
+
+def _boxes(members: Mapping[Places, Kind]) -> list[_Box]:
+    """As few as are found, each of one kind and without a hole; names that are in none stay single."""
+    return _split(tuple(sorted(members.items())))[1]
+
+
+def _split(members: tuple[tuple[Places, Kind], ...]) -> tuple[int, list[_Box]]:
+    """(declarations that are needed, boxes)"""
+    dimensions = len(members[0][0])
+    values = [sorted({places[at] for places, _ in members}) for at in range(dimensions)]
+    kinds = {kind for _, kind in members}
+    size = 1
+    for one in values:
+        size *= len(one)
+    if len(kinds) == 1 and size == len(members) and all(one[-1] - one[0] + 1 == len(one) for one in values):
+        if size < FEWEST:
+            return size, []
+        return 1, [(members[0][1], tuple((one[0], one[-1]) for one in values))]
+    best: tuple[int, list[_Box]] = (len(members), [])
+    for at in range(dimensions):
+        if len(values[at]) == 1:
+            continue
+        parts = _slabs(members, at, values[at])
+        if len(parts) == 1:
+            continue
+        results = [_split(part) for part in parts]
+        cost = sum(needed for needed, _ in results)
+        if cost < best[0]:
+            best = cost, [box for _, boxes in results for box in boxes]
+    return best
+
+
+def _slabs(
+    members: tuple[tuple[Places, Kind], ...], at: int, values: Sequence[int]
+) -> list[tuple[tuple[Places, Kind], ...]]:
+    """The members by their index at one place: neighbours of the same form together."""
+    of_value: dict[int, list[tuple[Places, Kind]]] = {value: [] for value in values}
+    for places, kind in members:
+        of_value[places[at]].append((places, kind))
+
+    def form(value: int) -> object:
+        return [(places[:at] + places[at + 1 :], kind) for places, kind in of_value[value]]
+
+    runs: list[list[int]] = []
+    for value in values:
+        if runs and runs[-1][-1] + 1 == value and form(runs[-1][-1]) == form(value):
+            runs[-1].append(value)
+        else:
+            runs.append([value])
+    return [tuple(sorted(one for value in run for one in of_value[value])) for run in runs]
+
+
+def _named(key: str, kind: Kind, ranges: tuple[tuple[int, int], ...], used: set[str]) -> Array:
+    """An index that all have stays in the name."""
+    bounds = iter(ranges)
+    pattern = (
+        "#".join(
+            part + (str(bound[0]) if bound and bound[0] == bound[1] else "\0" if bound else "")
+            for part, bound in ((part, next(bounds, None)) for part in key.split("#"))
+        )
+        .replace("#", "")
+        .replace("\0", "#")
+    )
+    varying = tuple(bound for bound in ranges if bound[0] != bound[1])
+    base = pattern.replace("_#", "")
+    # `choice` beside `choice_2` ..., and indices in two parts, as something between them is missing.
+    names = [base, f"{base}s", f"{base}s_from_{varying[0][0]}", *(f"{base}s_{number}" for number in range(2, 1000))]
+    name = next(one for one in names if one not in used)
+    return Array(name, pattern, kind, varying)
+
+
+def types_of(arrays: Iterable[Array]) -> list[str]:
+    """Their declarations, each once."""
+    texts = sorted({(array.type_name, array.type_text) for array in arrays})
+    return [text for _, group in groupby(texts, key=lambda one: one[0]) for _, text in list(group)[:1]]

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The text of a core in its parts, as the lowering writes it or as it is presented."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from ...base.errors import FlowError
+from . import tree
+from .arrays import Array, types_of
+from .bits import FUNCTION
+from .words import split, wrapped
+
+MARK = "-- Where a comment behind a declaration has #, the C++ has the indices.\n"
+_DECLARATION = re.compile(r"(signal|variable) ([\w, ]+) : ([^;]+);(?:  -- ([\w#]+))?")
+_ARRAY = re.compile(r"(\w+_\dd)\((.*)\)")
+_TYPE = re.compile(r"  type (\w+) is array \([^)]*\) of (.*);")
+
+
+@dataclass
+class Names:
+    """Of one type, declared together."""
+
+    kind: str
+    names: list[str]
+
+
+@dataclass
+class Core:
+    head: list[str]  # lines up to the declarations
+    declarations: list[str | Names | Array]  # a text: a comment
+    concurrent: list[str]  # lines between `begin` and the process
+    variables: list[Names | Array]
+    body: tuple[tree.Statement, ...]
+    end: list[str]
+    has_bits: bool = False  # whether there is the function of bits.py
+    arrays: dict[str, Array] = field(default_factory=dict)
+
+
+def read(text: str) -> Core:
+    has_bits = FUNCTION in text
+    lines = text.replace(FUNCTION, "", 1).replace(MARK, "", 1).splitlines()
+    try:
+        start = next(at for at, line in enumerate(lines) if line.startswith(("  signal ", "  type ")))
+        begin = lines.index("begin", start)
+        process = lines.index("  process (clock)", begin)
+        body = lines.index("  begin", process)
+        end = lines.index("  end process;", body)
+    except (StopIteration, ValueError):
+        raise FlowError("unknown form of VHDL: no core of this project") from None
+    kinds = {match[1]: match[2] for line in lines[start:begin] if (match := _TYPE.fullmatch(line))}
+    declared = [line for line in lines[start:begin] if not _TYPE.fullmatch(line)]
+    core = Core(
+        lines[:start],
+        _declarations(declared, kinds),
+        lines[begin + 1 : process],
+        [one for one in _declarations(lines[process + 1 : body], kinds) if not isinstance(one, str)],
+        tree.read(split("\n".join(lines[body + 1 : end]))),
+        lines[end:],
+        has_bits,
+    )
+    both = [*core.declarations, *core.variables]
+    core.arrays = {one.name: one for one in both if isinstance(one, Array)}
+    return core
+
+
+def _declarations(lines: list[str], kinds: dict[str, str]) -> list[str | Names | Array]:
+    found: list[str | Names | Array] = []
+    for line in lines:
+        match = _DECLARATION.fullmatch(line.strip())
+        if not line.strip():
+            continue
+        if match is None:
+            if not line.strip().startswith("--"):
+                raise FlowError(f"unknown form of VHDL: '{line.strip()}'")
+            found.append(line.strip()[2:].strip())
+            continue
+        _, names, kind, pattern = match.groups()
+        array = _ARRAY.fullmatch(kind)
+        if array is None:
+            found.append(Names(kind, names.split(", ")))
+            continue
+        if array[1] not in kinds:
+            raise FlowError(f"unknown form of VHDL: no type {array[1]}")
+        ranges = tuple((int(low), int(high)) for low, high in re.findall(r"(\d+) to (\d+)", array[2]))
+        found.append(Array(names, pattern or names + "_#" * len(ranges), (kinds[array[1]], ""), ranges))
+    return found
+
+
+def text(core: Core, is_presented: bool = False) -> str:
+    lines = list(core.head)
+    if is_presented:
+        lines.insert(lines.index("library ieee;"), MARK.rstrip())
+    if core.has_bits:
+        lines += FUNCTION.splitlines()
+    lines += [f"  {one}" for one in types_of(core.arrays.values())]
+    lines += _declared("  signal ", core.declarations)
+    lines += ["", "begin", *core.concurrent, "  process (clock)"]
+    lines += [*_declared("    variable ", core.variables), "  begin"]
+    lines += [*tree.lines(core.body, "    "), *core.end]
+    return "\n".join(lines) + "\n"
+
+
+def _declared(start: str, declarations: list[Names | Array] | list[str | Names | Array]) -> list[str]:
+    lines: list[str] = []
+    for one in declarations:
+        if isinstance(one, str):
+            lines.append(f"  -- {one}")
+        elif isinstance(one, Names):
+            lines += wrapped(start, one.names, f" : {one.kind};")
+        else:
+            said = "" if one.is_plain else f"  -- {one.pattern}"
+            lines.append(f"{start}{one.name} : {one.type_name}({one.constraint});{said}")
+    return lines

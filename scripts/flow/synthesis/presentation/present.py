@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The text of a core with arrays, loops and tests of bits, and the inverse, which gives back every word."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+
+from ...base.errors import FlowError
+from . import arrays, bits, core, loops, tree
+from .arrays import Array, Places
+from .core import Core, Names
+from .words import Words
+
+_READ_DATA = re.compile(r"\bread_data => (\w+)")
+_REFERENCE = re.compile(r"\b(\w+)\((\d+(?:, \d+)*)\)")
+_JOINED = re.compile(r"std_logic_vector\((.* & .*)\);$")
+_QUALIFIED = re.compile(r"std_logic_vector\(unsigned'\((.*)\)\);$")
+_NAME = re.compile(r"\b[a-z]\w*\b")
+
+
+def present(text: str) -> str:
+    """Of what the lowering writes. The same again of what is presented already."""
+    written = expand(text)
+    scalar = core.read(written)
+    presented = core.text(_folded(scalar), True)
+    if _content(core.read(expand(presented))) != _content(scalar):
+        raise FlowError("the presented VHDL does not expand to what was written")
+    return presented
+
+
+def expand(text: str) -> str:
+    """With a signal for each element, as the lowering writes it."""
+    if not is_presented(text):
+        return text
+    try:
+        return core.text(_expanded(core.read(text)))
+    except (ValueError, LookupError) as error:  # edited by hand
+        raise FlowError(f"unknown form of VHDL: {error}") from None
+
+
+def is_presented(text: str) -> bool:
+    return core.MARK in text
+
+
+def _content(scalar: Core) -> object:
+    """All but the order and the layout of declarations."""
+    declared = [(one.kind, name) for one in scalar.declarations if isinstance(one, Names) for name in one.names]
+    variables = [(one.kind, name) for one in scalar.variables if isinstance(one, Names) for name in one.names]
+    comments = [one for one in scalar.declarations if isinstance(one, str)]
+    return (
+        [scalar.head, comments, scalar.concurrent, scalar.end, scalar.body],
+        sorted(declared),
+        sorted(variables),
+    )
+
+
+# --- there ------------------------------------------------------------------------------------------------------------
+
+
+def _kinds(declarations: Iterable[str | Names | Array]) -> dict[str, str]:
+    return {name: one.kind for one in declarations if isinstance(one, Names) for name in one.names}
+
+
+def _folded(scalar: Core) -> Core:
+    signals, variables = _kinds(scalar.declarations), _kinds(scalar.variables)
+    kinds = signals | variables
+    concurrent = "\n".join(scalar.concurrent)
+    of_memories = set(_READ_DATA.findall(concurrent))
+    clocked = _assigned(scalar.body)
+    taken = set(_NAME.findall("\n".join(scalar.head) + concurrent)) | kinds.keys()
+    in_arrays = {
+        name: (kind, "memory" if name in of_memories else "process")
+        for name, kind in signals.items()
+        if name in of_memories or name in clocked
+    }
+    of_signals = arrays.found_in(in_arrays, taken)
+    taken |= {array.name for array in of_signals}
+    of_variables = arrays.found_in({name: (kind, "variable") for name, kind in variables.items()}, taken)
+    made = [*of_signals, *of_variables]
+    places = {name: (array, indices) for array in made for name, indices in array.elements()}
+
+    def shown(words: Words) -> Words:
+        return _with_arrays(_with_bits(words, kinds), places)
+
+    body = loops.fold(_mapped(scalar.body, shown), taken | kinds.keys())
+    return Core(
+        scalar.head,
+        _grouped(scalar.declarations, places),
+        [_NAME.sub(lambda match: _reference(match[0], places), _qualified(line)) for line in scalar.concurrent],
+        [one for one in _grouped(scalar.variables, places) if not isinstance(one, str)],
+        body,
+        scalar.end,
+        any(bits.NAME in words for words in _all_words(body)),
+        {array.name: array for array in made},
+    )
+
+
+def _assigned(statements: Iterable[tree.Statement]) -> set[str]:
+    return {words[0] for words in _all_words(statements) if words[1:2] in (("<=",), (":=",))}
+
+
+def _all_words(statements: Iterable[tree.Statement]) -> Iterable[Words]:
+    for one in statements:
+        if isinstance(one, tree.Assign):
+            yield one.words
+        elif isinstance(one, tree.If):
+            yield one.test
+            yield from _all_words([*one.then, *(one.otherwise or ())])
+        elif isinstance(one, tree.For):
+            yield from _all_words(one.body)
+
+
+def _mapped(statements: Iterable[tree.Statement], change: Callable[[Words], Words]) -> tuple[tree.Statement, ...]:
+    """With all assignments and tests changed."""
+    found: list[tree.Statement] = []
+    for one in statements:
+        if isinstance(one, tree.Assign):
+            found.append(tree.Assign(change(one.words)))
+        elif isinstance(one, tree.If):
+            otherwise = None if one.otherwise is None else _mapped(one.otherwise, change)
+            found.append(tree.If(change(one.test), _mapped(one.then, change), otherwise))
+        else:
+            found.append(one)
+    return tuple(found)
+
+
+def _value(words: Words, change: Callable[[Words, Mapping[str, str]], Words], kinds: Mapping[str, str]) -> Words:
+    """Changes the value of an assignment to a plain name, or a test."""
+    if words[1:2] in ((":=",), ("<=",)) and len(words) > 2:
+        return words[:2] + change(words[2:], kinds)
+    return change(words, kinds)
+
+
+def _with_bits(words: Words, kinds: Mapping[str, str]) -> Words:
+    return _value(words, bits.named, kinds)
+
+
+def _with_arrays(words: Words, places: Mapping[str, tuple[Array, Places]]) -> Words:
+    found: list[str] = []
+    for word in words:
+        if word in places:
+            array, indices = places[word]
+            found += [array.name, "("]
+            for index in indices:
+                found += [str(index), ","]
+            found[-1] = ")"
+        else:
+            found.append(word)
+    return tuple(found)
+
+
+def _qualified(line: str) -> str:
+    """An `&` of words may make an array of two words as well, where there are arrays of words."""
+    return _JOINED.sub(r"std_logic_vector(unsigned'(\1));", line)
+
+
+def _reference(word: str, places: Mapping[str, tuple[Array, Places]]) -> str:
+    if word not in places:
+        return word
+    array, indices = places[word]
+    return f"{array.name}({', '.join(map(str, indices))})"
+
+
+def _grouped(
+    declarations: Iterable[str | Names | Array], places: Mapping[str, tuple[Array, Places]]
+) -> list[str | Names | Array]:
+    """Arrays where their first elements stood."""
+    found: list[str | Names | Array] = []
+    there: set[str] = set()
+    for one in declarations:
+        if not isinstance(one, Names):
+            found.append(one)
+            continue
+        for name in one.names:
+            if name in places:
+                array, _ = places[name]
+                if array.name not in there:
+                    there.add(array.name)
+                    found.append(array)
+            elif found and isinstance(found[-1], Names) and found[-1].kind == one.kind:
+                found[-1].names.append(name)
+            else:
+                found.append(Names(one.kind, [name]))
+    return found
+
+
+# --- and back ---------------------------------------------------------------------------------------------------------
+
+
+def _expanded(presented: Core) -> Core:
+    declarations = _single(presented.declarations)
+    variables = [one for one in _single(presented.variables) if not isinstance(one, str)]
+    kinds = _kinds([*declarations, *variables])
+
+    def plain(words: Words) -> Words:
+        return _value(_without_arrays(words, presented.arrays), bits.arithmetic, kinds)
+
+    def name(match: re.Match[str]) -> str:
+        array = presented.arrays.get(match[1])
+        return match[0] if array is None else array.element([int(index) for index in match[2].split(", ")])
+
+    return Core(
+        presented.head,
+        declarations,
+        [_REFERENCE.sub(name, _QUALIFIED.sub(r"std_logic_vector(\1);", line)) for line in presented.concurrent],
+        variables,
+        _mapped(loops.unroll(presented.body), plain),
+        presented.end,
+    )
+
+
+def _single(declarations: Iterable[str | Names | Array]) -> list[str | Names | Array]:
+    found: list[str | Names | Array] = []
+    for one in declarations:
+        if isinstance(one, Array):
+            found.append(Names(one.kind[0], [name for name, _ in one.elements()]))
+        else:
+            found.append(one)
+    return found
+
+
+def _without_arrays(words: Words, known: Mapping[str, Array]) -> Words:
+    found: list[str] = []
+    at = 0
+    while at < len(words):
+        array = known.get(words[at])
+        if array is None:
+            found.append(words[at])
+            at += 1
+            continue
+        end = words.index(")", at)
+        found.append(array.element([int(word) for word in words[at + 2 : end] if word != ","]))
+        at = end + 1
+    return tuple(found)
