@@ -214,3 +214,25 @@ def test_proofs_with_lemmas(held, tmp_path):
 def _written(graph, folder):
     differences.write(graph, folder / "x.aig")
     return folder
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_one_clock_says_in_which_states_the_versions_differ(seed):
+    generator = random.Random(seed)
+    original = random_graph(generator)
+    original.names = ["one", "two", "three"]
+    changed = Graph(
+        original.inputs, list(original.registers), list(original.outputs), list(original.gates), original.names
+    )
+    if seed % 4:  # else the same
+        place = generator.randrange(len(changed.gates))
+        first, second = changed.gates[place]
+        changed.gates[place] = (first ^ 1, second) if seed % 2 else (first, second ^ 1)
+    both = differences.one_clock(original, changed)
+    assert not both.registers
+    for values in itertools.product((0, 1), repeat=len(both.inputs)):
+        inputs, state = values[: len(NAMES)], values[len(NAMES) :]
+        differ = step(original, state, inputs) != step(changed, state, inputs)
+        assert step(both, (), values)[1] == (differ,)
+    changed.names = ["one", "two", "four"]
+    assert differences.one_clock(original, changed) is None

@@ -4,9 +4,11 @@
 from __future__ import annotations
 
 import re
+import subprocess
 from pathlib import Path
 from typing import NamedTuple
 
+from .errors import EXIT_TOOL_FAILED, FlowError
 from .tools import find_tool, find_yosys, run
 
 
@@ -29,10 +31,21 @@ def write(verilog: str, top: str, work: Path, starts_at_zero: bool = False) -> P
     return work / "design.aig"
 
 
-def ask(script: str, work: Path) -> str:
-    """What yosys-abc says to its commands; also in abc.log."""
-    run([find_abc(), "-c", script], cwd=work, log=work / "abc.log")
-    return (work / "abc.log").read_text()
+def ask(script: str, work: Path, seconds: int | None = None) -> str:
+    """What yosys-abc says to its commands; also in abc.log. Nothing where it has not ended in so many seconds."""
+    log = work / "abc.log"
+    if seconds is None:
+        run([find_abc(), "-c", script], cwd=work, log=log)
+        return log.read_text()
+    with log.open("w") as said:
+        try:
+            command = [find_abc(), "-c", script]
+            subprocess.run(command, cwd=work, stdout=said, stderr=subprocess.STDOUT, timeout=seconds, check=True)
+        except subprocess.TimeoutExpired:
+            return ""
+        except subprocess.CalledProcessError:
+            raise FlowError(f"yosys-abc failed; see {log}", EXIT_TOOL_FAILED) from None
+    return log.read_text()
 
 
 class Answer(NamedTuple):
@@ -42,11 +55,13 @@ class Answer(NamedTuple):
     clock: str = ""  # in which it is 1, where it is refuted
 
 
-def prove(commands: str, work: Path, seconds: int | None = None) -> Answer:
+def prove(commands: str, work: Path, seconds: int | None = None, before: int | None = None) -> Answer:
     """Whether the output of what `commands` leave behind is 0 for ever, by property directed reachability in so many
-    seconds."""
+    seconds, after `before` seconds for the commands."""
     limit = f" -T {seconds}" if seconds else ""
-    said = ask(f"{commands}; write left.aig; pdr{limit}", work)
+    said = ask(f"{commands}; write left.aig; pdr{limit}", work, (seconds or 0) + before if before else None)
+    if not said:
+        return Answer(False)
     # Where nothing but a constant is left, a newer yosys-abc (that of yosys 0.52) calls it undecided.
     left = outputs(work / "left.aig")
     if left == [0] or "Property proved" in said:

@@ -166,18 +166,44 @@ def _known_name(names: str) -> tuple[str, list[int]]:
     return NUMBERED.sub("n_", chosen), numbers[chosen]
 
 
-def differences(original: Graph, changed: Graph) -> Graph | None:
-    """None where not all registers have one of the same name in the other version."""
-    count = len(original.registers)
+def _registers_of(original: Graph, changed: Graph) -> list[int] | None:
+    """For each register of the changed version the original's that it is; None where not all have one of the same name
+    in the other version."""
     names, of_changed = (
         sorted((*_known_name(name), number) for number, name in enumerate(graph.names or [""] * len(graph.registers)))
         for graph in (original, changed)
     )
     if original.inputs != changed.inputs or [name for name, _, _ in names] != [name for name, _, _ in of_changed]:
         return None
+    # Were it another one, a proof would still hold.
+    return [same for _, same in sorted((other[2], one[2]) for one, other in zip(names, of_changed))]
+
+
+def one_clock(original: Graph, changed: Graph) -> Graph | None:
+    """A graph without registers whose output is 1 where the versions differ in one clock from the same state: in what
+    the registers take or in an output. None where the registers have no partners."""
+    of_original = _registers_of(original, changed)
+    if of_original is None:
+        return None
+    count = len(original.registers)
+    made = _Builder([*original.inputs, *[""] * count], 0)
+    state = [2 * node for node in range(1 + len(original.inputs) + count)]
+    at_first = 1 + len(original.inputs)
+    before = made.values(original, state)
+    after = made.values(changed, [*state[:at_first], *(state[at_first + number] for number in of_original)])
+    pairs = [(at(before, original.registers[number]), edge) for number, edge in zip(of_original, changed.registers)]
+    pairs += [(at(before, edge), other) for edge, other in zip(original.outputs, changed.outputs)]
+    made.graph.outputs = [made.any(*(made.differ(edge, at(after, other)) for edge, other in pairs))]
+    return made.graph
+
+
+def differences(original: Graph, changed: Graph) -> Graph | None:
+    """None where not all registers have one of the same name in the other version."""
+    of_original = _registers_of(original, changed)
+    if of_original is None:
+        return None
+    count = len(original.registers)
     made = _Builder(original.inputs, 2 * count)
-    # The register that each of the changed version is. Were it another one, a proof would still hold.
-    of_original = [same for _, same in sorted((other[2], one[2]) for one, other in zip(names, of_changed))]
     inputs = [2 * node for node in range(1 + len(original.inputs))]
     before, after = made.copied(original), made.values(changed, [*inputs, *(made.register(n) for n in of_original)])
     known = follow_from_control(changed)

@@ -27,6 +27,7 @@ from . import differences
 
 SECONDS = 30  # for what is left after the merging of registers
 SIMULATED_SECONDS = 3
+MERGING_SECONDS = 120  # for the merging of registers
 SHORT_SECONDS, LONG_SECONDS = 10, 200  # the same of where the versions may differ, at first and at last
 MOST_ALONE = 40  # registers of which each is proved to stay 0, where all at once are not
 VALID = {  # bit: the outputs that say something while it is '1'
@@ -105,12 +106,17 @@ def graph(design: Design, core: list[Path], shell: list[Path], work: Path) -> Pa
 
 def compare(original: Path, changed: Path, work: Path) -> str:
     """Nothing when both show the same for ever; else in which clock they differ, or that the proof came to no end."""
-    where = differences.differences(differences.read(original), differences.read(changed))
+    graphs = differences.read(original), differences.read(changed)
+    if _same_in_each_clock(*graphs, work):
+        return ""
+    where = differences.differences(*graphs)
     differs = Differences(where, work) if where else None
     if differs and differs.never():
         return ""
-    aiger.ask(f"miter {original} {changed}; scleanup; lcorr; scorr; write both.aig", work)
+    both = f"miter {original} {changed}; scleanup"
     merged = "read both.aig"
+    if not aiger.ask(f"{both}; lcorr; scorr; write both.aig", work, MERGING_SECONDS):
+        aiger.ask(f"{both}; write both.aig", work)
     answer = aiger.simulate(merged, work, SIMULATED_SECONDS)
     if not answer.clock:
         answer = aiger.prove(merged, work, SECONDS)
@@ -118,6 +124,15 @@ def compare(original: Path, changed: Path, work: Path) -> str:
         return f"differs in clock {answer.clock}"
     is_proved = answer.proved or bool(differs and differs.never_with_lemmas())
     return "" if is_proved else f"no proof in {SECONDS} s"
+
+
+def _same_in_each_clock(original: differences.Graph, changed: differences.Graph, work: Path) -> bool:
+    """Whether the same state leads to the same one, as where `<` and `<=` choose between equal values."""
+    both = differences.one_clock(original, changed)
+    if both is None:
+        return False
+    differences.write(both, work / "asked.aig")
+    return aiger.prove("read asked.aig; fraig", work, SHORT_SECONDS, SHORT_SECONDS).proved
 
 
 class Differences:
@@ -129,11 +144,12 @@ class Differences:
 
     def _proof(self, graph: differences.Graph, commands: str, seconds: int) -> aiger.Answer:
         differences.write(graph, self.work / "asked.aig")
-        return aiger.prove(f"read asked.aig; {commands}", self.work, seconds)
+        return aiger.prove(f"read asked.aig; {commands}", self.work, seconds, MERGING_SECONDS)
 
     def never(self) -> bool:
+        (self.work / "merged.aig").unlink(missing_ok=True)
         answer = self._proof(self.where, "scleanup; lcorr; scorr; write merged.aig", SHORT_SECONDS)
-        self.may_be = not answer.clock
+        self.may_be = not answer.clock and (self.work / "merged.aig").is_file()
         return answer.proved
 
     def _that_stay(self, graph: differences.Graph, numbers: list[int]) -> list[int]:
@@ -150,12 +166,14 @@ class Differences:
         """First that some registers stay 0, then with them and with predictions the rest."""
         if not self.may_be:
             return False
-        aiger.ask("read merged.aig; scorr -F 4; write merged.aig", self.work)
+        if not aiger.ask("read merged.aig; scorr -F 4; write merged.aig", self.work, MERGING_SECONDS):
+            return False
         graph = differences.read(self.work / "merged.aig")
         numbers = self._that_stay(graph, differences.quiet(graph))
         if numbers:
             differences.write(differences.without(graph, numbers), self.work / "asked.aig")
-            aiger.ask("read asked.aig; scleanup; scorr -F 2; write merged.aig", self.work)
+            if not aiger.ask("read asked.aig; scleanup; scorr -F 2; write merged.aig", self.work, MERGING_SECONDS):
+                return False
             graph = differences.read(self.work / "merged.aig")
         return self._proof(differences.with_predictions(graph), "strash", LONG_SECONDS).proved
 
