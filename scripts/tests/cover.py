@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
 TABLES = ("hls/*/configurations.hpp", "hls_tb/*/*/configurations.hpp")
-TESTS = ("scripts/tests/test_*.py", "hls_tb/**/*_test.py", "hls_tb/**/*_test.cpp")
+# Tests, and the table of camera systems, which tests take by the systems' names.
+TESTS = ("scripts/tests/test_*.py", "hls_tb/**/*_test.py", "hls_tb/**/*_test.cpp", "scripts/flow/system/template.py")
 # The uses of which a part stands for all; `study` repeats the options at one size, and the slow set takes the others,
 # which are large or have no VHDL: of them tests read figures only.
 COVERED, LEFT_OUT = ("option", "example"), ("study", "system", "planned")
