@@ -19,6 +19,7 @@ from flow.implementation.families.family import TOP, RoutedFamily
 from flow.implementation.results import Configuration
 from flow.implementation.targets import ECP5, TARGETS
 from flow.synthesis import manifest
+from flow.synthesis.presentation import scalars
 from flow_commands import call, refused
 
 TINY = committed.folder("tiny").relative_to(ROOT)
@@ -269,7 +270,8 @@ def test_yosys_gives_the_committed_area_of_tiny(ghdl, tmp_path, target):
     where_reachable(yosys.find_yosys)
     family, expected = TARGETS[target].family, kept("tiny", target)
     entity = committed.entity("tiny")
-    verilog = ghdl_flow.to_verilog(manifest.vhdl_files(committed.folder("tiny")), tmp_path, entity)
+    files = scalars.files(manifest.vhdl_files(committed.folder("tiny")))  # of which records are
+    verilog = ghdl_flow.to_verilog(files, tmp_path, entity)
     verilog = re.sub(rf"\bmodule {entity}\b", f"module {TOP}", verilog)
     made = yosys.synthesize(family, verilog, tmp_path, yosys.memories_without_bypass({"family": "block_matching"}))
     tools = {"ghdl": ghdl_flow.version(), "yosys": yosys.version()}
