@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The files are the same bytes whatever git is told about line ends: digests are of them."""
+"""What git keeps: the same bytes whatever it is told about line ends, as digests are of them, and nothing that a
+program makes."""
 
 import shutil
 import subprocess
@@ -45,3 +46,17 @@ def test_it_would_without_attributes(checkout, tmp_path):
     git("init", "-q", folder=copy, check=True)
     git("add", ".", folder=copy, check=True)
     assert "hls/rtl/line_memory.vhd" in changed(copy, tmp_path)
+
+
+def made_by_programs(names):
+    """Compiled files and those of build folders, wherever a program was started."""
+    return [name for name in names if name.endswith(".pyc") or {"build", "__pycache__"} & set(name.split("/")[:-1])]
+
+
+def test_nothing_that_a_program_makes_is_kept(checkout):
+    assert made_by_programs(["scripts/build/pycache/a.py", "a/__pycache__/b", "c.pyc", "scripts/build.py"]) == [
+        "scripts/build/pycache/a.py",
+        "a/__pycache__/b",
+        "c.pyc",
+    ]
+    assert made_by_programs(git("ls-files", "-z", check=True).stdout.decode().split("\0")) == []
