@@ -26,6 +26,7 @@ stereo_add_unit_tests(
   blocks/support/move_delay_test.cpp
   blocks/support/dense_packed_test.cpp
   blocks/support/packed_test.cpp
+  blocks/support/raster_counter_test.cpp
   blocks/support/ring_test.cpp
   blocks/support/row_buffer_test.cpp
   blocks/support/settings_test.cpp

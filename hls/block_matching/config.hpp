@@ -203,6 +203,7 @@ struct Config : Image, Matching, Structure {
 
   private:
    constexpr Sentence folding_problem() const {
+      if (const Sentence sentence = front_problem(); !sentence.empty()) return sentence;
       if (!is_folded()) return {};
       if (disparities % clocks_per_pixel != 0) return "the clocks a pixel pair must divide the disparity range";
       if (pass_disparities() < 2)

@@ -4,6 +4,7 @@
 #include "frontend/features.hpp"
 #include "frontend/image_size.hpp"
 #include "support/raster_counter.hpp"
+#include "support/structure_groups.hpp"
 
 namespace stereo {
 
@@ -13,7 +14,8 @@ struct Raster {
    static constexpr int kClocks = 1;
 
    FeatureGroup<C> features;
-   RasterCounter<C.width_px, C.row_groups(), C.delay_groups(), C.aggregation == Aggregation::direct> place;
+   FrontCounter<kFrontClocks<C>, C.width_px, C.row_groups(), C.delay_groups(), C.aggregation == Aggregation::direct>
+       place;
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {

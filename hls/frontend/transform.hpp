@@ -7,10 +7,12 @@
 #include "frontend/xsobel.hpp"
 #include "support/raster_counter.hpp"
 #include "support/row_buffer.hpp"
+#include "support/structure_groups.hpp"
 
 namespace stereo {
 
-/// Replaces the pixels of both images by what is compared: filtered pixels (7 clocks) or census transforms (6 clocks).
+/// Replaces the pixels of both images by what is compared: filtered pixels (7 clocks) or census transforms (6 clocks, 7
+/// with two front clocks).
 /// The groups come out transform_groups() rows and transform_columns() columns later. Memory: two times W x pixel bits
 /// x kStored.
 template <const auto& C>
@@ -22,7 +24,7 @@ struct Transform {
    static constexpr int kStored = C.transform_groups() * kPixels + kAround;
    using Rows = RowBuffer<kPixelBits<C>, kPixels, kStored, C.width_px>;
    using Filter = std::conditional_t<C.cost == Cost::census, Census<C>, XSobel<C>>;
-   using Counter = RasterCounter<C.width_px, C.row_groups(), C.transform_groups(), true>;
+   using Counter = FrontCounter<kFrontClocks<C>, C.width_px, C.row_groups(), C.transform_groups(), true>;
    /// Input 1, row buffers 2, whole columns 1, filter.
    static constexpr int kClocks = 1 + Rows::kClocks + 1 + Filter::kClocks;
    /// Groups by which the transforms lag behind the newest pixels.
@@ -99,10 +101,10 @@ struct Transform {
 
    template <class Size = FixedSize<C>>
    HLS_INLINE void clock(const CoreInput<C>& in, const Size& size = Size()) {
+      left_filter.clock(columns.valid, left_column, columns.row_inside, filtering[Filter::kMasked].column_inside);
+      right_filter.clock(columns.valid, right_column, columns.row_inside, filtering[Filter::kMasked].column_inside);
       HLS_UNROLL
       for (int j = Filter::kClocks - 1; j > 0; --j) copy(filtering[j], filtering[j - 1]);
-      left_filter.clock(columns.valid, left_column, columns.row_inside, filtering[0].column_inside);
-      right_filter.clock(columns.valid, right_column, columns.row_inside, filtering[0].column_inside);
       copy(filtering[0], columns);
       HLS_UNROLL
       for (int row = 0; row < kRows; ++row) {

@@ -24,6 +24,7 @@ struct WindowConfig : block_matching::Config {
    constexpr Sentence problem() const {
       block_matching::Config checked = *this;
       checked.run_time_settings = false;  // block matching's are others
+      checked.front_clocks = 1;           // the phases that leave the time for more are the paths' alone
       if (window_px == 1 && aggregation == Aggregation::recursive) return "a single pixel has no recursive sum";
       if (window_px == 1) checked.window_px = 2;
       return checked.problem();
@@ -148,6 +149,7 @@ struct Config : Image, Matching, Structure {
 
   private:
    constexpr Sentence folding_problem() const {
+      if (const Sentence sentence = front_problem(); !sentence.empty()) return sentence;
       if (!is_folded()) return {};
       if (disparities % clocks_per_pixel != 0) return "the clocks a pixel pair must divide the disparity range";
       if (clocks_per_pixel < 4) return "the loop of a semi-global path takes four clocks a pixel pair or more, or one";

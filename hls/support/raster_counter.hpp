@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <type_traits>
+
 #include "support/registers.hpp"
 
 namespace stereo {
@@ -92,5 +94,69 @@ struct RasterCounter {
       next_frame = select<bool>(starts, back_to_back, select<bool>(valid, next_frame_after, next_frame));
    }
 };
+
+/// The same for groups that come three clocks apart or more, of frames that all have one size: it compares before the
+/// next group is there, which then only chooses.
+template <int Width, int Groups, int Delay, bool Joins>
+struct EarlyRasterCounter {
+   static_assert(Width > 1);
+   static constexpr int kIdle = Groups + Delay;
+   using Fixed = FixedRaster<Width, Groups, Delay>;
+
+   uint16_t column, group;  ///< as in RasterCounter, and as soon
+   bool next_frame;
+   // Of this place, a clock later.
+   bool last_column;
+   bool counts;        ///< the group is not idle
+   bool frame_joins;   ///< behind it come groups that the next frame's windows see too
+   bool back_to_back;  ///< a frame that starts behind it joins the one that ends
+   // The place of a group behind it that starts no frame, two clocks later.
+   uint16_t column_after, group_after;
+   bool next_frame_after;
+
+   HLS_INLINE EarlyRasterCounter() { start(*this); }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("column", column);
+      visit("group", group, kIdle);
+      visit("next_frame", next_frame);
+      visit("last_column", last_column);
+      visit("counts", counts);
+      visit("frame_joins", frame_joins);
+      visit("back_to_back", back_to_back);
+      visit("column_after", column_after, 1);
+      visit("group_after", group_after, kIdle);
+      visit("next_frame_after", next_frame_after);
+   }
+
+   template <class Limits = Fixed>
+   HLS_INLINE void clock(bool valid, bool start_of_frame, const Limits& limits = Limits()) {
+      static_assert(Limits::kFixed);
+      const uint16_t column_now = column, group_now = group;
+      const bool next_frame_now = next_frame;
+      const bool starts = valid & start_of_frame;
+      const uint16_t first_group = select<uint16_t>(back_to_back, limits.groups, 0);
+      column = at_most<Width - 1>(select<uint16_t>(starts, 0, select<uint16_t>(valid, column_after, column_now)));
+      group = at_most<kIdle>(select<uint16_t>(starts, first_group, select<uint16_t>(valid, group_after, group_now)));
+      next_frame = select<bool>(starts, back_to_back, select<bool>(valid, next_frame_after, next_frame_now));
+
+      const bool group_ends = last_column & counts;
+      const uint16_t group_below = select<uint16_t>(frame_joins, Delay, group_now + 1);
+      column_after = at_most<Width - 1>(select<uint16_t>(last_column, 0, column_now + 1));
+      group_after = at_most<kIdle>(select<uint16_t>(group_ends, group_below, group_now));
+      next_frame_after = next_frame_now & !(group_ends & frame_joins);
+
+      last_column = column_now == limits.last_column;
+      counts = group_now != limits.idle;
+      frame_joins = next_frame_now & (group_now == limits.last_counted);
+      back_to_back = Joins & (Delay > 0) & (column_now == limits.last_column) & (group_now == limits.last_group);
+   }
+};
+
+/// The one of a core with so many front clocks.
+template <int FrontClocks, int Width, int Groups, int Delay, bool Joins>
+using FrontCounter = std::conditional_t<(FrontClocks > 1), EarlyRasterCounter<Width, Groups, Delay, Joins>,
+                                        RasterCounter<Width, Groups, Delay, Joins>>;
 
 }  // namespace stereo

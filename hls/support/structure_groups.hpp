@@ -37,13 +37,28 @@ struct WinnerGroup {
 /// Logic for clocks: fewer disparities at once.
 struct Folding {
    int clocks_per_pixel =
-       1;  ///< F clocks at least from one pixel pair to the next, for which D/F disparities are built
+       1;                 ///< F clocks at least from one pixel pair to the next, for which D/F disparities are built
+   int front_clocks = 1;  ///< of what is compared in front of the disparities: 2 where F leaves the time for it
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
       visit("clocks_per_pixel", self.clocks_per_pixel, 1, 128, "the number of clocks a pixel pair");
+      visit("front_clocks", self.front_clocks, 1, 2, "the number of clocks of the comparisons in front");
+   }
+
+   constexpr Sentence front_problem() const {
+      if (front_clocks > 1 && clocks_per_pixel < 3)
+         return "with two clocks of the comparisons in front a pixel pair must take three clocks or more";
+      return {};
    }
 };
+
+/// Of a configuration of any family.
+template <const auto& C>
+inline constexpr int kFrontClocks = [] {
+   if constexpr (requires { C.front_clocks; }) return C.front_clocks;
+   else return 1;
+}();
 
 /// What comes from ports.
 struct RunTime {

@@ -93,6 +93,7 @@ void fold(Config& config, Random& random) {
       config.clocks_per_pixel = 2 + random.below(kMostClocks - 1);
       config.disparities = config.clocks_per_pixel * (2 + random.below(kMostDisparities - 1));
       config.pixels_per_clock = 1;
+      config.front_clocks = config.clocks_per_pixel < 3 ? 1 : 1 + random.below(2);
       config.sign_memory = config.run_time_size = false;
    }
    if constexpr (requires { &Config::pass_disparities; }) {

@@ -189,6 +189,14 @@ TEST(BlockMatchingConfig, SaysWhatSeveralClocksAPixelCannotBeCombinedWith) {
              "with several clocks a pixel pair there is no run-time size");
    EXPECT_EQ(problem([](Config& c) { c.support_threshold = 4; }),
              "with several clocks a pixel pair there is no post-processing");
+   EXPECT_EQ(problem([](Config& c) { c.front_clocks = 2; }), "");
+   EXPECT_EQ(problem([](Config& c) {
+                c.clocks_per_pixel = 2;
+                c.front_clocks = 2;
+             }),
+             "with two clocks of the comparisons in front a pixel pair must take three clocks or more");
+   EXPECT_EQ(problem([](Config& c) { c.front_clocks = 3; }),
+             "the number of clocks of the comparisons in front is 3 but must be 1 ... 2");
    EXPECT_EQ(problem([](Config& c) { c.width_px = 12; }),
              "with so many clocks a pixel pair the image must be wider for its passes to fit in a row");
 }

@@ -31,6 +31,16 @@ using CensusConfig = Exactly<block_matching::Config{
      CensusWindow{.census_width_px = CensusWidth, .census_height_px = CensusHeight, .census_pattern = Pattern}},
     {}}>;
 
+/// Two front clocks, which take three clocks a group.
+template <int W, int H, int CensusWidth, int CensusHeight, Reference Side, CensusPattern Pattern>
+using FrontConfig = Exactly<[] {
+   block_matching::Config config = CensusConfig<W, H, 1, CensusWidth, CensusHeight, Side, Pattern>::kConfig;
+   config.disparities = 6;
+   config.clocks_per_pixel = 3;
+   config.front_clocks = 2;
+   return config;
+}()>;
+
 template <class Config>
 class TransformTest : public ::testing::Test {};
 /// Also images lower than the transform's window, and of the fewest columns and groups of rows.
@@ -41,7 +51,9 @@ using Configs =
                      CensusConfig<9, 4, 1, 9, 7>, CensusConfig<8, 8, 4, 9, 7>,
                      CensusConfig<12, 9, 1, 9, 7, Reference::left, CensusPattern::even_columns>,
                      CensusConfig<12, 8, 2, 9, 5, Reference::right, CensusPattern::checkerboard>,
-                     CensusConfig<12, 8, 4, 7, 7, Reference::right, CensusPattern::sparse>>;
+                     CensusConfig<12, 8, 4, 7, 7, Reference::right, CensusPattern::sparse>,
+                     FrontConfig<48, 8, 5, 5, Reference::right, CensusPattern::all>,
+                     FrontConfig<50, 7, 9, 3, Reference::left, CensusPattern::checkerboard>>;
 TYPED_TEST_SUITE(TransformTest, Configs, ConfigNames);
 
 /// Features of one image, row by row.
@@ -152,7 +164,7 @@ TYPED_TEST(TransformTest, FramesBackToBackAndApart) {
    const std::vector<ImagePair> pairs = some_pairs<C>(7);
    for (const int stall_percent : {0, 30}) {
       SCOPED_TRACE(std::to_string(stall_percent) + " % stalls");
-      StimulusWriter writer(C.pixels_per_clock, stall_percent, test_seed());
+      StimulusWriter writer(C.pixels_per_clock, stall_percent, test_seed(), C.pixel_bits, C.clocks_per_pixel);
       for (std::size_t i = 0; i < pairs.size(); ++i) {
          writer.rows(pairs[i], {0, C.height_px});
          const int lengths[] = {0, 0, kWaits<C>, 5 * kWaits<C> + 1};
@@ -170,7 +182,7 @@ TYPED_TEST(TransformTest, AStartOfFrameRestartsAtAnyPlace) {
    StimulusWriter cut(C.pixels_per_clock, 0, test_seed());
    cut.rows(pairs[0], {0, C.height_px});
    for (int round = 0; round < 30; ++round) {
-      StimulusWriter writer(C.pixels_per_clock, 20, test_seed() + uint64_t(round));
+      StimulusWriter writer(C.pixels_per_clock, 20, test_seed() + uint64_t(round), C.pixel_bits, C.clocks_per_pixel);
       const int sent = 1 + random.below(int(cut.clocks.size()) - 1);
       for (int i = 0; i < sent; ++i) writer.record(cut.clocks[std::size_t(i)]);
       writer.rows(pairs[1], {0, C.height_px});

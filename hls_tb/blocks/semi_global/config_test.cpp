@@ -46,6 +46,13 @@ TEST(SemiGlobalConfig, SaysWhatCannotBeFolded) {
                 c.width_px = 1300;
              }),
              "with so many clocks a pixel pair a row of the map must be shorter");
+   EXPECT_EQ(problem([](Config& c) {
+                c.clocks_per_pixel = 4;
+                c.front_clocks = 2;
+             }),
+             "");
+   EXPECT_EQ(problem([](Config& c) { c.front_clocks = 2; }),
+             "with two clocks of the comparisons in front a pixel pair must take three clocks or more");
 }
 
 TEST(SemiGlobalConfig, SaysWhatCannotBeBuilt) {
