@@ -28,7 +28,7 @@ struct Core<C> {
 
    //          a pixel pair                      once in F clocks
    //               |
-   //   clocks  transform             7, 6, none
+   //   clocks  transform             7, 6, none  x-Sobel, census; census 7 with two front clocks
    //           raster, delay, rows   5           columns of all rows of the windows
    //           passes                1           two rows: one comes in, one is shown F times
    //               |    \              .

@@ -17,20 +17,20 @@ struct Census {
    static constexpr int kRows = kPixels + 2 * C.transform_rows();
    static constexpr int kColumns = C.census_width_px;
 
-   /// With two front clocks the first one compares, the second one chooses what counts.
-   static constexpr bool kComparesFirst = kFrontClocks<C> > 1;
-   struct Larger {
-      bool than_centre[kPixels][kColumns][C.census_height_px];
+   /// With two front clocks the first one compares the lower halves of the pixels. The columns stand still meanwhile.
+   static constexpr bool kComparesHalves = kFrontClocks<C> > 1;
+   struct Halves {
+      bool is_larger[kPixels][kColumns][C.census_height_px];
 
       template <class Visitor>
       HLS_INLINE void registers(Visitor& visit) {
-         visit("than_centre", than_centre);
+         visit("is_larger", is_larger);
       }
    };
-   struct NoLarger {};
+   struct NoHalves {};
 
    Pixel<C> column[kColumns][kRows];  ///< [age][row]; 0 outside the image
-   [[no_unique_address]] std::conditional_t<kComparesFirst, Larger, NoLarger> larger;
+   [[no_unique_address]] std::conditional_t<kComparesHalves, Halves, NoHalves> low;
    Feature<C> feature[kPixels];
 
    HLS_INLINE Census() { start(*this); }
@@ -38,7 +38,7 @@ struct Census {
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit("column", column);
-      if constexpr (kComparesFirst) visit("larger", larger);
+      if constexpr (kComparesHalves) visit("low", low);
       visit("feature", feature);
    }
 
@@ -48,7 +48,7 @@ struct Census {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          feature[p] = transform(p, column_inside);
-         if constexpr (kComparesFirst) compare(p);
+         if constexpr (kComparesHalves) compare_low(p);
       }
       HLS_UNROLL
       for (int row = 0; row < kRows; ++row) {
@@ -73,28 +73,34 @@ struct Census {
             } else {
                if (!has_census_bit(C.census_pattern, age - kColumns / 2, row - C.transform_rows())) continue;
             }
-            const bool is_set = column_inside[age] && has_larger(p, age, row);
-            bits |= Feature<C>(Feature<C>(is_set) << bit++);
+            const bool larger = column_inside[age] && is_larger(p, age, row);
+            bits |= Feature<C>(Feature<C>(larger) << bit++);
          }
       }
       return bits;
    }
 
-   HLS_INLINE bool has_larger(int p, int age, int row) const {
-      if constexpr (kComparesFirst) return larger.than_centre[p][age][row];
-      else return is_larger(p, age, row);
-   }
-
-   HLS_INLINE void compare(int p) {
-      HLS_UNROLL
-      for (int age = 0; age < kColumns; ++age) {
-         HLS_UNROLL
-         for (int row = 0; row < C.census_height_px; ++row) larger.than_centre[p][age][row] = is_larger(p, age, row);
+   /// Than the centre. Of two halves the lower one's result stands in place of its bits.
+   HLS_INLINE bool is_larger(int p, int age, int row) const {
+      const Pixel<C> pixel = column[age][p + row], centre = column[kColumns / 2][p + C.transform_rows()];
+      if constexpr (kComparesHalves) {
+         const auto low_bit = Pixel<C>(low.is_larger[p][age][row]);
+         return Pixel<C>(pixel >> kLowBits << 1 | low_bit) > Pixel<C>(centre >> kLowBits << 1);
+      } else {
+         return pixel > centre;
       }
    }
 
-   HLS_INLINE bool is_larger(int p, int age, int row) const {
-      return column[age][p + row] > column[kColumns / 2][p + C.transform_rows()];
+   static constexpr int kLowBits = kPixelBits<C> / 2;
+   static constexpr unsigned kLowMask = (1U << kLowBits) - 1;
+   HLS_INLINE void compare_low(int p) {
+      const auto centre = Pixel<C>(column[kColumns / 2][p + C.transform_rows()] & kLowMask);
+      HLS_UNROLL
+      for (int age = 0; age < kColumns; ++age) {
+         HLS_UNROLL
+         for (int row = 0; row < C.census_height_px; ++row)
+            low.is_larger[p][age][row] = Pixel<C>(column[age][p + row] & kLowMask) > centre;
+      }
    }
 };
 

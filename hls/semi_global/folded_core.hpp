@@ -30,7 +30,7 @@ struct Core<C> {
 
    //            a pixel pair              once in F clocks
    //                 |
-   //   clocks   transform                 7, 6, none  x-Sobel, census
+   //   clocks   transform                 7, 6, none  x-Sobel, census; census 7 with two front clocks
    //            raster, delay, rows       3 or 5
    //                 |                    from here on, D/F disparities a clock, F clocks one behind the other
    //            costs                     PhaseCosts::kClocks
