@@ -12,12 +12,12 @@ namespace stereo {
 template <const auto& C>
 struct Census {
    static constexpr int kClocks = 1 + kFrontClocks<C>;
-   static constexpr int kMasked = kClocks - 2;  ///< clocks behind the columns from which on `column_inside` counts
    static constexpr int kPixels = C.pixels_per_clock;
    static constexpr int kRows = kPixels + 2 * C.transform_rows();
    static constexpr int kColumns = C.census_width_px;
 
-   /// With two front clocks the first one compares the lower halves of the pixels. The columns stand still meanwhile.
+   /// With two front clocks the first one compares the lower halves of the pixels. The columns stand still meanwhile,
+   /// and so does what says which of them are inside.
    static constexpr bool kComparesHalves = kFrontClocks<C> > 1;
    struct Halves {
       bool is_larger[kPixels][kColumns][C.census_height_px];

@@ -101,10 +101,10 @@ struct Transform {
 
    template <class Size = FixedSize<C>>
    HLS_INLINE void clock(const CoreInput<C>& in, const Size& size = Size()) {
-      left_filter.clock(columns.valid, left_column, columns.row_inside, filtering[Filter::kMasked].column_inside);
-      right_filter.clock(columns.valid, right_column, columns.row_inside, filtering[Filter::kMasked].column_inside);
       HLS_UNROLL
       for (int j = Filter::kClocks - 1; j > 0; --j) copy(filtering[j], filtering[j - 1]);
+      left_filter.clock(columns.valid, left_column, columns.row_inside, filtering[0].column_inside);
+      right_filter.clock(columns.valid, right_column, columns.row_inside, filtering[0].column_inside);
       copy(filtering[0], columns);
       HLS_UNROLL
       for (int row = 0; row < kRows; ++row) {

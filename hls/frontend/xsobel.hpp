@@ -9,7 +9,6 @@ namespace stereo {
 template <const auto& C>
 struct XSobel {
    static constexpr int kClocks = 3;
-   static constexpr int kMasked = 0;  ///< clocks behind the columns from which on `column_inside` counts
    static constexpr int kPixels = C.pixels_per_clock;
    static constexpr int kRows = kPixels + 2;
 
