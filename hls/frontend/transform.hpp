@@ -49,11 +49,25 @@ struct Transform {
       }
    };
 
+   /// With two front clocks the counter's group is compared in clock 2, and clock 3 knows which rows are inside.
+   static constexpr bool kComparesFirst = kFrontClocks<C> > 1;
+   struct Reached {
+      bool first[kRows], beyond_last[kRows];  ///< [r]: the row has reached them
+
+      template <class Visitor>
+      HLS_INLINE void registers(Visitor& visit) {
+         visit("first", first);
+         visit("beyond_last", beyond_last);
+      }
+   };
+   struct NothingReached {};
+
    Pixel<C> left[kPixels], right[kPixels];  // clock 1
    bool valid;
    Counter counter;
    Rows left_rows, right_rows;  // clocks 2 and 3
    Place read, ready;
+   [[no_unique_address]] std::conditional_t<kComparesFirst, Reached, NothingReached> reached;
    uint16_t write_column;
    Pixel<C> left_column[kRows], right_column[kRows];  // clock 4
    Place columns;
@@ -76,6 +90,7 @@ struct Transform {
       visit("right_rows", right_rows);
       visit("read", read);
       visit("ready", ready);
+      if constexpr (kComparesFirst) visit("reached", reached);
       visit("write_column", write_column);
       visit("left_column", left_column);
       visit("right_column", right_column);
@@ -136,17 +151,26 @@ struct Transform {
       read.valid = valid;
       read.column = counter.column;
       HLS_UNROLL
-      for (int r = 0; r < kRows; ++r) {
-         if constexpr (Size::kFixed)
-            read.row_inside[r] = counter.group >= first_group(r) && counter.group <= last_group(r);
-         else
-            read.row_inside[r] =
-                (counter.group >= first_group(r)) & is_until<C>(counter.group, last_group(r), size.transform);
-      }
+      for (int r = 0; r < kRows; ++r) find_row(r, size);
       HLS_UNROLL
       for (int age = 0; age <= 2 * kColumns; ++age)
          read.column_inside[age] = (counter.column >= age) == (counter.column >= kColumns);
       read.start_of_frame = counter.group == C.transform_groups() && counter.column == kColumns;
+   }
+
+   template <class Size>
+   HLS_INLINE void find_row(int r, const Size& size) {
+      if constexpr (kComparesFirst) {
+         static_assert(Size::kFixed);
+         ready.row_inside[r] = reached.first[r] & !reached.beyond_last[r];
+         reached.first[r] = counter.group >= first_group(r);
+         reached.beyond_last[r] = counter.group > last_group(r);
+      } else if constexpr (Size::kFixed) {
+         read.row_inside[r] = counter.group >= first_group(r) && counter.group <= last_group(r);
+      } else {
+         read.row_inside[r] =
+             (counter.group >= first_group(r)) & is_until<C>(counter.group, last_group(r), size.transform);
+      }
    }
 
    static HLS_INLINE void copy(Place& to, const Place& from) {
