@@ -63,6 +63,7 @@ struct Config : Image, Matching, Structure {
    constexpr Sentence problem() const {
       if (const Sentence sentence = Matching::problem(); !sentence.empty()) return sentence;
       if (const Sentence sentence = costs().problem(); !sentence.empty()) return sentence;
+      if (costs().is_folded()) return "the trellis takes a pixel pair a clock";
       if (run_time_settings &&
           costs().windows().groups_to_first_window() + clocks_to_forward() >= row_groups() * width_px)
          return "with run-time settings the image must be higher, for a frame's first column to be there before the "

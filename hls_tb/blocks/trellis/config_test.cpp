@@ -44,6 +44,15 @@ TEST(TrellisConfig, AFrameIsThereBeforeTheNextOne) {
                          "before the next one"));
 }
 
+TEST(TrellisConfig, IsNotFolded) {
+   trellis::Config config = kGood;
+   config.clocks_per_pixel = 4;
+   EXPECT_EQ(config.problem().text, std::string("the trellis takes a pixel pair a clock"));
+   config.clocks_per_pixel = 1;
+   config.front_clocks = 2;
+   EXPECT_FALSE(config.problem().empty());
+}
+
 TEST(TrellisConfig, ASizeAloneSetsNothingElse) {
    trellis::Config config = kGood;
    config.run_time_size = true;
