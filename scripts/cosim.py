@@ -16,6 +16,7 @@ from flow.cosim import job, record, regression
 from flow.cosim.simulators import SIMULATORS
 
 MOST_SECONDS = 1e6
+MOST_STRESS_CLOCKS = 100_000_000
 
 
 def main() -> int:
@@ -43,6 +44,13 @@ def main() -> int:
         metavar="stress|scene|FILE",
         help="stress (default): a stream that is made to find faults, then the images, if any are given; "
         "scene: the images alone, or a generated scene; FILE: your own stimulus.txt, with --expected",
+    )
+    parser.add_argument(
+        "--stress-clocks",
+        type=int,
+        metavar="N",
+        help="at least N clocks of the stress stream: streams of other seeds follow each other (default 40000, two of "
+        "a small core)",
     )
     parser.add_argument("--expected", type=a_path, help="the expected.txt of your own stimulus.txt")
     parser.add_argument(
@@ -143,6 +151,10 @@ def _check(options: argparse.Namespace) -> None:
             raise FlowError(f"--{one} and --{other} go together: both are required")
     if options.stimulus and (options.left or options.rows or options.broken or options.stall_percent):
         raise FlowError("--stimulus takes the place of images, --rows, --broken and --stall-percent")
+    if options.stress_clocks is not None and not options.stress:
+        raise FlowError("--stress-clocks is for the stress stream: no --record, no --stimulus but stress")
+    if options.stress_clocks is not None and not 1 <= options.stress_clocks <= MOST_STRESS_CLOCKS:
+        raise FlowError(f"--stress-clocks must be 1 ... {MOST_STRESS_CLOCKS}")
     if options.coverage and options.wave:
         raise FlowError("--coverage and --wave are for two runs")
     if options.record and options.broken:
@@ -166,7 +178,7 @@ def _several(options: argparse.Namespace) -> int:
         if getattr(options, name):
             raise FlowError(f"--{name} is for one configuration")
     words = ["--stimulus", "stress" if options.stress else "scene"]
-    for name in ("left", "right", "rows", "frames", "broken", "stall_percent", "seed", "fit"):
+    for name in ("stress_clocks", "left", "right", "rows", "frames", "broken", "stall_percent", "seed", "fit"):
         value = getattr(options, name)
         if value is not None:
             words += [f"--{name.replace('_', '-')}", str(value)]

@@ -82,5 +82,5 @@ def test_the_processor_time_of_a_test_is_kept(tmp_path):
         environment = {**ALONE, "STEREO_TIMES": str(tmp_path / "times"), "STEREO_TEST": name}
         result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, env=environment)
         assert result.returncode == 0 and "1 passed, 1 deselected" in result.stdout, result.stdout
-    (quick, first), (long, second) = (line.split() for line in (tmp_path / "times").read_text().splitlines())
-    assert (first, second) == ("quick", "long") and float(long) > float(quick) + 0.9
+    (_, first), (long, second) = (line.split() for line in (tmp_path / "times").read_text().splitlines())
+    assert (first, second) == ("quick", "long") and float(long) >= 1, "the second that the child takes on any machine"

@@ -86,6 +86,7 @@ def test_bad_rows(pair, nothing_written, rows):
         ("--frames", "0"),
         ("--frames", "many"),
         ("--stall-percent", "200"),
+        ("--stress-clocks", "1000"),
         ("--simulator", "modelsim"),
         ("--wave", "wave.txt"),
         ("--seed", "-1"),

@@ -39,10 +39,11 @@ def test_the_fast_set_has_every_option():
 
 @pytest.mark.parametrize("config", with_slow(SMALL, FAST))
 def test_stress_stream_and_two_frames(ghdl, tmp_path, config):
-    """What cosim.py sends by default, of another seed in each configuration, and behind it two frames as close as they
-    may be. Clock by clock as the C++ core."""
+    """One of the streams that cosim.py sends by default, of another seed in each configuration, and behind it two frames
+    as close as they may be. Clock by clock as the C++ core."""
     parameters, seed = TABLE[config], 1 + SMALL.index(config)
-    process = call("cosim.py", "--config", config, "--frames", 2, "--seed", seed, "--out", tmp_path)
+    words = ["--frames", 2, "--seed", seed, "--stress-clocks", 1, "--out", tmp_path]
+    process = call("cosim.py", "--config", config, *words)
     assert process.returncode == 0, process.stdout + process.stderr
     result = report(tmp_path)
     outputs = parameters["output_width_px"] * parameters["output_height_px"] // parameters["pixels_per_clock"]

@@ -132,7 +132,7 @@ def test_what_follows_from_control_and_what_from_pixels():
 
 def test_files_are_read_as_they_were_written(tmp_path):
     graph = random_graph(random.Random(3), 5, 300)
-    graph.names = ["", "place[0]", "", "place[1]", ""]
+    graph.names, graph.output_names = ["", "place[0]", "", "place[1]", ""], ["", "memory.given[1]"]
     differences.write(graph, tmp_path / "graph.aig")
     assert differences.read(tmp_path / "graph.aig") == graph
 

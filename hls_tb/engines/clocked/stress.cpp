@@ -15,6 +15,7 @@ constexpr int kRowsBeyondFirst = 2;   // groups of rows of a long frame beyond t
 constexpr int kShortLives = 1000;     // clocks of them all
 constexpr int kLeastShortLives = 3;
 constexpr int kLeastWildFrames = 6;  // so that each event comes
+constexpr uint64_t kNextSeed = 1'000'003;  // from a stream to the one behind it: no seed that people try next
 
 /// Gives each of some things once before any comes again, in another order each time.
 template <class Thing, std::size_t Count>
@@ -210,13 +211,20 @@ class Stress {
    std::size_t tidy_ = 0;  ///< classes that have come once
 };
 
-}  // namespace
-
-Stimulus make_stress_stimulus(const std::string& config_name, const CoreShape& core, uint64_t seed) {
+Stimulus one_stream(const std::string& config_name, const CoreShape& core, uint64_t seed) {
    StimulusWriter writer = Stress(core, seed).make();
    Stimulus stimulus{config_name, core.image.pixels_per_clock, std::move(writer.clocks), std::move(writer.resets)};
    stimulus.pixel_bits = core.pixel_bits;
    set_random_frames(stimulus, core.settings, seed, writer.sizes);
+   return stimulus;
+}
+
+}  // namespace
+
+Stimulus make_stress_stimulus(const std::string& config_name, const CoreShape& core, uint64_t seed,
+                              std::size_t clocks) {
+   Stimulus stimulus = one_stream(config_name, core, seed);
+   while (stimulus.clocks.size() < clocks) append(stimulus, one_stream(config_name, core, seed += kNextSeed));
    return stimulus;
 }
 

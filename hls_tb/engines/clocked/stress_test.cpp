@@ -83,6 +83,21 @@ TEST_P(StressTest, ASeedIsAStream) {
    EXPECT_NE(pixels(3), pixels(4));
 }
 
+TEST_P(StressTest, StreamsOfOtherSeedsFollow) {
+   const CoreModule& core = core_module(GetParam());
+   const std::size_t one = make_stress_stimulus(core.name, core.shape, test_seed()).clocks.size();
+   EXPECT_EQ(make_stress_stimulus(core.name, core.shape, test_seed(), one).clocks.size(), one);
+   const Stimulus two = make_stress_stimulus(core.name, core.shape, test_seed(), one + 1);
+   ASSERT_GT(two.clocks.size(), 3 * one / 2) << "a whole stream";
+   const auto pixels = [&](std::size_t from) {
+      std::vector<int> some;
+      for (std::size_t clock = from; clock < from + one / 2; ++clock) some.push_back(two.clocks[clock].left[0]);
+      return some;
+   };
+   EXPECT_NE(pixels(0), pixels(one + 1)) << "behind a clock of reset another one";
+   EXPECT_TRUE(std::ranges::binary_search(two.resets, one));
+}
+
 TEST(Stress, OfALongFrameSendsTheFirstRows) {
    const CoreModule& core = core_module("tiny");
    CoreShape shape = core.shape;

@@ -42,7 +42,7 @@ Stream make_stream(const StreamArguments& arguments, const std::string& config, 
    const bool has_images = !arguments.left.empty();
    if (!arguments.stress && !has_images) throw InputError("nothing to send: give --stress, or --left and --right");
    if (!arguments.stress) return {stream_of_images(arguments, config, shape)};
-   Stream stream{make_stress_stimulus(config, shape, arguments.options.seed)};
+   Stream stream{make_stress_stimulus(config, shape, arguments.options.seed, std::size_t(arguments.stress_clocks))};
    if (has_images) stream.images_from = append(stream.stimulus, stream_of_images(arguments, config, shape));
    return stream;
 }
@@ -68,7 +68,14 @@ void add_stream_options(CLI::App& command, StreamArguments& arguments) {
        ->capture_default_str()
        ->check(check_seed);
    add_pair_options(command, arguments.left, arguments.right, arguments.fit);
-   command.add_flag("--stress", arguments.stress, "send the stress stream first, then the images");
+   CLI::Option* const stress =
+       command.add_flag("--stress", arguments.stress, "send the stress stream first, then the images");
+   command
+       .add_option("--stress-clocks", arguments.stress_clocks,
+                   "streams of other seeds follow until there are so many clocks of stress")
+       ->check(CLI::Range(1, 100'000'000))
+       ->capture_default_str()
+       ->needs(stress);
    CLI::Option* const left = command.get_option("--left")->required(false);
    CLI::Option* const right = command.get_option("--right")->required(false);
    left->needs(right);

@@ -16,13 +16,22 @@ def find_abc() -> str:
     return find_tool("yosys-abc", "YOSYS_ABC", "on Debian: apt-get install yosys")
 
 
-def write(verilog: str, top: str, work: Path, starts_at_zero: bool = False) -> Path:
+class Opened(NamedTuple):
+    """Wires inside of a design, as yosys selects them."""
+
+    inputs: str  # those that become inputs
+    outputs: str  # and those that become outputs
+
+
+def write(verilog: str, top: str, work: Path, starts_at_zero: bool = False, opened: Opened | None = None) -> Path:
     """The graph of the module `top`. Registers and memories without an initial value start with any, as if inputs
     gave it, or with `starts_at_zero` at 0. What the text leaves undefined is 0: yosys must not choose."""
     work.mkdir(parents=True, exist_ok=True)
     (work / "design.v").write_text(verilog)
+    # Before anything is optimised: a wire without a driver would be lost.
+    expose = f"expose -input {opened.inputs}; expose {opened.outputs}; " if opened else ""
     script = (
-        f"read_verilog -sv design.v; prep -flatten -top {top}; memory_map; "
+        f"read_verilog -sv design.v; hierarchy -top {top}; proc; flatten; {expose}prep -flatten -top {top}; memory_map; "
         f"setundef -undriven -zero{' -init' if starts_at_zero else ''}; opt -full; "
         "techmap; setundef -undriven -zero; opt; dffunmap; simplemap; aigmap; setundef -zero; opt_clean; "
         "write_aiger -zinit -symbols design.aig"

@@ -32,6 +32,7 @@ STAGE_DISPARITIES = 16  # of the scene that a stage gets
 class Job:
     config: str
     stress: bool = True  # the stream that is made to find faults; the images' stream comes behind it
+    stress_clocks: int | None = None  # at least so many of it; None: what the program sends
     left: Path | None = None  # None: a generated scene, where its stream is wanted
     right: Path | None = None
     stimulus: Path | None = None  # vectors of one's own instead of images
@@ -66,6 +67,7 @@ class Job:
             ("--left", self.left, None),
             ("--right", self.right, None),
             ("--stimulus", self.stimulus or (None if self.stress else "scene"), None),
+            ("--stress-clocks", self.stress_clocks, None),
             ("--expected", self.expected, None),
             ("--rows", self.rows, None),
             ("--frames", self.frames, 1),
@@ -112,6 +114,8 @@ def make_vectors(job: Job, directory: Path, parameters: Parameters) -> tuple[Pat
 def _stream(job: Job, directory: Path, parameters: Parameters) -> list[Word]:
     """The words of `vectors` and `trace` that say which stream is sent."""
     words: list[Word] = ["--config", job.config, "--seed", job.seed, *(["--stress"] if job.stress else [])]
+    if job.stress and job.stress_clocks is not None:
+        words += ["--stress-clocks", job.stress_clocks]
     if not job.has_images:
         return words
     left, right = _pair(job, directory, parameters)

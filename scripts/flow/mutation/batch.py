@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 import shutil
+import threading
 from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
 from pathlib import Path
@@ -17,9 +18,11 @@ from ..cosim import bench, checker, vectors
 from ..simulation.simulators import SIMULATORS, Design
 from . import differences, equivalence, schemata
 from .judges import WATCHDOG_SECONDS, Core
+from .memories import OPENED, opened
 from .mutants import Mutant
 
 BENCH = bench.FOLDER / "mutants_bench.cpp"
+MOST_REGISTERS = 5000  # of a graph with memories: of more yosys-abc merges those of two versions for ten minutes and more
 _PLACE = re.compile(r"(?:^|error: )(\S+\.vhd):(\d+):\d+:(?!warning)", re.MULTILINE)
 
 
@@ -103,9 +106,7 @@ class Batch:
                 )
         if left := self._left({}):
             verilog = self._to_verilog(self._write(left), self.work)
-            text = equivalence.observed(verilog, core.entity)
-            path = aiger.write(text, "observed", self.work / "graph", starts_at_zero=True)
-            self.graphs = Graphs(differences.read(path), self.work / "original.aig")
+            self.graphs = Graphs(equivalence.observed(verilog, core.entity), self.work)
 
     def _left(self, also_shown: dict[str, str]) -> list[int]:
         known = self.shown.keys() | also_shown.keys()
@@ -134,17 +135,35 @@ class Batch:
 
 
 class Graphs:
-    """The graph of all, and what becomes of it when one is chosen."""
+    """The graphs of all, and what becomes of them when one is chosen: without line memories, where most proofs are
+    short, and with them, which is made when it is asked for."""
 
-    def __init__(self, graph: differences.Graph, original: Path) -> None:
-        self.graph, self.original = graph, original
-        self.write(0, original)
+    def __init__(self, verilog: str, work: Path) -> None:
+        self.verilog, self.work = verilog, work
+        self.lock = threading.Lock()
+        self.opened, self.whole = work / "opened", work / "whole"
+        self.graphs: dict[Path, differences.Graph] = {}  # {folder: its graph}
 
-    def write(self, number: int, path: Path) -> None:
+    def _graph(self, folder: Path) -> differences.Graph:
+        with self.lock:
+            if folder not in self.graphs:
+                text, at = (self.verilog, None) if folder == self.whole else (opened(self.verilog), OPENED)
+                path = aiger.write(text, "observed", folder, starts_at_zero=True, opened=at)
+                self.graphs[folder] = differences.read(path)
+                self._write(self.graphs[folder], 0, folder / "original.aig")
+            return self.graphs[folder]
+
+    @staticmethod
+    def _write(graph: differences.Graph, number: int, path: Path) -> None:
         known = {f"{schemata.INPUT}[{bit}]": number >> bit & 1 for bit in range(schemata.BITS)}
-        differences.write(differences.with_inputs(self.graph, known), path)
+        differences.write(differences.with_inputs(graph, known), path)
 
     def objection(self, number: int, folder: Path) -> str:
         changed = folder / "changed.aig"
-        self.write(number, changed)
-        return equivalence.compare(self.original, changed, folder)
+        self._write(self._graph(self.opened), number, changed)
+        if equivalence.are_the_same(self.opened / "original.aig", changed, folder):
+            return ""
+        if len(self._graph(self.whole).registers) > MOST_REGISTERS:
+            return f"no proof without memories, and with them {MOST_REGISTERS} registers are exceeded"
+        self._write(self._graph(self.whole), number, changed)
+        return equivalence.compare(self.whole / "original.aig", changed, folder)

@@ -8,6 +8,8 @@ original and these bits, which follow from it:
   follows from inputs of one bit and from what is written into registers: pixels and costs stay out of the proof.
 - A register may differ in the next clock if what it takes in the changed version may, or if the two versions take
   different values from the same state.
+- A word of a line memory may differ if one was written there that might. Where and whether a memory is read and where
+  it is written must be the same (memories.py).
 
 The graph's output is 1 when an output may differ. Where that never happens the versions show the same for ever; where
 it happens they need not differ. A fault in a reset value or in a mask is proved so: the data that it touches differs
@@ -21,7 +23,9 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-INPUT_BIT = re.compile(r"^(\w+)\[\d+\]$")
+from .memories import Memory, memories
+
+INPUT_BIT = re.compile(r"^(.+)\[\d+\]$")
 OF_REGISTERS = "s_axil_"  # how the names of their inputs begin. What is written there decides: a soft reset, a size
 NUMBERED = re.compile(r"\bn(\d+)_")  # GHDL's names of what has none: the number may be another one in another version
 
@@ -36,6 +40,7 @@ class Graph:
     outputs: list[int] = field(default_factory=list)
     gates: list[tuple[int, int]] = field(default_factory=list)
     names: list[str] = field(default_factory=list)  # of the registers, or none
+    output_names: list[str] = field(default_factory=list)  # or none
 
     @property
     def first_gate(self) -> int:
@@ -69,9 +74,10 @@ def read(path: Path) -> Graph:
     for node in range(graph.first_gate, graph.first_gate + gates):
         first = 2 * node - number()
         graph.gates.append((first, first - number()))
-    graph.names = [""] * registers
-    for match in re.finditer(rb"^([il])(\d+) (.+)", content[place:], re.MULTILINE):
-        (graph.inputs if match[1] == b"i" else graph.names)[int(match[2])] = match[3].decode()
+    graph.names, graph.output_names = [""] * registers, [""] * outputs
+    names_of = {b"i": graph.inputs, b"l": graph.names, b"o": graph.output_names}
+    for match in re.finditer(rb"^([ilo])(\d+) (.+)", content[place:], re.MULTILINE):
+        names_of[match[1]][int(match[2])] = match[3].decode()
     return graph
 
 
@@ -92,6 +98,7 @@ def write(graph: Graph, path: Path) -> None:
     )
     symbols = [f"i{number} {name}\n" for number, name in enumerate(graph.inputs) if name]
     symbols += [f"l{number} {name}\n" for number, name in enumerate(graph.names) if name]
+    symbols += [f"o{number} {name}\n" for number, name in enumerate(graph.output_names) if name]
     path.write_bytes(f"aig {head}\n{text}".encode() + body + "".join(symbols).encode())
 
 
@@ -203,11 +210,16 @@ def differences(original: Graph, changed: Graph) -> Graph | None:
     if of_original is None:
         return None
     count = len(original.registers)
-    made = _Builder(original.inputs, 2 * count)
+    opened = memories(original.inputs, original.output_names)
+    made = _Builder(original.inputs, 2 * count + sum(1 << len(memory.given_at) for memory in opened))
     inputs = [2 * node for node in range(1 + len(original.inputs))]
     before, after = made.copied(original), made.values(changed, [*inputs, *(made.register(n) for n in of_original)])
     known = follow_from_control(changed)
     may = [0] * len(inputs) + [made.register(count + number) for number in of_original]
+    words = _Words(made, 2 * count, opened, [at(before, edge) for edge in original.outputs])
+    for memory, read in zip(opened, words.read):
+        for number in memory.read:
+            may[1 + number] = read
     for first, second in changed.gates:
         one, other = may[first >> 1], may[second >> 1]
         value, other_value = (at(after, edge) if known[edge >> 1] else 1 for edge in (first, second))
@@ -219,8 +231,45 @@ def differences(original: Graph, changed: Graph) -> Graph | None:
     made.graph.registers[:count] = [at(before, edge) for edge in original.registers]
     for number, edge in zip(of_original, changed.registers):
         made.graph.registers[count + number] = may_differ(original.registers[number], edge)
-    made.graph.outputs = [made.any(*(may_differ(*edges) for edges in zip(original.outputs, changed.outputs)))]
+    outputs = [may_differ(*edges) for edges in zip(original.outputs, changed.outputs)]
+    words.write(outputs)
+    data = {number for memory in opened for number in memory.given}
+    made.graph.outputs = [made.any(*(edge for number, edge in enumerate(outputs) if number not in data))]
     return made.graph
+
+
+class _Words:
+    """For each word of each memory a register: whether it may differ."""
+
+    def __init__(self, made: _Builder, first: int, opened: list[Memory], asked: list[int]) -> None:
+        """`first`: number of the first of these registers. `asked`: the outputs of the original."""
+        self.made, self.opened, self.asked = made, opened, asked
+        self.first: list[int] = []  # of each memory
+        for memory in opened:
+            self.first.append(first)
+            first += 1 << len(memory.given_at)
+        self.read = [self._read(*both) for both in zip(opened, self.first)]  # whether the word read may differ
+
+    def _chosen(self, address: list[int]) -> list[int]:
+        """For each word an edge: whether the address is its own."""
+        found = [1]
+        for number in reversed(address):  # of the outputs
+            bit = self.asked[number]
+            found = [self.made.both(edge, value) for edge in found for value in (bit ^ 1, bit)]
+        return found
+
+    def _read(self, memory: Memory, first: int) -> int:
+        made, chosen = self.made, self._chosen(memory.asked_at)
+        return made.any(*(made.both(edge, made.register(first + word)) for word, edge in enumerate(chosen)))
+
+    def write(self, outputs: list[int]) -> None:
+        """`outputs`: whether each may differ."""
+        made = self.made
+        for memory, first in zip(self.opened, self.first):
+            given = made.any(*(outputs[number] for number in memory.given))
+            for word, edge in enumerate(self._chosen(memory.given_at)):
+                kept = made.both(made.register(first + word), edge ^ 1)
+                made.graph.registers[first + word] = made.any(kept, made.both(edge, given))
 
 
 CLOCKS, RUNS = 1500, 512
@@ -272,7 +321,7 @@ def with_inputs(graph: Graph, known: Mapping[str, int]) -> Graph:
     edges = made.values(graph, [0, *inputs, *map(made.register, range(len(graph.registers)))])
     made.graph.registers = [at(edges, edge) for edge in graph.registers]
     made.graph.outputs = [at(edges, edge) for edge in graph.outputs]
-    made.graph.names = graph.names
+    made.graph.names, made.graph.output_names = graph.names, graph.output_names
     return made.graph
 
 

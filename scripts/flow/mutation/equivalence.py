@@ -126,6 +126,19 @@ def compare(original: Path, changed: Path, work: Path) -> str:
     return "" if is_proved else f"no proof in {SECONDS} s"
 
 
+def are_the_same(original: Path, changed: Path, work: Path) -> bool:
+    """Whether it is proved that both, whose memories are left out (memories.py), show the same for ever."""
+    graphs = differences.read(original), differences.read(changed)
+    if _same_in_each_clock(*graphs, work):
+        return True
+    where = differences.differences(*graphs)
+    differs = Differences(where, work) if where else None
+    if differs and (differs.never() or differs.never_with_lemmas()):
+        return True
+    merged = aiger.ask(f"miter {original} {changed}; scleanup; lcorr; scorr; write both.aig", work, MERGING_SECONDS)
+    return bool(merged) and aiger.prove("read both.aig", work, SECONDS).proved
+
+
 def _same_in_each_clock(original: differences.Graph, changed: differences.Graph, work: Path) -> bool:
     """Whether the same state leads to the same one, as where `<` and `<=` choose between equal values."""
     both = differences.one_clock(original, changed)
