@@ -15,7 +15,7 @@ from flow.synthesis.presentation.present import expand, present
 from flow.synthesis.presentation.words import joined, split
 from flow.synthesis.structure import structure_digest
 
-FAST = ["tiny", "tiny_p4", "tiny_sgm", "tiny_phase"]
+FAST = ["tiny", "tiny_sgm"]
 ALL = [pytest.param(name, marks=[] if name in FAST else pytest.mark.slow) for name in committed.known_designs()]
 
 
