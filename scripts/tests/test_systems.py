@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The systems that the paper compares itself with: a whole frame in Verilator, and some rows in GHDL, of a few that stand
-for all kinds, and of every one whose VHDL has no such run on record; minutes."""
+"""The systems that the paper compares itself with: a whole frame in Verilator, and some rows in GHDL, of a few that
+stand for all kinds, and of every one whose VHDL has no such run on record; minutes."""
 
 import math
 
