@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The example for an ECP5 board goes through place and route."""
+"""The example for an ECP5 board goes through place and route. In the fast set test_implementation.py routes its core."""
 
 import os
 
