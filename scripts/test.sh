@@ -18,10 +18,10 @@ if [ "${1:-}" = --times ]; then
    shows_times=yes
    shift
 fi
-# Processor seconds of all that has run and ended so far.
-seconds_so_far() {
+# Sets `so_far` to the processor seconds of all that has run and ended. Not in $(...): a subshell has children of its own.
+count_seconds() {
    times >"$seconds"
-   awk -F '[ ms]+' 'NR == 2 { printf "%.0f", 60 * $1 + $2 + 60 * $3 + $4 }' "$seconds"
+   so_far=$(awk -F '[ ms]+' 'NR == 2 { printf "%.1f", 60 * $1 + $2 + 60 * $3 + $4 }' "$seconds")
 }
 export STEREO_PRESET=${STEREO_PRESET:-release}
 slow=no before=
@@ -35,8 +35,9 @@ done
 [ "$slow" = no ] || cmake --build --preset "$STEREO_PRESET" --target slow_tests
 export STEREO_TIMES=$PWD/build/$STEREO_PRESET/processor_seconds.txt
 seconds=$STEREO_TIMES.all
-rm -f "$STEREO_TIMES"
-build_seconds=$(seconds_so_far)
+: >"$STEREO_TIMES"
+count_seconds
+build_seconds=$so_far
 [ "$slow" = yes ] || set -- "$@" -LE slow
 export STEREO_SKIPPED=$PWD/build/$STEREO_PRESET/skipped_cases.txt
 rm -f "$STEREO_SKIPPED"
@@ -51,7 +52,8 @@ if [ -s "$STEREO_SKIPPED" ]; then
 fi
 if [ "$shows_times" = yes ]; then
    echo "Processor seconds:"
-   sort -rn "$STEREO_TIMES" 2>/dev/null | awk '{ printf "%8.1f  %s\n", $1, $2; all += $1 } END { printf "%8.1f  tests of Python files\n", all }'
-   printf '%8s  %s\n' "$build_seconds" "build" "$(seconds_so_far)" "all, with the other tests"
+   sort -rn "$STEREO_TIMES" | awk '{ printf "%8.1f  %s\n", $1, $2; all += $1 } END { printf "%8.1f  tests of Python files\n", all }'
+   count_seconds
+   printf '%8s  %s\n' "$build_seconds" "build" "$so_far" "all, with the other tests"
 fi
 exit "$code"

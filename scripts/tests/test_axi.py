@@ -203,7 +203,7 @@ def settings_frames(tmp_path_factory):
 
 CASES = [(config, fault) for config in FAULTS_OF for fault in (None, *FAULTS_OF[config])]
 # That all is well with settings and sizes, the short run above shows.
-FAST_CASES = [("tiny_settings", "no limit"), ("tiny_size_census_p2", "no wait for the frame before")]
+FAST_CASES = [("tiny_settings", "no limit")]
 
 
 @pytest.mark.parametrize("config, fault", with_slow(CASES, FAST_CASES))

@@ -5,6 +5,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 
 import pytest
 
@@ -41,7 +42,7 @@ def test_help_names_the_exit_codes():
 
 
 def test_a_reader_that_leaves_early_is_no_failure_to_report():
-    words = [str(ROOT / "scripts" / "synthesize.py"), "--check"]
+    words = [str(ROOT / "scripts" / "synthesize.py"), "--check", "--config", "tiny"]
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         process.stdout.close()
         assert process.stderr.read() == ""
@@ -217,6 +218,19 @@ def test_shell_scripts_refuse_unknown_options():
     refused(call("fuzz.sh", "--seconds", "0"), 2, "--seconds")
 
 
+def run_test_sh(folder, *options, setup="exit 0", ctest="exit 0"):
+    """The lines that scripts/test.sh prints in a folder where setup.sh, ctest and cmake are stand-ins."""
+    (folder / "scripts").mkdir()
+    (folder / "build" / "release").mkdir(parents=True)
+    shutil.copy(ROOT / "scripts" / "test.sh", folder / "scripts")
+    for path, text in (("scripts/setup.sh", setup), ("cmake", "exit 0"), ("ctest", ctest)):
+        (folder / path).write_text(f"#!/bin/sh\n{text}\n")
+        (folder / path).chmod(0o755)
+    environment = {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}", "STEREO_PRESET": "release"}
+    words = [folder / "scripts" / "test.sh", *options]
+    return subprocess.run(words, capture_output=True, text=True, env=environment, check=True).stdout.splitlines()
+
+
 @pytest.mark.parametrize(
     "options, with_slow",
     [
@@ -232,18 +246,16 @@ def test_shell_scripts_refuse_unknown_options():
     ],
 )
 def test_slow_tests_run_only_where_their_label_is_named(tmp_path, options, with_slow):
-    """ctest and cmake are stand-ins; the first one shows its options."""
-    (tmp_path / "scripts").mkdir()
-    (tmp_path / "build" / "release").mkdir(parents=True)
-    shutil.copy(ROOT / "scripts" / "test.sh", tmp_path / "scripts")
-    for path, text in (("scripts/setup.sh", "exit 0"), ("cmake", "exit 0"), ("ctest", 'printf "%s\\n" "$@"')):
-        (tmp_path / path).write_text(f"#!/bin/sh\n{text}\n")
-        (tmp_path / path).chmod(0o755)
-    environment = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "STEREO_PRESET": "release"}
-    words = [tmp_path / "scripts" / "test.sh", *options]
-    process = subprocess.run(words, capture_output=True, text=True, env=environment, check=True)
-    given = process.stdout.splitlines()
+    """ctest shows its options."""
+    given = run_test_sh(tmp_path, *options, ctest='printf "%s\\n" "$@"')
     assert given[given.index("-j") + 2 :] == options + ([] if with_slow else ["-LE", "slow"])
+
+
+def test_the_processor_time_of_the_build_and_of_all_is_shown(tmp_path):
+    busy = f"{sys.executable} -c 'import time\nwhile time.process_time() < 0.5: pass'"
+    said = run_test_sh(tmp_path, "--times", setup=busy, ctest=busy)
+    seconds = {what: float(number) for number, what in (line.split(maxsplit=1) for line in said[-2:])}
+    assert seconds["build"] >= 0.5 and seconds["all, with the other tests"] >= seconds["build"] + 0.5
 
 
 def test_fuzzing_needs_the_sanitizers_of_its_compiler(tmp_path):

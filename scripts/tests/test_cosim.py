@@ -65,14 +65,17 @@ def test_tiny_with_bubbles(request, pairs, tmp_path, simulator, config, stall_pe
     assert result["initiation_interval"]["max"] > 1, "bubbles show in the outputs"
 
 
+LEVELS = [(1, 255), (2, 255), (3, 255), (256, 255), (4, 3)]
+
+
 @pytest.mark.parametrize("config", with_slow(["tiny", "tiny_p2", "tiny_p4"], ["tiny_p2"]))
-@pytest.mark.parametrize("levels, brightest", [(1, 255), (2, 255), (3, 255), (256, 255), (4, 3)])
+@pytest.mark.parametrize("levels, brightest", with_slow(LEVELS, [(1, 255), (2, 255), (256, 255)]))
 def test_tiny_with_ties_extremes_and_noise(ghdl, tmp_path, config, levels, brightest):
     pair = random_pair(tmp_path / "pair", config, levels, brightest=brightest)
     passed(cosim(config, pair, tmp_path / "out", "--frames", 2), tmp_path / "out", 2 * OUTPUTS[config])
 
 
-@pytest.mark.parametrize("levels", [2, 256])
+@pytest.mark.parametrize("levels", with_slow([2, 256], [2]))
 def test_ambrosch2007_with_ties_extremes_and_noise(verilator, tmp_path, levels):
     pair = random_pair(tmp_path / "pair", "ambrosch2007", levels)
     process = cosim(
@@ -81,7 +84,9 @@ def test_ambrosch2007_with_ties_extremes_and_noise(verilator, tmp_path, levels):
     passed(process, tmp_path / "out", 2 * OUTPUTS["ambrosch2007"])
 
 
-@pytest.mark.parametrize("config", ["ambrosch2007", "ambrosch2007_p2", "ambrosch2007_p4"])
+@pytest.mark.parametrize(
+    "config", with_slow(["ambrosch2007", "ambrosch2007_p2", "ambrosch2007_p4"], ["ambrosch2007_p2"])
+)
 def test_crop_in_ghdl(ghdl, pairs, tmp_path, config):
     process = cosim(config, pairs[config], tmp_path, "--rows", "100:108")
     result = passed(process, tmp_path, 220 * (7 // configuration(config)["pixels_per_clock"]))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The example for an ECP5 board goes through place and route."""
+"""The example for an ECP5 board goes through place and route. The fast set routes its core: test_implementation.py."""
 
 import os
 

@@ -46,7 +46,7 @@ def test_whole_frames_of_any_distance(joiner, distance):
     assert len(lines) == 1 and abs(lines.pop() - distance / LINE) < 1.5
 
 
-@pytest.mark.parametrize("number", range(12))
+@pytest.mark.parametrize("number", with_slow(range(12), [0, 4, 5]))
 def test_damaged_frames(joiner, number, record_property):
     seed = random.SystemRandom().randrange(1 << 32) if number < 4 else number  # a few new ones in every run
     print(f"seed {seed}")
@@ -64,7 +64,7 @@ def netlist(tmp_path_factory, joiner):
     return Joiner(tmp_path_factory.mktemp("netlist"), joiner.pixel_bits, netlist=True)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", with_slow(range(4), [0]))
 def test_the_netlist_does_the_same(joiner, netlist, seed):
     """Implementations, and simulators of Verilog, take what GHDL's synthesis makes."""
     assert differing_play(joiner, netlist, seed) is None

@@ -6,7 +6,7 @@ import os
 
 import pytest
 
-from cover import fast, with_slow
+from cover import simulated, with_slow
 from flow.base import committed, rtl, tools
 from flow.base.configurations import PLANNED, configuration, designs
 from flow.base.errors import FlowError
@@ -23,7 +23,7 @@ def test_generated_vhdl_is_up_to_date(name):
     assert not reasons, f"{name} is stale ({'; '.join(reasons)}); run scripts/synthesize.py --config {name}"
 
 
-@pytest.mark.parametrize("name", with_slow(CONFIGURATIONS, fast() & {*CONFIGURATIONS}))
+@pytest.mark.parametrize("name", with_slow(CONFIGURATIONS, simulated() & {*CONFIGURATIONS}))
 def test_generated_vhdl_is_the_design_that_was_made(name):
     assert manifest.edit_reasons(committed.folder(name)) == []
 

@@ -10,6 +10,7 @@ import pytest
 
 from browser import look
 from conftest import need
+from cover import with_slow
 from flow.base import committed
 from flow.base.configurations import configuration
 from flow.base.tools import find_stereo_hls
@@ -55,7 +56,7 @@ def first(out):
     return tuple(map(int, words.groups()))
 
 
-@pytest.mark.parametrize("simulator", ["ghdl", "verilator"])
+@pytest.mark.parametrize("simulator", with_slow(["ghdl", "verilator"], ["ghdl"]))
 def test_elements_of_arrays_are_shown_as_registers(tmp_path, simulator):
     """A fault in the VHDL as it is committed: the names are those of the C++."""
     need(simulator, simulator.upper())

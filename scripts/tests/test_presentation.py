@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from cover import with_slow
 from flow.base import committed
 from flow.base.errors import FlowError
 from flow.synthesis import manifest
@@ -15,7 +16,7 @@ from flow.synthesis.presentation.present import expand, present
 from flow.synthesis.presentation.words import joined, split
 from flow.synthesis.structure import structure_digest
 
-FAST = ["tiny", "tiny_p4", "tiny_sgm", "tiny_phase"]
+FAST = ["tiny", "tiny_sgm"]
 ALL = [pytest.param(name, marks=[] if name in FAST else pytest.mark.slow) for name in committed.known_designs()]
 
 
@@ -51,11 +52,12 @@ CHANGES = {
 }
 
 
+@pytest.mark.parametrize("times", with_slow([1, 5], [1]))
 @pytest.mark.parametrize("change", CHANGES)
-def test_every_change_counts(rng, change):
+def test_every_change_counts(rng, change, times):
     text = text_of("tiny_sgm")
     made = structure_digest(text)
-    for _ in range(1 if change == "the function for bits" else 5):
+    for _ in range(1 if change == "the function for bits" else times):
         with contextlib.suppress(FlowError):  # the change leaves an array
             assert structure_digest(changed_number(rng, text, CHANGES[change])) != made
 

@@ -83,7 +83,7 @@ def cosim(pair, out, *options, config=TINY):
     return call("cosim.py", *words, *options)
 
 
-@pytest.mark.parametrize("config", [TINY, DEEP])
+@pytest.mark.parametrize("config", with_slow([TINY, DEEP], [DEEP]))
 def test_the_stress_stream(ghdl, tmp_path, config):
     process = call("cosim.py", "--config", config, "--out", tmp_path)
     assert process.returncode == 0, process.stdout + process.stderr
