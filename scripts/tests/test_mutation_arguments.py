@@ -70,17 +70,3 @@ def test_a_pixel_that_is_not_held_back_as_long_as_the_others_shows(tmp_path):
     assert not shows_the_same(
         "tiny", {r"delay_ring_read_address <= 1;": "delay_ring_read_address <= 2;"}, tmp_path / "one"
     )
-
-
-def tags(bits):
-    return {rf"(\w+_tag(?:_\d+)?_(?:{bits})) <= false;": r"\2 <= true;"}
-
-
-@pytest.mark.parametrize("config", ["tiny", "tiny_trellis", "tiny_sgm", "tiny_phase"])
-def test_tags_of_a_reset_may_say_anything_but_that_they_are_valid(tmp_path, config):
-    """All of them at once."""
-    assert shows_the_same(config, tags("map_column|output_column|start_of_frame|end_of_line"), tmp_path / "one")
-
-
-def test_tags_of_a_reset_are_not_valid(tmp_path):
-    assert not shows_the_same("tiny_trellis", tags("valid"), tmp_path / "one")

@@ -31,12 +31,6 @@ ARGUMENTS = (
         "a record in the clock of a reset belongs to no frame, and moves reading and writing alike",
         "test_a_record_in_the_clock_of_a_reset_changes_nothing",
     ),
-    Argument(
-        r"\w+_tag(_\d+)?_(map_column|output_column|start_of_frame|end_of_line) <= false;",
-        r"false -> true$|assignment dropped",
-        "behind a reset a tag is not valid, and its other bits count only beside the valid one",
-        "test_tags_of_a_reset_may_say_anything_but_that_they_are_valid",
-    ),
 )
 
 
