@@ -164,6 +164,6 @@ class Graphs:
         if equivalence.are_the_same(self.opened / "original.aig", changed, folder):
             return ""
         if len(self._graph(self.whole).registers) > MOST_REGISTERS:
-            return f"no proof without memories, and with them {MOST_REGISTERS} registers are exceeded"
+            return f"no proof without its memories, and with them it has more than {MOST_REGISTERS} registers"
         self._write(self._graph(self.whole), number, changed)
         return equivalence.compare(self.whole / "original.aig", changed, folder)
