@@ -49,8 +49,8 @@ def test_rows_of_a_long_frame(ghdl, tmp_path, config):
 
 @pytest.mark.parametrize("config", with_slow(SMALL, FAST.difference(LONG)))
 def test_stress_stream_and_two_frames(ghdl, tmp_path, config):
-    """One of the streams that cosim.py sends by default, of another seed in each configuration, and behind it two frames
-    as close as they may be. Clock by clock as the C++ core."""
+    """One of the streams that cosim.py sends by default, of another seed in each configuration, and behind it two
+    frames as close as they may be. Clock by clock as the C++ core."""
     parameters, seed = TABLE[config], 1 + SMALL.index(config)
     words = ["--frames", 2, "--seed", seed, "--stress-clocks", 1, "--out", tmp_path]
     process = call("cosim.py", "--config", config, *words)

@@ -248,7 +248,13 @@ def test_a_late_mismatch_has_a_page_without_a_wave(ghdl, tmp_path, monkeypatch, 
     monkeypatch.setattr(job, "AUTOMATIC_WAVE_CLOCKS", 10)
     left, right = random_pair(tmp_path / "pair", "tiny", levels=4)
     result = job.run_job(
-        job.Job("tiny", left, right, rtl=altered_rtl(tmp_path / "rtl", "tiny", *WINNER), out=tmp_path / "out")
+        job.Job(
+            "tiny",
+            left=left,
+            right=right,
+            rtl=altered_rtl(tmp_path / "rtl", "tiny", *WINNER),
+            out=tmp_path / "out",
+        )
     )
     said = "no waveform of the mismatch: it lies beyond clock 10; --wave FILE makes one"
     assert result["passed"] is False and said in capsys.readouterr().out

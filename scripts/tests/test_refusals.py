@@ -93,7 +93,7 @@ def test_a_message_with_colours_makes_a_junit_file_that_can_be_read():
 
 def test_a_simulation_that_stops_early_is_no_result(ghdl, tmp_path, monkeypatch):
     """The last clocks have no output, so that only their number tells."""
-    pair = scene(tmp_path / "scene", "tiny")
+    left, right = scene(tmp_path / "scene", "tiny")
     read = job.vectors.read_observed
 
     def shortened(path):
@@ -102,7 +102,7 @@ def test_a_simulation_that_stops_early_is_no_result(ghdl, tmp_path, monkeypatch)
 
     monkeypatch.setattr(job.vectors, "read_observed", shortened)
     with pytest.raises(FlowError, match=r"the simulation ran \d+ of \d+ clocks") as caught:
-        job.run_job(job.Job("tiny", *pair, out=tmp_path / "out"))
+        job.run_job(job.Job("tiny", left=left, right=right, out=tmp_path / "out"))
     ran, due = map(int, re.findall(r"\d+", str(caught.value)))
     assert ran == due - 1
     assert caught.value.exit_code == 4

@@ -31,7 +31,8 @@ def write(verilog: str, top: str, work: Path, starts_at_zero: bool = False, open
     # Before anything is optimised: a wire without a driver would be lost.
     expose = f"expose -input {opened.inputs}; expose {opened.outputs}; " if opened else ""
     script = (
-        f"read_verilog -sv design.v; hierarchy -top {top}; proc; flatten; {expose}prep -flatten -top {top}; memory_map; "
+        f"read_verilog -sv design.v; hierarchy -top {top}; proc; flatten; {expose}"
+        f"prep -flatten -top {top}; memory_map; "
         f"setundef -undriven -zero{' -init' if starts_at_zero else ''}; opt -full; "
         "techmap; setundef -undriven -zero; opt; dffunmap; simplemap; aigmap; setundef -zero; opt_clean; "
         "write_aiger -zinit -symbols design.aig"

@@ -22,7 +22,7 @@ from .memories import OPENED, opened
 from .mutants import Mutant
 
 BENCH = bench.FOLDER / "mutants_bench.cpp"
-MOST_REGISTERS = 5000  # of a graph with memories: of more yosys-abc merges those of two versions for ten minutes and more
+MOST_REGISTERS = 5000  # of a graph with memories; more of two versions are merged in ten minutes and longer
 _PLACE = re.compile(r"(?:^|error: )(\S+\.vhd):(\d+):\d+:(?!warning)", re.MULTILINE)
 
 
