@@ -14,7 +14,7 @@ constexpr int kWantedClocks = 25000;  // of a core with short frames; the first 
 constexpr int kRowsBeyondFirst = 2;   // groups of rows of a long frame beyond those that give the first output
 constexpr int kShortLives = 1000;     // clocks of them all
 constexpr int kLeastShortLives = 3;
-constexpr int kLeastWildFrames = 6;  // so that each event comes
+constexpr int kLeastWildFrames = 6;        // so that each event comes
 constexpr uint64_t kNextSeed = 1'000'003;  // from a stream to the one behind it: no seed that people try next
 
 /// Gives each of some things once before any comes again, in another order each time.
