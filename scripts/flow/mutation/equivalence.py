@@ -106,12 +106,8 @@ def graph(design: Design, core: list[Path], shell: list[Path], work: Path) -> Pa
 
 def compare(original: Path, changed: Path, work: Path) -> str:
     """Nothing when both show the same for ever; else in which clock they differ, or that the proof came to no end."""
-    graphs = differences.read(original), differences.read(changed)
-    if _same_in_each_clock(*graphs, work):
-        return ""
-    where = differences.differences(*graphs)
-    differs = Differences(where, work) if where else None
-    if differs and differs.never():
+    is_proved, differs = _differences(original, changed, work)
+    if is_proved:
         return ""
     both = f"miter {original} {changed}; scleanup"
     merged = "read both.aig"
@@ -128,15 +124,21 @@ def compare(original: Path, changed: Path, work: Path) -> str:
 
 def are_the_same(original: Path, changed: Path, work: Path) -> bool:
     """Whether it is proved that both, whose memories are left out (memories.py), show the same for ever."""
-    graphs = differences.read(original), differences.read(changed)
-    if _same_in_each_clock(*graphs, work):
-        return True
-    where = differences.differences(*graphs)
-    differs = Differences(where, work) if where else None
-    if differs and (differs.never() or differs.never_with_lemmas()):
+    is_proved, differs = _differences(original, changed, work)
+    if is_proved or (differs and differs.never_with_lemmas()):
         return True
     merged = aiger.ask(f"miter {original} {changed}; scleanup; lcorr; scorr; write both.aig", work, MERGING_SECONDS)
     return bool(merged) and aiger.prove("read both.aig", work, SECONDS).proved
+
+
+def _differences(original: Path, changed: Path, work: Path) -> tuple[bool, Differences | None]:
+    """(whether the short proofs show that both are the same, where they may differ)"""
+    graphs = differences.read(original), differences.read(changed)
+    if _same_in_each_clock(*graphs, work):
+        return True, None
+    where = differences.differences(*graphs)
+    differs = Differences(where, work) if where else None
+    return bool(differs and differs.never()), differs
 
 
 def _same_in_each_clock(original: differences.Graph, changed: differences.Graph, work: Path) -> bool:

@@ -57,8 +57,9 @@ class Memory:
     given: list[int] = field(default_factory=list)
 
     @property
-    def control(self) -> list[int]:
-        return [*self.asked_to_read, *self.asked_at, *self.given_at]
+    def bits(self) -> int:
+        """At most: a memory may have fewer words than addresses."""
+        return len(self.given) << len(self.given_at)
 
 
 def memories(inputs: Iterable[str], outputs: Iterable[str]) -> list[Memory]:
