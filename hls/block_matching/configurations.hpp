@@ -216,6 +216,7 @@ STEREO_ROW(tiny_f2, option, tiny, width_px = 48, clocks_per_pixel = 2);
 STEREO_ROW(tiny_f2_lr, option, tiny_f2, left_right_threshold = 1);
 STEREO_ROW(tiny_f3_census, option, tiny_census, width_px = 60, disparities = 9, ties = Ties::largest,
            left_right_threshold = 0, clocks_per_pixel = 3);
+STEREO_ROW(tiny_f3_front, option, tiny_f3_census, front_clocks = 2);
 STEREO_ROW(tiny_f4_left, option, tiny, width_px = 48, window_px = 7, min_disparity = -2, reference = Reference::left,
            uniqueness_percent = 10, subpixel = true, aggregation = Aggregation::recursive, clocks_per_pixel = 4);
 STEREO_ROW(tiny_f4_all, option, tiny_all, width_px = 60, disparities = 12, pixel_bits = 10, clocks_per_pixel = 4);

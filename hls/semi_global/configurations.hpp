@@ -25,11 +25,11 @@ STEREO_ROW(sgm_640, system, Config(), width_px = 640, height_px = 480, dispariti
            reference = Reference::left, census_width_px = 9, cost_shift = 2, p1 = 4, p2 = 24, median = true,
            slice_disparities = 16);
 // Several clocks a pixel pair, for a small FPGA behind a camera; the third one checked, in sixteenths.
-STEREO_ROW(sgm_640_64_f8, system, sgm_640, disparities = 64, clocks_per_pixel = 8);
-STEREO_ROW(sgm_640_64_f4, system, sgm_640_64_f8, clocks_per_pixel = 4);
-STEREO_ROW(sgm_640_64_f8_lr, system, sgm_640_64_f8, left_right_threshold = 1, subpixel = true);
+STEREO_ROW(sgm_640_64_f4, system, sgm_640, disparities = 64, clocks_per_pixel = 4);
+STEREO_ROW(sgm_640_64_f8, system, sgm_640_64_f4, clocks_per_pixel = 8, front_clocks = 2);
+STEREO_ROW(sgm_640_64_f8_lr, system, sgm_640_64_f4, clocks_per_pixel = 8, left_right_threshold = 1, subpixel = true);
 STEREO_ROW(sgm_640_f8, system, sgm_640, clocks_per_pixel = 8);
-STEREO_ROW(sgm_640_f16, system, sgm_640, clocks_per_pixel = 16);
+STEREO_ROW(sgm_640_f16, system, sgm_640, clocks_per_pixel = 16, front_clocks = 2);
 
 // option: one option after the other, alone and together, at a size that a test can afford.
 STEREO_ROW(tiny_sgm_left, option, tiny_sgm, reference = Reference::left);
@@ -103,6 +103,7 @@ STEREO_ROW(tiny_sgm_dense_size, option, tiny_sgm_dense, height_px = 20, run_time
 
 // Several clocks a pixel pair.
 STEREO_ROW(tiny_sgm_f4, option, tiny_sgm_w1, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f4_front, option, tiny_sgm_f4, front_clocks = 2);
 STEREO_ROW(tiny_sgm_f6_left, option, tiny_sgm_w1, clocks_per_pixel = 6, reference = Reference::left, min_disparity = 2,
            ties = Ties::largest);
 STEREO_ROW(tiny_sgm_f5_forward, option, tiny_sgm_w1_sad_left, disparities = 15, clocks_per_pixel = 5,

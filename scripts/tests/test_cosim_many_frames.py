@@ -5,7 +5,7 @@ import pytest
 
 from flow_commands import cosim, random_pair, report, scene
 
-FRAMES = {"ghdl": 3, "verilator": 20}  # GHDL takes minutes for what Verilator does in seconds
+FRAMES = {"ghdl": 2, "verilator": 20}  # GHDL takes minutes for what Verilator does in seconds
 
 
 @pytest.mark.parametrize("simulator", FRAMES)

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from cover import with_slow
+from cover import COVERED, cover, options, rows, with_slow
 from flow.base import committed
 from flow.base.errors import FlowError
 from flow.synthesis import manifest
@@ -17,14 +17,16 @@ from flow.synthesis.presentation.words import joined, split
 from flow.synthesis.structure import structure_digest
 
 FAST = ["tiny", "tiny_sgm"]
-ALL = [pytest.param(name, marks=[] if name in FAST else pytest.mark.slow) for name in committed.known_designs()]
+# Every option of every family. Whether the others stand for what was made, test_manifest.py asks of each.
+SMALL = {name: row for name, row in rows().items() if row.use in (*COVERED, "tiny") and name in committed.known_designs()}
+CASES = sorted({*FAST, *cover(SMALL, lambda row: {(row.family, option) for option in options(row)})})
 
 
 def text_of(name):
     return (committed.folder(name) / f"{committed.entity(name)}.vhd").read_text()
 
 
-@pytest.mark.parametrize("name", ALL)
+@pytest.mark.parametrize("name", with_slow(CASES, FAST))
 def test_committed(name):
     """It is presented as it is now done, and stands for the design that was made."""
     text = text_of(name)

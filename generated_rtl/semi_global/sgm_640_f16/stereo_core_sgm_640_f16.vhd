@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Stereo core, semi global, configuration sgm_640_f16: 640x480, 128 disparities, window 1x1, P1 4, P2 24, 1 pixel pair a clock.
 -- Options: disparities 128, window_px 1, reference left, census_width_px 9, cost_shift 2, p1 4, p2 24, median
---   true, slice_disparities 16, clocks_per_pixel 16.
+--   true, slice_disparities 16, clocks_per_pixel 16, front_clocks 2.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config sgm_640_f16
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
@@ -19,7 +19,7 @@ entity stereo_core_sgm_640_f16 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 513;
-    latency_clocks : positive := 72;
+    latency_clocks : positive := 73;
     flush_groups : positive := 3205;
     gap_groups : natural := 0
   );
@@ -43,7 +43,7 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_sgm_640_f16: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_sgm_640_f16: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 513 report "stereo_core_sgm_640_f16: output_width_px is " & integer'image(output_width_px) & " but this core has 513" severity failure;
-  assert latency_clocks = 72 report "stereo_core_sgm_640_f16: latency_clocks is " & integer'image(latency_clocks) & " but this core has 72" severity failure;
+  assert latency_clocks = 73 report "stereo_core_sgm_640_f16: latency_clocks is " & integer'image(latency_clocks) & " but this core has 73" severity failure;
   assert flush_groups = 3205 report "stereo_core_sgm_640_f16: flush_groups is " & integer'image(flush_groups) & " but this core has 3205" severity failure;
   assert gap_groups = 0 report "stereo_core_sgm_640_f16: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
@@ -96,6 +96,7 @@ architecture rtl of stereo_core_sgm_640_f16 is
 
   type boolean_1d is array (natural range <>) of boolean;
   type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type boolean_3d is array (natural range <>, natural range <>, natural range <>) of boolean;
   type natural_1023_1d is array (natural range <>) of natural range 0 to 1023;
   type natural_126_1d is array (natural range <>) of natural range 0 to 126;
   type natural_135007244_1d is array (natural range <>) of natural range 0 to 135007244;
@@ -120,7 +121,7 @@ architecture rtl of stereo_core_sgm_640_f16 is
   type unsigned_44_1d is array (natural range <>) of unsigned(43 downto 0);
   type unsigned_49_1d is array (natural range <>) of unsigned(48 downto 0);
   type unsigned_8_2d is array (natural range <>, natural range <>) of unsigned(7 downto 0);
-  signal in_valid, in_start_of_frame : boolean;
+  signal in_start_of_frame, in_valid : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
@@ -130,35 +131,46 @@ architecture rtl of stereo_core_sgm_640_f16 is
   signal transform_right_column : natural_255_1d(0 to 4);
   signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 4);
   signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 4);
-  signal transform_valid, transform_counter_next_frame : boolean;
-  signal transform_read_row_inside : boolean_1d(0 to 4);
+  signal transform_valid, transform_counter_next_frame, transform_counter_last_column : boolean;
+  signal transform_counter_counts, transform_counter_frame_joins, transform_counter_back_to_back : boolean;
+  signal transform_counter_next_frame_after, transform_read_row_inside_0 : boolean;
   signal transform_read_column_inside : boolean_1d(0 to 8);
   signal transform_read_start_of_frame, transform_read_valid : boolean;
   signal transform_ready_row_inside : boolean_1d(0 to 4);
   signal transform_ready_column_inside : boolean_1d(0 to 8);
   signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_reached_first : boolean_1d(0 to 4);
+  signal transform_reached_beyond_last : boolean_1d(2 to 4);
   signal transform_columns_row_inside : boolean_1d(0 to 4);
   signal transform_columns_column_inside : boolean_1d(0 to 8);
   signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_left_filter_low_is_larger_0 : boolean_2d(0 to 3, 0 to 4);
+  signal transform_left_filter_low_is_larger_0_4 : boolean_1d(0 to 1);
+  signal transform_left_filter_low_is_larger_0_4s : boolean_1d(3 to 4);  -- transform_left_filter_low_is_larger_0_4_#
+  signal transform_left_filter_low_is_larger_0s : boolean_2d(5 to 8, 0 to 4);  -- transform_left_filter_low_is_larger_0_#_#
+  signal transform_right_filter_low_is_larger_0 : boolean_2d(0 to 3, 0 to 4);
+  signal transform_right_filter_low_is_larger_0_4 : boolean_1d(0 to 1);
+  signal transform_right_filter_low_is_larger_0_4s : boolean_1d(3 to 4);  -- transform_right_filter_low_is_larger_0_4_#
+  signal transform_right_filter_low_is_larger_0s : boolean_2d(5 to 8, 0 to 4);  -- transform_right_filter_low_is_larger_0_#_#
   signal transform_filtering_0_column_inside : boolean_1d(0 to 8);
-  signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- transform_filtering_#_start_of_frame
-  signal transform_filtering_valid : boolean_1d(0 to 1);  -- transform_filtering_#_valid
-  signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 1023;
-  signal transform_write_column : natural range 0 to 1023;
-  signal transform_counter_group : natural range 0 to 511;
+  signal transform_filtering_start_of_frame : boolean_1d(0 to 2);  -- transform_filtering_#_start_of_frame
+  signal transform_filtering_valid : boolean_1d(0 to 2);  -- transform_filtering_#_valid
+  signal transform_counter_column, transform_counter_column_after, transform_read_column : natural range 0 to 1023;
+  signal transform_ready_column, transform_write_column : natural range 0 to 1023;
+  signal transform_counter_group, transform_counter_group_after : natural range 0 to 511;
   signal transform_left_rows_read_words_0, transform_left_rows_ready_words_0 : unsigned(31 downto 0);
   signal transform_left_rows_write_words_0, transform_right_rows_read_words_0 : unsigned(31 downto 0);
   signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : unsigned(31 downto 0);
   signal transform_left_filter_feature_0, transform_right_filter_feature_0 : unsigned(43 downto 0);
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : unsigned(43 downto 0);
-  signal raster_features_valid : boolean;
-  signal raster_place_column : natural range 0 to 1023;
-  signal raster_place_group : natural range 0 to 511;
+  signal raster_features_valid, raster_place_last_column, raster_place_counts : boolean;
+  signal raster_place_column, raster_place_column_after : natural range 0 to 1023;
+  signal raster_place_group, raster_place_group_after : natural range 0 to 511;
   -- delay
   signal delay_ahead_0, delay_delayed_0 : unsigned(43 downto 0);
   signal delay_tag_valid, delay_tag_first_cost, delay_tag_map_column, delay_tag_output_column : boolean;
-  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_tag_start_of_frame : boolean;
   -- rows
   signal rows_search_0, rows_reference_0 : unsigned(43 downto 0);
   signal rows_tag_valid, rows_tag_first_cost, rows_tag_map_column, rows_tag_output_column : boolean;
@@ -296,7 +308,7 @@ architecture rtl of stereo_core_sgm_640_f16 is
   signal pathsright_read_words : unsigned_30_1d(0 to 2);
   -- winnerswinner1
   signal winnerswinner1_best_cost_0 : natural_190_1d(0 to 3);
-  signal winnerswinner1_best_index_0_0 : boolean;
+  signal winnerswinner1_best_index_0_0, winnerswinner1_best_below_0 : boolean;
   signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
   signal winnerswinner1_best_index_0_2 : natural range 0 to 5;
   signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
@@ -655,8 +667,8 @@ architecture rtl of stereo_core_sgm_640_f16 is
   signal costsshift_read_words_0_memory_write_data : unsigned(43 downto 0);
 
 begin
-  in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
   in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 8));
@@ -1502,22 +1514,47 @@ begin
       write_address => costsshift_read_words_0_memory_write_address, write_data => costsshift_read_words_0_memory_write_data);
 
   process (clock)
-    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
-    variable transform_counter_group_all, transform_counter_group_differs : boolean;
-    variable transform_counter_next_frame_choice : boolean;
-    variable transform_counter_next_frame_choices : boolean_1d(2 to 4);  -- transform_counter_next_frame_choice_#
-    variable transform_read_column_inside_0_is_less, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
-    variable transform_left_filter_feature_0_is_equal : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 353);  -- transform_left_filter_feature_0_choice_#
-    variable transform_left_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_left_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 353);  -- transform_right_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_right_filter_feature_0_value_#
-    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
-    variable delay_tag_map_column_is_less, line_order_falls_any, line_order_falls_all : boolean;
-    variable line_order_complete_any, line_order_turned_output_column_choice : boolean;
+    variable transform_counter_next_frame_is_equal, transform_counter_frame_joins_choice : boolean;
+    variable transform_read_column_inside_0_is_less : boolean;
+    variable transform_left_filter_low_is_larger_0_value : boolean_2d(0 to 3, 0 to 4);  -- transform_left_filter_low_is_larger_0_#_#_value
+    variable transform_left_filter_low_is_larger_0_choice : boolean_2d(0 to 3, 0 to 4);  -- transform_left_filter_low_is_larger_0_#_#_choice
+    variable transform_left_filter_low_is_larger_0_choices_from_0 : boolean_3d(0 to 3, 0 to 4, 2 to 3);  -- transform_left_filter_low_is_larger_0_#_#_choice_#
+    variable transform_left_filter_low_is_larger_0_0_0_values : boolean_1d(2 to 4);  -- transform_left_filter_low_is_larger_0_0_0_value_#
+    variable transform_left_filter_low_is_larger_0_0_1_any : boolean;
+    variable transform_left_filter_low_is_larger_0_0_1_is_equal : boolean;
+    variable transform_left_filter_low_is_larger_0_4_choice : boolean_1d(0 to 1);  -- transform_left_filter_low_is_larger_0_4_#_choice
+    variable transform_left_filter_low_is_larger_0_4_choices_from_0 : boolean_2d(0 to 1, 2 to 3);  -- transform_left_filter_low_is_larger_0_4_#_choice_#
+    variable transform_left_filter_low_is_larger_0_4_value : boolean_1d(0 to 1);  -- transform_left_filter_low_is_larger_0_4_#_value
+    variable transform_left_filter_low_is_larger_0_4_choices : boolean_1d(3 to 4);  -- transform_left_filter_low_is_larger_0_4_#_choice
+    variable transform_left_filter_low_is_larger_0_4_choices_from_3 : boolean_2d(3 to 4, 2 to 3);  -- transform_left_filter_low_is_larger_0_4_#_choice_#
+    variable transform_left_filter_low_is_larger_0_4_values : boolean_1d(3 to 4);  -- transform_left_filter_low_is_larger_0_4_#_value
+    variable transform_left_filter_low_is_larger_0_choices : boolean_2d(5 to 8, 0 to 4);  -- transform_left_filter_low_is_larger_0_#_#_choice
+    variable transform_left_filter_low_is_larger_0_choices_from_5 : boolean_3d(5 to 8, 0 to 4, 2 to 3);  -- transform_left_filter_low_is_larger_0_#_#_choice_#
+    variable transform_left_filter_low_is_larger_0_values : boolean_2d(5 to 8, 0 to 4);  -- transform_left_filter_low_is_larger_0_#_#_value
+    variable transform_left_filter_feature_0_value, transform_left_filter_feature_0_choice : boolean;
+    variable transform_left_filter_feature_0_values : boolean_1d(2 to 6);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 177);  -- transform_left_filter_feature_0_choice_#
+    variable transform_right_filter_low_is_larger_0_value : boolean_2d(0 to 3, 0 to 4);  -- transform_right_filter_low_is_larger_0_#_#_value
+    variable transform_right_filter_low_is_larger_0_choice : boolean_2d(0 to 3, 0 to 4);  -- transform_right_filter_low_is_larger_0_#_#_choice
+    variable transform_right_filter_low_is_larger_0_choices_from_0 : boolean_3d(0 to 3, 0 to 4, 2 to 3);  -- transform_right_filter_low_is_larger_0_#_#_choice_#
+    variable transform_right_filter_low_is_larger_0_0_0_values : boolean_1d(2 to 4);  -- transform_right_filter_low_is_larger_0_0_0_value_#
+    variable transform_right_filter_low_is_larger_0_0_1_any : boolean;
+    variable transform_right_filter_low_is_larger_0_0_1_is_equal : boolean;
+    variable transform_right_filter_low_is_larger_0_4_choice : boolean_1d(0 to 1);  -- transform_right_filter_low_is_larger_0_4_#_choice
+    variable transform_right_filter_low_is_larger_0_4_choices_from_0 : boolean_2d(0 to 1, 2 to 3);  -- transform_right_filter_low_is_larger_0_4_#_choice_#
+    variable transform_right_filter_low_is_larger_0_4_value : boolean_1d(0 to 1);  -- transform_right_filter_low_is_larger_0_4_#_value
+    variable transform_right_filter_low_is_larger_0_4_choices : boolean_1d(3 to 4);  -- transform_right_filter_low_is_larger_0_4_#_choice
+    variable transform_right_filter_low_is_larger_0_4_choices_from_3 : boolean_2d(3 to 4, 2 to 3);  -- transform_right_filter_low_is_larger_0_4_#_choice_#
+    variable transform_right_filter_low_is_larger_0_4_values : boolean_1d(3 to 4);  -- transform_right_filter_low_is_larger_0_4_#_value
+    variable transform_right_filter_low_is_larger_0_choices : boolean_2d(5 to 8, 0 to 4);  -- transform_right_filter_low_is_larger_0_#_#_choice
+    variable transform_right_filter_low_is_larger_0_choices_from_5 : boolean_3d(5 to 8, 0 to 4, 2 to 3);  -- transform_right_filter_low_is_larger_0_#_#_choice_#
+    variable transform_right_filter_low_is_larger_0_values : boolean_2d(5 to 8, 0 to 4);  -- transform_right_filter_low_is_larger_0_#_#_value
+    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_choice : boolean;
+    variable transform_right_filter_feature_0_values : boolean_1d(2 to 6);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 177);  -- transform_right_filter_feature_0_choice_#
+    variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
+    variable line_order_falls_any, line_order_falls_all, line_order_complete_any : boolean;
+    variable line_order_turned_output_column_choice : boolean;
     variable costswindow_first_0_count_value : boolean_1d(0 to 14);  -- costswindow_first_0_count_#_value
     variable costswindow_first_0_count_0_value_2 : boolean;
     variable costswindow_first_0_count_values : boolean_2d(1 to 13, 2 to 3);  -- costswindow_first_0_count_#_value_#
@@ -1592,6 +1629,30 @@ begin
     variable map_of_all_0_c_below_b_choice : boolean;
     variable map_of_all_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_all_0_c_below_b_choice_#
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
+    variable transform_counter_group_after_choice : natural range 0 to 511;
+    variable map_counter_group_choices : natural_511_1d(2 to 3);  -- map_counter_group_choice_#
+    variable transform_left_filter_feature_0_choice_178 : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_178, pathsleft_q_choice : natural range 0 to 31;
+    variable pathsleft_q_choice_2, pathsleft_room_left_choice : natural range 0 to 31;
+    variable pathsabove_total_choice : natural_31_1d(0 to 7);  -- pathsabove_total_#_choice
+    variable pathsabove_memory_write_words_0_choice_2 : natural_31_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_choice_2
+    variable pathsabove_memory_write_words_0_choice : natural_31_1d(1 to 4);  -- pathsabove_memory_write_words_0_#_choice
+    variable pathsabove_memory_write_words_0_choice_2s : natural_31_1d(3 to 4);  -- pathsabove_memory_write_words_0_#_choice_2
+    variable pathsright_q_choice, pathsright_q_choice_2, pathsright_room_left_choice : natural range 0 to 31;
+    variable transform_left_filter_feature_0_choice_179 : natural range 0 to 1023;
+    variable transform_right_filter_feature_0_choice_179 : natural range 0 to 1023;
+    variable transform_left_filter_feature_0_choice_180 : natural range 0 to 32767;
+    variable transform_right_filter_feature_0_choice_180 : natural range 0 to 32767;
+    variable transform_left_filter_feature_0_choice_181 : natural range 0 to 1048575;
+    variable transform_right_filter_feature_0_choice_181 : natural range 0 to 1048575;
+    variable transform_left_filter_feature_0_choice_182 : natural range 0 to 8388607;
+    variable transform_right_filter_feature_0_choice_182 : natural range 0 to 8388607;
+    variable transform_left_filter_feature_0_choice_183 : natural range 0 to 536870911;
+    variable transform_right_filter_feature_0_choice_183 : natural range 0 to 536870911;
+    variable transform_left_filter_feature_0_choice_184 : unsigned(33 downto 0);
+    variable transform_right_filter_feature_0_choice_184 : unsigned(33 downto 0);
+    variable transform_left_filter_feature_0_choice_185 : unsigned(38 downto 0);
+    variable transform_right_filter_feature_0_choice_185 : unsigned(38 downto 0);
     variable transform_counter_group_choice, costsshift_count_phase_choice : natural range 0 to 15;
     variable paths_smallest_cost_choice, pathsleft_read_count_phase_choice : natural range 0 to 15;
     variable pathsleft_ahead_count_phase_choice : natural range 0 to 15;
@@ -1602,30 +1663,6 @@ begin
     variable pathsabove_memory_write_words_0_2_choice_2 : natural range 0 to 15;
     variable pathsturn_read_address_count_phase_choice : natural range 0 to 15;
     variable pathsturn_write_address_count_phase_choice, map_counter_group_choice : natural range 0 to 15;
-    variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- transform_counter_group_choice_#
-    variable map_counter_group_choices : natural_511_1d(2 to 3);  -- map_counter_group_choice_#
-    variable transform_left_filter_feature_0_choice_354 : natural range 0 to 31;
-    variable transform_right_filter_feature_0_choice_354, pathsleft_q_choice : natural range 0 to 31;
-    variable pathsleft_q_choice_2, pathsleft_room_left_choice : natural range 0 to 31;
-    variable pathsabove_total_choice : natural_31_1d(0 to 7);  -- pathsabove_total_#_choice
-    variable pathsabove_memory_write_words_0_choice_2 : natural_31_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_choice_2
-    variable pathsabove_memory_write_words_0_choice : natural_31_1d(1 to 4);  -- pathsabove_memory_write_words_0_#_choice
-    variable pathsabove_memory_write_words_0_choice_2s : natural_31_1d(3 to 4);  -- pathsabove_memory_write_words_0_#_choice_2
-    variable pathsright_q_choice, pathsright_q_choice_2, pathsright_room_left_choice : natural range 0 to 31;
-    variable transform_left_filter_feature_0_choice_355 : natural range 0 to 1023;
-    variable transform_right_filter_feature_0_choice_355 : natural range 0 to 1023;
-    variable transform_left_filter_feature_0_choice_356 : natural range 0 to 32767;
-    variable transform_right_filter_feature_0_choice_356 : natural range 0 to 32767;
-    variable transform_left_filter_feature_0_choice_357 : natural range 0 to 1048575;
-    variable transform_right_filter_feature_0_choice_357 : natural range 0 to 1048575;
-    variable transform_left_filter_feature_0_choice_358 : natural range 0 to 8388607;
-    variable transform_right_filter_feature_0_choice_358 : natural range 0 to 8388607;
-    variable transform_left_filter_feature_0_choice_359 : natural range 0 to 536870911;
-    variable transform_right_filter_feature_0_choice_359 : natural range 0 to 536870911;
-    variable transform_left_filter_feature_0_choice_360 : unsigned(33 downto 0);
-    variable transform_right_filter_feature_0_choice_360 : unsigned(33 downto 0);
-    variable transform_left_filter_feature_0_choice_361 : unsigned(38 downto 0);
-    variable transform_right_filter_feature_0_choice_361 : unsigned(38 downto 0);
     variable line_order_address_choice, turn_order_address_choice : natural range 1 to 1023;
     variable pathsleft_lower_neighbour_value : natural range 0 to 63;
     variable pathsleft_stay_value : natural_63_1d(0 to 6);  -- pathsleft_stay_#_value
@@ -1669,1257 +1706,1526 @@ begin
   begin
     if rising_edge(clock) then
       -- transform
-      transform_counter_group_is_equal := transform_counter_group = 479;
-      transform_counter_group_is_equal_2 := transform_counter_column = 639;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      if transform_counter_group_all then
-        transform_counter_group_choice := 15;
+      transform_counter_next_frame_is_equal := transform_counter_column = 639;
+      if transform_counter_last_column then
+        transform_counter_frame_joins_choice := (not transform_counter_back_to_back) and winnerswinner1_best_below_0;
       else
-        transform_counter_group_choice := 0;
+        transform_counter_frame_joins_choice := winnerswinner1_best_below_0;
       end if;
-      transform_counter_group_differs := transform_counter_group /= 482;
-      if (transform_counter_group = 481) and transform_counter_next_frame then
-        transform_counter_group_choices(2) := 2;
+      if transform_counter_back_to_back then
+        transform_counter_group_after_choice := 2;
       else
-        transform_counter_group_choices(2) := (transform_counter_group + 1) mod 512;
-      end if;
-      if transform_counter_group_differs and in_valid and transform_counter_group_is_equal_2 then
-        transform_counter_group_choices(3) := transform_counter_group_choices(2);
-      else
-        transform_counter_group_choices(3) := transform_counter_group;
-      end if;
-      if transform_counter_group_is_equal_2 then
-        transform_counter_next_frame_choice := (transform_counter_group /= 481) and transform_counter_next_frame;
-      else
-        transform_counter_next_frame_choice := transform_counter_next_frame;
-      end if;
-      if transform_counter_group_differs then
-        transform_counter_next_frame_choices(2) := transform_counter_next_frame_choice;
-      else
-        transform_counter_next_frame_choices(2) := transform_counter_next_frame;
-      end if;
-      if transform_counter_group_all then
-        transform_counter_next_frame_choices(3) := in_valid;
-      else
-        transform_counter_next_frame_choices(3) := in_valid and (not in_start_of_frame);
-      end if;
-      if transform_counter_next_frame_choices(2) then
-        transform_counter_next_frame_choices(4) := transform_counter_next_frame_choices(3);
-      else
-        transform_counter_next_frame_choices(4) := transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2 and in_valid and in_start_of_frame;
+        transform_counter_group_after_choice := (transform_counter_group + 1) mod 512;
       end if;
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_feature_0_value := is_set(transform_left_filter_column(4, 2), 1);
-      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
+      transform_left_filter_low_is_larger_0_value(0, 0) := is_set(transform_left_filter_column(4, 2), 1);
+      if is_set(transform_left_filter_column(4, 2), 0) then
+        transform_left_filter_low_is_larger_0_choice(0, 0) := not is_set(transform_left_filter_column(0, 0), 1);
+      else
+        transform_left_filter_low_is_larger_0_choice(0, 0) := (transform_left_filter_column(0, 0) mod 4) = 0;
+      end if;
+      if transform_left_filter_low_is_larger_0_value(0, 0) then
+        transform_left_filter_low_is_larger_0_choices_from_0(0, 0, 2) := is_set(transform_left_filter_column(4, 2), 0)
+          or (not is_set(transform_left_filter_column(0, 0), 1)) or (not is_set(transform_left_filter_column(0, 0), 0));
+      else
+        transform_left_filter_low_is_larger_0_choices_from_0(0, 0, 2) :=
+          transform_left_filter_low_is_larger_0_choice(0, 0);
+      end if;
+      transform_left_filter_low_is_larger_0_0_0_values(2) := is_set(transform_left_filter_column(4, 2), 2);
+      transform_left_filter_low_is_larger_0_0_0_values(3) := is_set(transform_left_filter_column(0, 0), 2);
+      if transform_left_filter_low_is_larger_0_choices_from_0(0, 0, 2) then
+        transform_left_filter_low_is_larger_0_choices_from_0(0, 0, 3) := (not
+          transform_left_filter_low_is_larger_0_0_0_values(2)) and transform_left_filter_low_is_larger_0_0_0_values(3);
+      else
+        transform_left_filter_low_is_larger_0_choices_from_0(0, 0, 3) := (not
+          transform_left_filter_low_is_larger_0_0_0_values(2)) or transform_left_filter_low_is_larger_0_0_0_values(3);
+      end if;
+      transform_left_filter_low_is_larger_0_0_0_values(4) := is_set(transform_left_filter_column(0, 0), 3);
+      transform_left_filter_low_is_larger_0_0_1_any := (not transform_left_filter_low_is_larger_0_value(0, 0)) or (not
         is_set(transform_left_filter_column(4, 2), 0));
-      if is_set(transform_left_filter_column(8, 0), 0) then
-        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
+      if is_set(transform_left_filter_column(0, 1), 0) then
+        transform_left_filter_low_is_larger_0_choice(0, 1) := transform_left_filter_low_is_larger_0_0_1_any;
       else
-        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
+        transform_left_filter_low_is_larger_0_choice(0, 1) := not transform_left_filter_low_is_larger_0_value(0, 0);
       end if;
-      transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 2) mod 4) = 0;
-      if is_set(transform_left_filter_column(8, 0), 1) then
-        transform_left_filter_feature_0_choices(2) := transform_left_filter_feature_0_choice;
-      else
-        transform_left_filter_feature_0_choices(2) := is_set(transform_left_filter_column(8, 0), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 2), 2);
-      if transform_left_filter_feature_0_choices(2) then
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(8, 0), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(8, 0), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 3 to 6 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 2), i);
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(8, 0), i)) or
-            transform_left_filter_feature_0_values(i);
+      transform_left_filter_low_is_larger_0_0_1_is_equal := (transform_left_filter_column(4, 2) mod 4) = 0;
+      for i in 0 to 2 loop
+        for j in 1 to 3 loop
+          if is_set(transform_left_filter_column(i, j), 1) then
+            transform_left_filter_low_is_larger_0_choices_from_0(i, j, 2) :=
+              transform_left_filter_low_is_larger_0_choice(i, j);
+          else
+            transform_left_filter_low_is_larger_0_choices_from_0(i, j, 2) := is_set(transform_left_filter_column(i, j),
+              0) and transform_left_filter_low_is_larger_0_0_1_is_equal;
+          end if;
+          if transform_left_filter_low_is_larger_0_choices_from_0(i, j, 2) then
+            transform_left_filter_low_is_larger_0_choices_from_0(i, j, 3) := (not
+              is_set(transform_left_filter_column(i, j), 2)) and transform_left_filter_low_is_larger_0_0_0_values(2);
+          else
+            transform_left_filter_low_is_larger_0_choices_from_0(i, j, 3) := (not
+              is_set(transform_left_filter_column(i, j), 2)) or transform_left_filter_low_is_larger_0_0_0_values(2);
+          end if;
+          transform_left_filter_low_is_larger_0_value(i, j) := is_set(transform_left_filter_column(i, j), 3);
+          if is_set(transform_left_filter_column(i, j + 1), 0) then
+            transform_left_filter_low_is_larger_0_choice(i, j + 1) := transform_left_filter_low_is_larger_0_0_1_any;
+          else
+            transform_left_filter_low_is_larger_0_choice(i, j + 1) := not
+              transform_left_filter_low_is_larger_0_value(0, 0);
+          end if;
+        end loop;
+        for j in 0 to 1 loop
+          if is_set(transform_left_filter_column(i + j, 4 - 4 * j), 1) then
+            transform_left_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 2) :=
+              transform_left_filter_low_is_larger_0_choice(i + j, 4 - 4 * j);
+          else
+            transform_left_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 2) :=
+              is_set(transform_left_filter_column(i + j, 4 - 4 * j), 0) and
+              transform_left_filter_low_is_larger_0_0_1_is_equal;
+          end if;
+          if transform_left_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 2) then
+            transform_left_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 3) := (not
+              is_set(transform_left_filter_column(i + j, 4 - 4 * j), 2)) and
+              transform_left_filter_low_is_larger_0_0_0_values(2);
+          else
+            transform_left_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 3) := (not
+              is_set(transform_left_filter_column(i + j, 4 - 4 * j), 2)) or
+              transform_left_filter_low_is_larger_0_0_0_values(2);
+          end if;
+          transform_left_filter_low_is_larger_0_value(i + j, 4 - 4 * j) := is_set(transform_left_filter_column(i + j, 4
+            - 4 * j), 3);
+          if is_set(transform_left_filter_column(i + 1, j), 0) then
+            transform_left_filter_low_is_larger_0_choice(i + 1, j) := transform_left_filter_low_is_larger_0_0_1_any;
+          else
+            transform_left_filter_low_is_larger_0_choice(i + 1, j) := not
+              transform_left_filter_low_is_larger_0_value(0, 0);
+          end if;
+        end loop;
+      end loop;
+      for i in 1 to 3 loop
+        if is_set(transform_left_filter_column(3, i), 1) then
+          transform_left_filter_low_is_larger_0_choices_from_0(3, i, 2) :=
+            transform_left_filter_low_is_larger_0_choice(3, i);
         else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(8, 0), i)) and
-            transform_left_filter_feature_0_values(i);
+          transform_left_filter_low_is_larger_0_choices_from_0(3, i, 2) := is_set(transform_left_filter_column(3, i),
+            0) and transform_left_filter_low_is_larger_0_0_1_is_equal;
+        end if;
+        if transform_left_filter_low_is_larger_0_choices_from_0(3, i, 2) then
+          transform_left_filter_low_is_larger_0_choices_from_0(3, i, 3) := (not is_set(transform_left_filter_column(3,
+            i), 2)) and transform_left_filter_low_is_larger_0_0_0_values(2);
+        else
+          transform_left_filter_low_is_larger_0_choices_from_0(3, i, 3) := (not is_set(transform_left_filter_column(3,
+            i), 2)) or transform_left_filter_low_is_larger_0_0_0_values(2);
+        end if;
+        transform_left_filter_low_is_larger_0_value(3, i) := is_set(transform_left_filter_column(3, i), 3);
+        if is_set(transform_left_filter_column(3, i + 1), 0) then
+          transform_left_filter_low_is_larger_0_choice(3, i + 1) := transform_left_filter_low_is_larger_0_0_1_any;
+        else
+          transform_left_filter_low_is_larger_0_choice(3, i + 1) := not transform_left_filter_low_is_larger_0_value(0,
+            0);
         end if;
       end loop;
-      for i in 0 to 3 loop
-        if transform_left_filter_feature_0_choices(8 * i + 7) then
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(8, i), 7) and (not
-            is_set(transform_left_filter_column(4, 2), 7));
+      if is_set(transform_left_filter_column(3, 4), 1) then
+        transform_left_filter_low_is_larger_0_choices_from_0(3, 4, 2) :=
+          transform_left_filter_low_is_larger_0_choice(3, 4);
+      else
+        transform_left_filter_low_is_larger_0_choices_from_0(3, 4, 2) := is_set(transform_left_filter_column(3, 4), 0)
+          and transform_left_filter_low_is_larger_0_0_1_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_choices_from_0(3, 4, 2) then
+        transform_left_filter_low_is_larger_0_choices_from_0(3, 4, 3) := (not is_set(transform_left_filter_column(3,
+          4), 2)) and transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_choices_from_0(3, 4, 3) := (not is_set(transform_left_filter_column(3,
+          4), 2)) or transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_value(3, 4) := is_set(transform_left_filter_column(3, 4), 3);
+      for i in 0 to 1 loop
+        if is_set(transform_left_filter_column(4, i), 0) then
+          transform_left_filter_low_is_larger_0_4_choice(i) := transform_left_filter_low_is_larger_0_0_1_any;
         else
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(8, i), 7) or (not
-            is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_low_is_larger_0_4_choice(i) := not transform_left_filter_low_is_larger_0_value(0, 0);
         end if;
-        if is_set(transform_left_filter_column(8, i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 9) := transform_left_filter_feature_0_any;
+        if is_set(transform_left_filter_column(4, i), 1) then
+          transform_left_filter_low_is_larger_0_4_choices_from_0(i, 2) :=
+            transform_left_filter_low_is_larger_0_4_choice(i);
         else
-          transform_left_filter_feature_0_choices(8 * i + 9) := not transform_left_filter_feature_0_value;
+          transform_left_filter_low_is_larger_0_4_choices_from_0(i, 2) := is_set(transform_left_filter_column(4, i), 0)
+            and transform_left_filter_low_is_larger_0_0_1_is_equal;
         end if;
-        if is_set(transform_left_filter_column(8, i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 10) := transform_left_filter_feature_0_choices(8 * i + 9);
+        if transform_left_filter_low_is_larger_0_4_choices_from_0(i, 2) then
+          transform_left_filter_low_is_larger_0_4_choices_from_0(i, 3) := (not is_set(transform_left_filter_column(4,
+            i), 2)) and transform_left_filter_low_is_larger_0_0_0_values(2);
         else
-          transform_left_filter_feature_0_choices(8 * i + 10) := is_set(transform_left_filter_column(8, i + 1), 0) and
-            transform_left_filter_feature_0_is_equal;
+          transform_left_filter_low_is_larger_0_4_choices_from_0(i, 3) := (not is_set(transform_left_filter_column(4,
+            i), 2)) or transform_left_filter_low_is_larger_0_0_0_values(2);
         end if;
-        if transform_left_filter_feature_0_choices(8 * i + 10) then
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(8, i + 1),
-            2)) and transform_left_filter_feature_0_values(2);
+        transform_left_filter_low_is_larger_0_4_value(i) := is_set(transform_left_filter_column(4, i), 3);
+      end loop;
+      for i in 3 to 4 loop
+        if is_set(transform_left_filter_column(4, i), 0) then
+          transform_left_filter_low_is_larger_0_4_choices(i) := transform_left_filter_low_is_larger_0_0_1_any;
         else
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(8, i + 1),
-            2)) or transform_left_filter_feature_0_values(2);
+          transform_left_filter_low_is_larger_0_4_choices(i) := not transform_left_filter_low_is_larger_0_value(0, 0);
         end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 8) then
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(8, i +
-              1), j)) or transform_left_filter_feature_0_values(j);
+        if is_set(transform_left_filter_column(4, i), 1) then
+          transform_left_filter_low_is_larger_0_4_choices_from_3(i, 2) :=
+            transform_left_filter_low_is_larger_0_4_choices(i);
+        else
+          transform_left_filter_low_is_larger_0_4_choices_from_3(i, 2) := is_set(transform_left_filter_column(4, i), 0)
+            and transform_left_filter_low_is_larger_0_0_1_is_equal;
+        end if;
+        if transform_left_filter_low_is_larger_0_4_choices_from_3(i, 2) then
+          transform_left_filter_low_is_larger_0_4_choices_from_3(i, 3) := (not is_set(transform_left_filter_column(4,
+            i), 2)) and transform_left_filter_low_is_larger_0_0_0_values(2);
+        else
+          transform_left_filter_low_is_larger_0_4_choices_from_3(i, 3) := (not is_set(transform_left_filter_column(4,
+            i), 2)) or transform_left_filter_low_is_larger_0_0_0_values(2);
+        end if;
+        transform_left_filter_low_is_larger_0_4_values(i) := is_set(transform_left_filter_column(4, i), 3);
+      end loop;
+      for i in 5 to 8 loop
+        for j in 0 to 4 loop
+          if is_set(transform_left_filter_column(i, j), 0) then
+            transform_left_filter_low_is_larger_0_choices(i, j) := transform_left_filter_low_is_larger_0_0_1_any;
           else
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(8, i +
-              1), j)) and transform_left_filter_feature_0_values(j);
+            transform_left_filter_low_is_larger_0_choices(i, j) := not transform_left_filter_low_is_larger_0_value(0,
+              0);
+          end if;
+          if is_set(transform_left_filter_column(i, j), 1) then
+            transform_left_filter_low_is_larger_0_choices_from_5(i, j, 2) :=
+              transform_left_filter_low_is_larger_0_choices(i, j);
+          else
+            transform_left_filter_low_is_larger_0_choices_from_5(i, j, 2) := is_set(transform_left_filter_column(i, j),
+              0) and transform_left_filter_low_is_larger_0_0_1_is_equal;
+          end if;
+          if transform_left_filter_low_is_larger_0_choices_from_5(i, j, 2) then
+            transform_left_filter_low_is_larger_0_choices_from_5(i, j, 3) := (not
+              is_set(transform_left_filter_column(i, j), 2)) and transform_left_filter_low_is_larger_0_0_0_values(2);
+          else
+            transform_left_filter_low_is_larger_0_choices_from_5(i, j, 3) := (not
+              is_set(transform_left_filter_column(i, j), 2)) or transform_left_filter_low_is_larger_0_0_0_values(2);
+          end if;
+          transform_left_filter_low_is_larger_0_values(i, j) := is_set(transform_left_filter_column(i, j), 3);
+        end loop;
+      end loop;
+      transform_left_filter_feature_0_value := is_set(transform_left_filter_column(4, 2), 4);
+      if is_set(transform_left_filter_column(8, 0), 4) then
+        transform_left_filter_feature_0_choice := (not transform_left_filter_low_is_larger_0s(8, 0)) and
+          transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_0_choice := (not transform_left_filter_low_is_larger_0s(8, 0)) or
+          transform_left_filter_feature_0_value;
+      end if;
+      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 2), 5);
+      if transform_left_filter_feature_0_choice then
+        transform_left_filter_feature_0_choices(2) := (not is_set(transform_left_filter_column(8, 0), 5)) or
+          transform_left_filter_feature_0_values(2);
+      else
+        transform_left_filter_feature_0_choices(2) := (not is_set(transform_left_filter_column(8, 0), 5)) and
+          transform_left_filter_feature_0_values(2);
+      end if;
+      transform_left_filter_feature_0_values(3) := is_set(transform_left_filter_column(4, 2), 6);
+      if transform_left_filter_feature_0_choices(2) then
+        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(8, 0), 6)) or
+          transform_left_filter_feature_0_values(3);
+      else
+        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(8, 0), 6)) and
+          transform_left_filter_feature_0_values(3);
+      end if;
+      for i in 0 to 3 loop
+        if transform_left_filter_feature_0_choices(4 * i + 3) then
+          transform_left_filter_feature_0_choices(4 * i + 4) := is_set(transform_left_filter_column(8, i), 7) and (not
+            is_set(transform_left_filter_column(4, 2), 7));
+        else
+          transform_left_filter_feature_0_choices(4 * i + 4) := is_set(transform_left_filter_column(8, i), 7) or (not
+            is_set(transform_left_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_left_filter_column(8, i + 1), 4) then
+          transform_left_filter_feature_0_choices(4 * i + 5) := (not transform_left_filter_low_is_larger_0s(8, i + 1))
+            and transform_left_filter_feature_0_value;
+        else
+          transform_left_filter_feature_0_choices(4 * i + 5) := (not transform_left_filter_low_is_larger_0s(8, i + 1))
+            or transform_left_filter_feature_0_value;
+        end if;
+        for j in 5 to 6 loop
+          if transform_left_filter_feature_0_choices(4 * i + j) then
+            transform_left_filter_feature_0_choices(4 * i + j + 1) := (not is_set(transform_left_filter_column(8, i +
+              1), j)) or transform_left_filter_feature_0_values(j - 3);
+          else
+            transform_left_filter_feature_0_choices(4 * i + j + 1) := (not is_set(transform_left_filter_column(8, i +
+              1), j)) and transform_left_filter_feature_0_values(j - 3);
           end if;
         end loop;
       end loop;
       for i in 0 to 2 loop
         for j in 0 to 1 loop
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 39) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 40) := is_set(transform_left_filter_column(8 - i -
+          if transform_left_filter_feature_0_choices(20 * i + 4 * j + 19) then
+            transform_left_filter_feature_0_choices(20 * i + 4 * j + 20) := is_set(transform_left_filter_column(8 - i -
               j, 4 - 4 * j), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
           else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 40) := is_set(transform_left_filter_column(8 - i -
+            transform_left_filter_feature_0_choices(20 * i + 4 * j + 20) := is_set(transform_left_filter_column(8 - i -
               j, 4 - 4 * j), 7) or (not is_set(transform_left_filter_column(4, 2), 7));
           end if;
-          if is_set(transform_left_filter_column(7 - i, j), 0) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 41) := transform_left_filter_feature_0_any;
+          if is_set(transform_left_filter_column(7 - i, j), 4) then
+            transform_left_filter_feature_0_choices(20 * i + 4 * j + 21) := (not
+              transform_left_filter_low_is_larger_0s(7 - i, j)) and transform_left_filter_feature_0_value;
           else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 41) := not transform_left_filter_feature_0_value;
+            transform_left_filter_feature_0_choices(20 * i + 4 * j + 21) := (not
+              transform_left_filter_low_is_larger_0s(7 - i, j)) or transform_left_filter_feature_0_value;
           end if;
-          if is_set(transform_left_filter_column(7 - i, j), 1) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 42) := transform_left_filter_feature_0_choices(40
-              * i + 8 * j + 41);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 42) := is_set(transform_left_filter_column(7 - i,
-              j), 0) and transform_left_filter_feature_0_is_equal;
-          end if;
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 42) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 43) := (not is_set(transform_left_filter_column(7
-              - i, j), 2)) and transform_left_filter_feature_0_values(2);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 43) := (not is_set(transform_left_filter_column(7
-              - i, j), 2)) or transform_left_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 40) then
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 41) := (not
-                is_set(transform_left_filter_column(7 - i, j), k)) or transform_left_filter_feature_0_values(k);
+          for k in 5 to 6 loop
+            if transform_left_filter_feature_0_choices(20 * i + 4 * j + k + 16) then
+              transform_left_filter_feature_0_choices(20 * i + 4 * j + k + 17) := (not
+                is_set(transform_left_filter_column(7 - i, j), k)) or transform_left_filter_feature_0_values(k - 3);
             else
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 41) := (not
-                is_set(transform_left_filter_column(7 - i, j), k)) and transform_left_filter_feature_0_values(k);
+              transform_left_filter_feature_0_choices(20 * i + 4 * j + k + 17) := (not
+                is_set(transform_left_filter_column(7 - i, j), k)) and transform_left_filter_feature_0_values(k - 3);
             end if;
           end loop;
         end loop;
         for j in 1 to 3 loop
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 47) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 48) := is_set(transform_left_filter_column(7 - i,
+          if transform_left_filter_feature_0_choices(20 * i + 4 * j + 23) then
+            transform_left_filter_feature_0_choices(20 * i + 4 * j + 24) := is_set(transform_left_filter_column(7 - i,
               j), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
           else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 48) := is_set(transform_left_filter_column(7 - i,
+            transform_left_filter_feature_0_choices(20 * i + 4 * j + 24) := is_set(transform_left_filter_column(7 - i,
               j), 7) or (not is_set(transform_left_filter_column(4, 2), 7));
           end if;
-          if is_set(transform_left_filter_column(7 - i, j + 1), 0) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 49) := transform_left_filter_feature_0_any;
+          if is_set(transform_left_filter_column(7 - i, j + 1), 4) then
+            transform_left_filter_feature_0_choices(20 * i + 4 * j + 25) := (not
+              transform_left_filter_low_is_larger_0s(7 - i, j + 1)) and transform_left_filter_feature_0_value;
           else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 49) := not transform_left_filter_feature_0_value;
+            transform_left_filter_feature_0_choices(20 * i + 4 * j + 25) := (not
+              transform_left_filter_low_is_larger_0s(7 - i, j + 1)) or transform_left_filter_feature_0_value;
           end if;
-          if is_set(transform_left_filter_column(7 - i, j + 1), 1) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 50) := transform_left_filter_feature_0_choices(40
-              * i + 8 * j + 49);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 50) := is_set(transform_left_filter_column(7 - i,
-              j + 1), 0) and transform_left_filter_feature_0_is_equal;
-          end if;
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 50) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 51) := (not is_set(transform_left_filter_column(7
-              - i, j + 1), 2)) and transform_left_filter_feature_0_values(2);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 51) := (not is_set(transform_left_filter_column(7
-              - i, j + 1), 2)) or transform_left_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 48) then
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 49) := (not
-                is_set(transform_left_filter_column(7 - i, j + 1), k)) or transform_left_filter_feature_0_values(k);
+          for k in 5 to 6 loop
+            if transform_left_filter_feature_0_choices(20 * i + 4 * j + k + 20) then
+              transform_left_filter_feature_0_choices(20 * i + 4 * j + k + 21) := (not
+                is_set(transform_left_filter_column(7 - i, j + 1), k)) or transform_left_filter_feature_0_values(k - 3);
             else
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 49) := (not
-                is_set(transform_left_filter_column(7 - i, j + 1), k)) and transform_left_filter_feature_0_values(k);
+              transform_left_filter_feature_0_choices(20 * i + 4 * j + k + 21) := (not
+                is_set(transform_left_filter_column(7 - i, j + 1), k)) and transform_left_filter_feature_0_values(k -
+                3);
             end if;
           end loop;
         end loop;
       end loop;
-      if transform_left_filter_feature_0_choices(159) then
-        transform_left_filter_feature_0_choices(160) := is_set(transform_left_filter_column(5, 4), 7) and (not
+      if transform_left_filter_feature_0_choices(79) then
+        transform_left_filter_feature_0_choices(80) := is_set(transform_left_filter_column(5, 4), 7) and (not
           is_set(transform_left_filter_column(4, 2), 7));
       else
-        transform_left_filter_feature_0_choices(160) := is_set(transform_left_filter_column(5, 4), 7) or (not
+        transform_left_filter_feature_0_choices(80) := is_set(transform_left_filter_column(5, 4), 7) or (not
           is_set(transform_left_filter_column(4, 2), 7));
       end if;
-      if is_set(transform_left_filter_column(4, 4), 0) then
-        transform_left_filter_feature_0_choices(161) := transform_left_filter_feature_0_any;
+      if is_set(transform_left_filter_column(4, 4), 4) then
+        transform_left_filter_feature_0_choices(81) := (not transform_left_filter_low_is_larger_0_4s(4)) and
+          transform_left_filter_feature_0_value;
       else
-        transform_left_filter_feature_0_choices(161) := not transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choices(81) := (not transform_left_filter_low_is_larger_0_4s(4)) or
+          transform_left_filter_feature_0_value;
       end if;
-      if is_set(transform_left_filter_column(4, 4), 1) then
-        transform_left_filter_feature_0_choices(162) := transform_left_filter_feature_0_choices(161);
-      else
-        transform_left_filter_feature_0_choices(162) := is_set(transform_left_filter_column(4, 4), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices(162) then
-        transform_left_filter_feature_0_choices(163) := (not is_set(transform_left_filter_column(4, 4), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(163) := (not is_set(transform_left_filter_column(4, 4), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 163 to 166 loop
+      for i in 81 to 82 loop
         if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 4), i - 160))
-            or transform_left_filter_feature_0_values(i - 160);
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 4), i - 76)) or
+            transform_left_filter_feature_0_values(i - 79);
         else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 4), i - 160))
-            and transform_left_filter_feature_0_values(i - 160);
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 4), i - 76))
+            and transform_left_filter_feature_0_values(i - 79);
         end if;
       end loop;
       if is_set(transform_left_filter_column(4, 4), 7) then
-        transform_left_filter_feature_0_choices(168) := transform_filtering_0_column_inside(4);
+        transform_left_filter_feature_0_choices(84) := transform_filtering_0_column_inside(4);
       else
-        transform_left_filter_feature_0_choices(168) := transform_filtering_0_column_inside(4) and (not
+        transform_left_filter_feature_0_choices(84) := transform_filtering_0_column_inside(4) and (not
           is_set(transform_left_filter_column(4, 2), 7));
       end if;
-      if transform_left_filter_feature_0_choices(167) then
-        transform_left_filter_feature_0_choices(169) := is_set(transform_left_filter_column(4, 4), 7) and
+      if transform_left_filter_feature_0_choices(83) then
+        transform_left_filter_feature_0_choices(85) := is_set(transform_left_filter_column(4, 4), 7) and
           transform_filtering_0_column_inside(4) and (not is_set(transform_left_filter_column(4, 2), 7));
       else
-        transform_left_filter_feature_0_choices(169) := transform_left_filter_feature_0_choices(168);
+        transform_left_filter_feature_0_choices(85) := transform_left_filter_feature_0_choices(84);
       end if;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(4, 2 * i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 170) := transform_left_filter_feature_0_any;
+      if is_set(transform_left_filter_column(4, 1), 4) then
+        transform_left_filter_feature_0_choices(86) := (not transform_left_filter_low_is_larger_0_4(1)) and
+          transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_0_choices(86) := (not transform_left_filter_low_is_larger_0_4(1)) or
+          transform_left_filter_feature_0_value;
+      end if;
+      for i in 86 to 87 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 1), i - 81)) or
+            transform_left_filter_feature_0_values(i - 84);
         else
-          transform_left_filter_feature_0_choices(8 * i + 170) := not transform_left_filter_feature_0_value;
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 1), i - 81))
+            and transform_left_filter_feature_0_values(i - 84);
         end if;
-        if is_set(transform_left_filter_column(4, 2 * i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 171) := transform_left_filter_feature_0_choices(8 * i + 170);
+      end loop;
+      if transform_left_filter_feature_0_choices(88) then
+        transform_left_filter_feature_0_choices(89) := is_set(transform_left_filter_column(4, 1), 7) and (not
+          is_set(transform_left_filter_column(4, 2), 7));
+      else
+        transform_left_filter_feature_0_choices(89) := is_set(transform_left_filter_column(4, 1), 7) or (not
+          is_set(transform_left_filter_column(4, 2), 7));
+      end if;
+      if is_set(transform_left_filter_column(4, 3), 4) then
+        transform_left_filter_feature_0_choices(90) := (not transform_left_filter_low_is_larger_0_4s(3)) and
+          transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_0_choices(90) := (not transform_left_filter_low_is_larger_0_4s(3)) or
+          transform_left_filter_feature_0_value;
+      end if;
+      for i in 90 to 91 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 3), i - 85)) or
+            transform_left_filter_feature_0_values(i - 88);
         else
-          transform_left_filter_feature_0_choices(8 * i + 171) := is_set(transform_left_filter_column(4, 2 * i + 1), 0)
-            and transform_left_filter_feature_0_is_equal;
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 3), i - 85))
+            and transform_left_filter_feature_0_values(i - 88);
         end if;
-        if transform_left_filter_feature_0_choices(8 * i + 171) then
-          transform_left_filter_feature_0_choices(8 * i + 172) := (not is_set(transform_left_filter_column(4, 2 * i +
-            1), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 172) := (not is_set(transform_left_filter_column(4, 2 * i +
-            1), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 169) then
-            transform_left_filter_feature_0_choices(8 * i + j + 170) := (not is_set(transform_left_filter_column(4, 2 *
-              i + 1), j)) or transform_left_filter_feature_0_values(j);
+      end loop;
+      if transform_left_filter_feature_0_choices(92) then
+        transform_left_filter_feature_0_choices(93) := is_set(transform_left_filter_column(4, 3), 7) and (not
+          is_set(transform_left_filter_column(4, 2), 7));
+      else
+        transform_left_filter_feature_0_choices(93) := is_set(transform_left_filter_column(4, 3), 7) or (not
+          is_set(transform_left_filter_column(4, 2), 7));
+      end if;
+      if is_set(transform_left_filter_column(4, 0), 4) then
+        transform_left_filter_feature_0_choices(94) := (not transform_left_filter_low_is_larger_0_4(0)) and
+          transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_0_choices(94) := (not transform_left_filter_low_is_larger_0_4(0)) or
+          transform_left_filter_feature_0_value;
+      end if;
+      for i in 3 to 4 loop
+        for j in 5 to 6 loop
+          if transform_left_filter_feature_0_choices(4 * i + j + 77) then
+            transform_left_filter_feature_0_choices(4 * i + j + 78) := (not is_set(transform_left_filter_column(7 - i,
+              3 * i - 9), j)) or transform_left_filter_feature_0_values(j - 3);
           else
-            transform_left_filter_feature_0_choices(8 * i + j + 170) := (not is_set(transform_left_filter_column(4, 2 *
-              i + 1), j)) and transform_left_filter_feature_0_values(j);
+            transform_left_filter_feature_0_choices(4 * i + j + 78) := (not is_set(transform_left_filter_column(7 - i,
+              3 * i - 9), j)) and transform_left_filter_feature_0_values(j - 3);
           end if;
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 176) then
-          transform_left_filter_feature_0_choices(8 * i + 177) := is_set(transform_left_filter_column(4, 2 * i + 1), 7)
-            and (not is_set(transform_left_filter_column(4, 2), 7));
+        if transform_left_filter_feature_0_choices(4 * i + 84) then
+          transform_left_filter_feature_0_choices(4 * i + 85) := is_set(transform_left_filter_column(7 - i, 3 * i - 9),
+            7) and (not is_set(transform_left_filter_column(4, 2), 7));
         else
-          transform_left_filter_feature_0_choices(8 * i + 177) := is_set(transform_left_filter_column(4, 2 * i + 1), 7)
-            or (not is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_feature_0_choices(4 * i + 85) := is_set(transform_left_filter_column(7 - i, 3 * i - 9),
+            7) or (not is_set(transform_left_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_left_filter_column(3, i), 4) then
+          transform_left_filter_feature_0_choices(4 * i + 86) := (not transform_left_filter_low_is_larger_0(3, i)) and
+            transform_left_filter_feature_0_value;
+        else
+          transform_left_filter_feature_0_choices(4 * i + 86) := (not transform_left_filter_low_is_larger_0(3, i)) or
+            transform_left_filter_feature_0_value;
         end if;
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(4 - i, 3 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 186) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 186) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(4 - i, 3 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 187) := transform_left_filter_feature_0_choices(8 * i + 186);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 187) := is_set(transform_left_filter_column(4 - i, 3 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 187) then
-          transform_left_filter_feature_0_choices(8 * i + 188) := (not is_set(transform_left_filter_column(4 - i, 3 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 188) := (not is_set(transform_left_filter_column(4 - i, 3 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 185) then
-            transform_left_filter_feature_0_choices(8 * i + j + 186) := (not is_set(transform_left_filter_column(4 - i,
-              3 * i), j)) or transform_left_filter_feature_0_values(j);
+        for j in 5 to 6 loop
+          if transform_left_filter_feature_0_choices(4 * i + j + 97) then
+            transform_left_filter_feature_0_choices(4 * i + j + 98) := (not is_set(transform_left_filter_column(3, 4 -
+              2 * i), j)) or transform_left_filter_feature_0_values(j - 3);
           else
-            transform_left_filter_feature_0_choices(8 * i + j + 186) := (not is_set(transform_left_filter_column(4 - i,
-              3 * i), j)) and transform_left_filter_feature_0_values(j);
+            transform_left_filter_feature_0_choices(4 * i + j + 98) := (not is_set(transform_left_filter_column(3, 4 -
+              2 * i), j)) and transform_left_filter_feature_0_values(j - 3);
           end if;
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 192) then
-          transform_left_filter_feature_0_choices(8 * i + 193) := is_set(transform_left_filter_column(4 - i, 3 * i), 7)
+        if transform_left_filter_feature_0_choices(4 * i + 104) then
+          transform_left_filter_feature_0_choices(4 * i + 105) := is_set(transform_left_filter_column(3, 4 - 2 * i), 7)
             and (not is_set(transform_left_filter_column(4, 2), 7));
         else
-          transform_left_filter_feature_0_choices(8 * i + 193) := is_set(transform_left_filter_column(4 - i, 3 * i), 7)
+          transform_left_filter_feature_0_choices(4 * i + 105) := is_set(transform_left_filter_column(3, 4 - 2 * i), 7)
             or (not is_set(transform_left_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_left_filter_column(3, 2 - i), 4) then
+          transform_left_filter_feature_0_choices(4 * i + 106) := (not transform_left_filter_low_is_larger_0(3, 2 - i))
+            and transform_left_filter_feature_0_value;
+        else
+          transform_left_filter_feature_0_choices(4 * i + 106) := (not transform_left_filter_low_is_larger_0(3, 2 - i))
+            or transform_left_filter_feature_0_value;
         end if;
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(3, 4 - 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 202) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 202) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3, 4 - 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 203) := transform_left_filter_feature_0_choices(8 * i + 202);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 203) := is_set(transform_left_filter_column(3, 4 - 2 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 203) then
-          transform_left_filter_feature_0_choices(8 * i + 204) := (not is_set(transform_left_filter_column(3, 4 - 2 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 204) := (not is_set(transform_left_filter_column(3, 4 - 2 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 201) then
-            transform_left_filter_feature_0_choices(8 * i + j + 202) := (not is_set(transform_left_filter_column(3, 4 -
-              2 * i), j)) or transform_left_filter_feature_0_values(j);
+        for j in 5 to 6 loop
+          if transform_left_filter_feature_0_choices(4 * i + j + 105) then
+            transform_left_filter_feature_0_choices(4 * i + j + 106) := (not is_set(transform_left_filter_column(3, 1 -
+              i), j)) or transform_left_filter_feature_0_values(j - 3);
           else
-            transform_left_filter_feature_0_choices(8 * i + j + 202) := (not is_set(transform_left_filter_column(3, 4 -
-              2 * i), j)) and transform_left_filter_feature_0_values(j);
+            transform_left_filter_feature_0_choices(4 * i + j + 106) := (not is_set(transform_left_filter_column(3, 1 -
+              i), j)) and transform_left_filter_feature_0_values(j - 3);
           end if;
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 208) then
-          transform_left_filter_feature_0_choices(8 * i + 209) := is_set(transform_left_filter_column(3, 4 - 2 * i), 7)
-            and (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 209) := is_set(transform_left_filter_column(3, 4 - 2 * i), 7)
-            or (not is_set(transform_left_filter_column(4, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(3, 1 - i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 218) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 218) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3, 1 - i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 219) := transform_left_filter_feature_0_choices(8 * i + 218);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 219) := is_set(transform_left_filter_column(3, 1 - i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 219) then
-          transform_left_filter_feature_0_choices(8 * i + 220) := (not is_set(transform_left_filter_column(3, 1 - i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 220) := (not is_set(transform_left_filter_column(3, 1 - i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 217) then
-            transform_left_filter_feature_0_choices(8 * i + j + 218) := (not is_set(transform_left_filter_column(3, 1 -
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 218) := (not is_set(transform_left_filter_column(3, 1 -
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 224) then
-          transform_left_filter_feature_0_choices(8 * i + 225) := is_set(transform_left_filter_column(3, 1 - i), 7) and
+        if transform_left_filter_feature_0_choices(4 * i + 112) then
+          transform_left_filter_feature_0_choices(4 * i + 113) := is_set(transform_left_filter_column(3, 1 - i), 7) and
             (not is_set(transform_left_filter_column(4, 2), 7));
         else
-          transform_left_filter_feature_0_choices(8 * i + 225) := is_set(transform_left_filter_column(3, 1 - i), 7) or
+          transform_left_filter_feature_0_choices(4 * i + 113) := is_set(transform_left_filter_column(3, 1 - i), 7) or
             (not is_set(transform_left_filter_column(4, 2), 7));
         end if;
-      end loop;
-      for i in 0 to 1 loop
-        for j in 3 to 4 loop
-          if is_set(transform_left_filter_column(2 - i, j), 0) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 210) := transform_left_filter_feature_0_any;
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 210) := not transform_left_filter_feature_0_value;
-          end if;
-          if is_set(transform_left_filter_column(2 - i, j), 1) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 211) := transform_left_filter_feature_0_choices(40
-              * i + 8 * j + 210);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 211) := is_set(transform_left_filter_column(2 - i,
-              j), 0) and transform_left_filter_feature_0_is_equal;
-          end if;
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 211) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 212) := (not is_set(transform_left_filter_column(2
-              - i, j), 2)) and transform_left_filter_feature_0_values(2);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 212) := (not is_set(transform_left_filter_column(2
-              - i, j), 2)) or transform_left_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 209) then
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 210) := (not
-                is_set(transform_left_filter_column(2 - i, j), k)) or transform_left_filter_feature_0_values(k);
-            else
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 210) := (not
-                is_set(transform_left_filter_column(2 - i, j), k)) and transform_left_filter_feature_0_values(k);
-            end if;
-          end loop;
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 216) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 217) := is_set(transform_left_filter_column(2 - i,
-              j), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 217) := is_set(transform_left_filter_column(2 - i,
-              j), 7) or (not is_set(transform_left_filter_column(4, 2), 7));
-          end if;
-        end loop;
-        for j in 0 to 2 loop
-          if is_set(transform_left_filter_column(2 - i, 2 - j), 0) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 250) := transform_left_filter_feature_0_any;
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 250) := not transform_left_filter_feature_0_value;
-          end if;
-          if is_set(transform_left_filter_column(2 - i, 2 - j), 1) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 251) := transform_left_filter_feature_0_choices(40
-              * i + 8 * j + 250);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 251) := is_set(transform_left_filter_column(2 - i,
-              2 - j), 0) and transform_left_filter_feature_0_is_equal;
-          end if;
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 251) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 252) := (not is_set(transform_left_filter_column(2
-              - i, 2 - j), 2)) and transform_left_filter_feature_0_values(2);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 252) := (not is_set(transform_left_filter_column(2
-              - i, 2 - j), 2)) or transform_left_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 249) then
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 250) := (not
-                is_set(transform_left_filter_column(2 - i, 2 - j), k)) or transform_left_filter_feature_0_values(k);
-            else
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 250) := (not
-                is_set(transform_left_filter_column(2 - i, 2 - j), k)) and transform_left_filter_feature_0_values(k);
-            end if;
-          end loop;
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 256) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 257) := is_set(transform_left_filter_column(2 - i,
-              2 - j), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 257) := is_set(transform_left_filter_column(2 - i,
-              2 - j), 7) or (not is_set(transform_left_filter_column(4, 2), 7));
-          end if;
-        end loop;
+        if is_set(transform_left_filter_column(3 - i, 3 * i), 4) then
+          transform_left_filter_feature_0_choices(4 * i + 114) := (not transform_left_filter_low_is_larger_0(3 - i, 3 *
+            i)) and transform_left_filter_feature_0_value;
+        else
+          transform_left_filter_feature_0_choices(4 * i + 114) := (not transform_left_filter_low_is_larger_0(3 - i, 3 *
+            i)) or transform_left_filter_feature_0_value;
+        end if;
       end loop;
       for i in 3 to 4 loop
-        if is_set(transform_left_filter_column(0, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 290) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 290) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(0, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 291) := transform_left_filter_feature_0_choices(8 * i + 290);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 291) := is_set(transform_left_filter_column(0, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 291) then
-          transform_left_filter_feature_0_choices(8 * i + 292) := (not is_set(transform_left_filter_column(0, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 292) := (not is_set(transform_left_filter_column(0, i), 2))
-            or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 289) then
-            transform_left_filter_feature_0_choices(8 * i + j + 290) := (not is_set(transform_left_filter_column(0, i),
-              j)) or transform_left_filter_feature_0_values(j);
+        for j in 5 to 6 loop
+          if transform_left_filter_feature_0_choices(4 * i + j + 101) then
+            transform_left_filter_feature_0_choices(4 * i + j + 102) := (not is_set(transform_left_filter_column(2, i),
+              j)) or transform_left_filter_feature_0_values(j - 3);
           else
-            transform_left_filter_feature_0_choices(8 * i + j + 290) := (not is_set(transform_left_filter_column(0, i),
-              j)) and transform_left_filter_feature_0_values(j);
+            transform_left_filter_feature_0_choices(4 * i + j + 102) := (not is_set(transform_left_filter_column(2, i),
+              j)) and transform_left_filter_feature_0_values(j - 3);
           end if;
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 296) then
-          transform_left_filter_feature_0_choices(8 * i + 297) := is_set(transform_left_filter_column(0, i), 7) and
+        if transform_left_filter_feature_0_choices(4 * i + 108) then
+          transform_left_filter_feature_0_choices(4 * i + 109) := is_set(transform_left_filter_column(2, i), 7) and
             (not is_set(transform_left_filter_column(4, 2), 7));
         else
-          transform_left_filter_feature_0_choices(8 * i + 297) := is_set(transform_left_filter_column(0, i), 7) or (not
+          transform_left_filter_feature_0_choices(4 * i + 109) := is_set(transform_left_filter_column(2, i), 7) or (not
             is_set(transform_left_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_left_filter_column(2, 10 - 2 * i), 4) then
+          transform_left_filter_feature_0_choices(4 * i + 110) := (not transform_left_filter_low_is_larger_0(2, 10 - 2
+            * i)) and transform_left_filter_feature_0_value;
+        else
+          transform_left_filter_feature_0_choices(4 * i + 110) := (not transform_left_filter_low_is_larger_0(2, 10 - 2
+            * i)) or transform_left_filter_feature_0_value;
         end if;
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(0, 2 - i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 330) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 330) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(0, 2 - i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 331) := transform_left_filter_feature_0_choices(8 * i + 330);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 331) := is_set(transform_left_filter_column(0, 2 - i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 331) then
-          transform_left_filter_feature_0_choices(8 * i + 332) := (not is_set(transform_left_filter_column(0, 2 - i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 332) := (not is_set(transform_left_filter_column(0, 2 - i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 329) then
-            transform_left_filter_feature_0_choices(8 * i + j + 330) := (not is_set(transform_left_filter_column(0, 2 -
-              i), j)) or transform_left_filter_feature_0_values(j);
+        for j in 5 to 6 loop
+          if transform_left_filter_feature_0_choices(4 * i + j + 121) then
+            transform_left_filter_feature_0_choices(4 * i + j + 122) := (not is_set(transform_left_filter_column(2, 2 -
+              i), j)) or transform_left_filter_feature_0_values(j - 3);
           else
-            transform_left_filter_feature_0_choices(8 * i + j + 330) := (not is_set(transform_left_filter_column(0, 2 -
-              i), j)) and transform_left_filter_feature_0_values(j);
+            transform_left_filter_feature_0_choices(4 * i + j + 122) := (not is_set(transform_left_filter_column(2, 2 -
+              i), j)) and transform_left_filter_feature_0_values(j - 3);
           end if;
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 336) then
-          transform_left_filter_feature_0_choices(8 * i + 337) := is_set(transform_left_filter_column(0, 2 - i), 7) and
+        if transform_left_filter_feature_0_choices(4 * i + 128) then
+          transform_left_filter_feature_0_choices(4 * i + 129) := is_set(transform_left_filter_column(2, 2 - i), 7) and
             (not is_set(transform_left_filter_column(4, 2), 7));
         else
-          transform_left_filter_feature_0_choices(8 * i + 337) := is_set(transform_left_filter_column(0, 2 - i), 7) or
+          transform_left_filter_feature_0_choices(4 * i + 129) := is_set(transform_left_filter_column(2, 2 - i), 7) or
             (not is_set(transform_left_filter_column(4, 2), 7));
         end if;
+        if is_set(transform_left_filter_column(2, 1 - i), 4) then
+          transform_left_filter_feature_0_choices(4 * i + 130) := (not transform_left_filter_low_is_larger_0(2, 1 - i))
+            and transform_left_filter_feature_0_value;
+        else
+          transform_left_filter_feature_0_choices(4 * i + 130) := (not transform_left_filter_low_is_larger_0(2, 1 - i))
+            or transform_left_filter_feature_0_value;
+        end if;
       end loop;
-      if is_set(transform_left_filter_column(4, 2), 0) then
-        transform_left_filter_feature_0_choices(346) := not is_set(transform_left_filter_column(0, 0), 1);
+      for i in 3 to 4 loop
+        for j in 5 to 6 loop
+          if transform_left_filter_feature_0_choices(4 * i + j + 117) then
+            transform_left_filter_feature_0_choices(4 * i + j + 118) := (not is_set(transform_left_filter_column(5 - i,
+              3 * i - 9), j)) or transform_left_filter_feature_0_values(j - 3);
+          else
+            transform_left_filter_feature_0_choices(4 * i + j + 118) := (not is_set(transform_left_filter_column(5 - i,
+              3 * i - 9), j)) and transform_left_filter_feature_0_values(j - 3);
+          end if;
+        end loop;
+        if transform_left_filter_feature_0_choices(4 * i + 124) then
+          transform_left_filter_feature_0_choices(4 * i + 125) := is_set(transform_left_filter_column(5 - i, 3 * i -
+            9), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
+        else
+          transform_left_filter_feature_0_choices(4 * i + 125) := is_set(transform_left_filter_column(5 - i, 3 * i -
+            9), 7) or (not is_set(transform_left_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_left_filter_column(1, i), 4) then
+          transform_left_filter_feature_0_choices(4 * i + 126) := (not transform_left_filter_low_is_larger_0(1, i)) and
+            transform_left_filter_feature_0_value;
+        else
+          transform_left_filter_feature_0_choices(4 * i + 126) := (not transform_left_filter_low_is_larger_0(1, i)) or
+            transform_left_filter_feature_0_value;
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        for j in 5 to 6 loop
+          if transform_left_filter_feature_0_choices(4 * i + j + 137) then
+            transform_left_filter_feature_0_choices(4 * i + j + 138) := (not is_set(transform_left_filter_column(1, 4 -
+              2 * i), j)) or transform_left_filter_feature_0_values(j - 3);
+          else
+            transform_left_filter_feature_0_choices(4 * i + j + 138) := (not is_set(transform_left_filter_column(1, 4 -
+              2 * i), j)) and transform_left_filter_feature_0_values(j - 3);
+          end if;
+        end loop;
+        if transform_left_filter_feature_0_choices(4 * i + 144) then
+          transform_left_filter_feature_0_choices(4 * i + 145) := is_set(transform_left_filter_column(1, 4 - 2 * i), 7)
+            and (not is_set(transform_left_filter_column(4, 2), 7));
+        else
+          transform_left_filter_feature_0_choices(4 * i + 145) := is_set(transform_left_filter_column(1, 4 - 2 * i), 7)
+            or (not is_set(transform_left_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_left_filter_column(1, 2 - i), 4) then
+          transform_left_filter_feature_0_choices(4 * i + 146) := (not transform_left_filter_low_is_larger_0(1, 2 - i))
+            and transform_left_filter_feature_0_value;
+        else
+          transform_left_filter_feature_0_choices(4 * i + 146) := (not transform_left_filter_low_is_larger_0(1, 2 - i))
+            or transform_left_filter_feature_0_value;
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        for j in 5 to 6 loop
+          if transform_left_filter_feature_0_choices(4 * i + j + 145) then
+            transform_left_filter_feature_0_choices(4 * i + j + 146) := (not is_set(transform_left_filter_column(1, 1 -
+              i), j)) or transform_left_filter_feature_0_values(j - 3);
+          else
+            transform_left_filter_feature_0_choices(4 * i + j + 146) := (not is_set(transform_left_filter_column(1, 1 -
+              i), j)) and transform_left_filter_feature_0_values(j - 3);
+          end if;
+        end loop;
+        if transform_left_filter_feature_0_choices(4 * i + 152) then
+          transform_left_filter_feature_0_choices(4 * i + 153) := is_set(transform_left_filter_column(1, 1 - i), 7) and
+            (not is_set(transform_left_filter_column(4, 2), 7));
+        else
+          transform_left_filter_feature_0_choices(4 * i + 153) := is_set(transform_left_filter_column(1, 1 - i), 7) or
+            (not is_set(transform_left_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_left_filter_column(1 - i, 3 * i), 4) then
+          transform_left_filter_feature_0_choices(4 * i + 154) := (not transform_left_filter_low_is_larger_0(1 - i, 3 *
+            i)) and transform_left_filter_feature_0_value;
+        else
+          transform_left_filter_feature_0_choices(4 * i + 154) := (not transform_left_filter_low_is_larger_0(1 - i, 3 *
+            i)) or transform_left_filter_feature_0_value;
+        end if;
+      end loop;
+      for i in 3 to 4 loop
+        for j in 5 to 6 loop
+          if transform_left_filter_feature_0_choices(4 * i + j + 141) then
+            transform_left_filter_feature_0_choices(4 * i + j + 142) := (not is_set(transform_left_filter_column(0, i),
+              j)) or transform_left_filter_feature_0_values(j - 3);
+          else
+            transform_left_filter_feature_0_choices(4 * i + j + 142) := (not is_set(transform_left_filter_column(0, i),
+              j)) and transform_left_filter_feature_0_values(j - 3);
+          end if;
+        end loop;
+        if transform_left_filter_feature_0_choices(4 * i + 148) then
+          transform_left_filter_feature_0_choices(4 * i + 149) := is_set(transform_left_filter_column(0, i), 7) and
+            (not is_set(transform_left_filter_column(4, 2), 7));
+        else
+          transform_left_filter_feature_0_choices(4 * i + 149) := is_set(transform_left_filter_column(0, i), 7) or (not
+            is_set(transform_left_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_left_filter_column(0, 10 - 2 * i), 4) then
+          transform_left_filter_feature_0_choices(4 * i + 150) := (not transform_left_filter_low_is_larger_0(0, 10 - 2
+            * i)) and transform_left_filter_feature_0_value;
+        else
+          transform_left_filter_feature_0_choices(4 * i + 150) := (not transform_left_filter_low_is_larger_0(0, 10 - 2
+            * i)) or transform_left_filter_feature_0_value;
+        end if;
+      end loop;
+      for i in 166 to 167 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 2), i - 161))
+            or transform_left_filter_feature_0_values(i - 164);
+        else
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 2), i - 161))
+            and transform_left_filter_feature_0_values(i - 164);
+        end if;
+      end loop;
+      if transform_left_filter_feature_0_choices(168) then
+        transform_left_filter_feature_0_choices(169) := is_set(transform_left_filter_column(0, 2), 7) and (not
+          is_set(transform_left_filter_column(4, 2), 7));
       else
-        transform_left_filter_feature_0_choices(346) := (transform_left_filter_column(0, 0) mod 4) = 0;
+        transform_left_filter_feature_0_choices(169) := is_set(transform_left_filter_column(0, 2), 7) or (not
+          is_set(transform_left_filter_column(4, 2), 7));
       end if;
+      if is_set(transform_left_filter_column(0, 1), 4) then
+        transform_left_filter_feature_0_choices(170) := (not transform_left_filter_low_is_larger_0(0, 1)) and
+          transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_0_choices(170) := (not transform_left_filter_low_is_larger_0(0, 1)) or
+          transform_left_filter_feature_0_value;
+      end if;
+      for i in 170 to 171 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 1), i - 165))
+            or transform_left_filter_feature_0_values(i - 168);
+        else
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 1), i - 165))
+            and transform_left_filter_feature_0_values(i - 168);
+        end if;
+      end loop;
+      if transform_left_filter_feature_0_choices(172) then
+        transform_left_filter_feature_0_choices(173) := is_set(transform_left_filter_column(0, 1), 7) and (not
+          is_set(transform_left_filter_column(4, 2), 7));
+      else
+        transform_left_filter_feature_0_choices(173) := is_set(transform_left_filter_column(0, 1), 7) or (not
+          is_set(transform_left_filter_column(4, 2), 7));
+      end if;
+      transform_left_filter_feature_0_values(4) := is_set(transform_left_filter_column(0, 0), 4);
       if transform_left_filter_feature_0_value then
-        transform_left_filter_feature_0_choices(347) := is_set(transform_left_filter_column(4, 2), 0) or (not
-          is_set(transform_left_filter_column(0, 0), 1)) or (not is_set(transform_left_filter_column(0, 0), 0));
+        transform_left_filter_feature_0_choices(174) := transform_left_filter_feature_0_values(4) and
+          transform_left_filter_low_is_larger_0(0, 0);
       else
-        transform_left_filter_feature_0_choices(347) := transform_left_filter_feature_0_choices(346);
+        transform_left_filter_feature_0_choices(174) := transform_left_filter_feature_0_values(4) or
+          transform_left_filter_low_is_larger_0(0, 0);
       end if;
-      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      if transform_left_filter_feature_0_choices(347) then
-        transform_left_filter_feature_0_choices(348) := (not transform_left_filter_feature_0_values(2)) and
-          transform_left_filter_feature_0_values(7);
-      else
-        transform_left_filter_feature_0_choices(348) := (not transform_left_filter_feature_0_values(2)) or
-          transform_left_filter_feature_0_values(7);
-      end if;
-      for i in 8 to 11 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        if transform_left_filter_feature_0_choices(i + 340) then
-          transform_left_filter_feature_0_choices(i + 341) := (not transform_left_filter_feature_0_values(i - 5)) or
+      for i in 5 to 6 loop
+        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i);
+        if transform_left_filter_feature_0_choices(i + 169) then
+          transform_left_filter_feature_0_choices(i + 170) := (not transform_left_filter_feature_0_values(i - 3)) or
             transform_left_filter_feature_0_values(i);
         else
-          transform_left_filter_feature_0_choices(i + 341) := (not transform_left_filter_feature_0_values(i - 5)) and
+          transform_left_filter_feature_0_choices(i + 170) := (not transform_left_filter_feature_0_values(i - 3)) and
             transform_left_filter_feature_0_values(i);
         end if;
       end loop;
-      if transform_left_filter_feature_0_choices(352) then
-        transform_left_filter_feature_0_choices(353) := (not is_set(transform_left_filter_column(4, 2), 7)) or
+      if transform_left_filter_feature_0_choices(176) then
+        transform_left_filter_feature_0_choices(177) := (not is_set(transform_left_filter_column(4, 2), 7)) or
           is_set(transform_left_filter_column(0, 0), 7);
       else
-        transform_left_filter_feature_0_choices(353) := (not is_set(transform_left_filter_column(4, 2), 7)) and
+        transform_left_filter_feature_0_choices(177) := (not is_set(transform_left_filter_column(4, 2), 7)) and
           is_set(transform_left_filter_column(0, 0), 7);
       end if;
       if transform_filtering_0_column_inside(0) then
-        transform_left_filter_feature_0_choice_354 := (as_number(transform_left_filter_feature_0_choices(321)) * 8) +
-          (as_number(transform_left_filter_feature_0_choices(329)) * 16) +
-          (as_number(transform_left_filter_feature_0_choices(337)) * 4) +
-          (as_number(transform_left_filter_feature_0_choices(345)) * 2) +
-          as_number(transform_left_filter_feature_0_choices(353));
+        transform_left_filter_feature_0_choice_178 := (as_number(transform_left_filter_feature_0_choices(161)) * 8) +
+          (as_number(transform_left_filter_feature_0_choices(165)) * 16) +
+          (as_number(transform_left_filter_feature_0_choices(169)) * 4) +
+          (as_number(transform_left_filter_feature_0_choices(173)) * 2) +
+          as_number(transform_left_filter_feature_0_choices(177));
       else
-        transform_left_filter_feature_0_choice_354 := 0;
+        transform_left_filter_feature_0_choice_178 := 0;
       end if;
       if transform_filtering_0_column_inside(1) then
-        transform_left_filter_feature_0_choice_355 := (as_number(transform_left_filter_feature_0_choices(281)) * 256) +
-          (as_number(transform_left_filter_feature_0_choices(289)) * 512) +
-          (as_number(transform_left_filter_feature_0_choices(297)) * 128) +
-          (as_number(transform_left_filter_feature_0_choices(305)) * 64) +
-          (as_number(transform_left_filter_feature_0_choices(313)) * 32) + transform_left_filter_feature_0_choice_354;
+        transform_left_filter_feature_0_choice_179 := (as_number(transform_left_filter_feature_0_choices(141)) * 256) +
+          (as_number(transform_left_filter_feature_0_choices(145)) * 512) +
+          (as_number(transform_left_filter_feature_0_choices(149)) * 128) +
+          (as_number(transform_left_filter_feature_0_choices(153)) * 64) +
+          (as_number(transform_left_filter_feature_0_choices(157)) * 32) + transform_left_filter_feature_0_choice_178;
       else
-        transform_left_filter_feature_0_choice_355 := transform_left_filter_feature_0_choice_354;
+        transform_left_filter_feature_0_choice_179 := transform_left_filter_feature_0_choice_178;
       end if;
       if transform_filtering_0_column_inside(2) then
-        transform_left_filter_feature_0_choice_356 := (as_number(transform_left_filter_feature_0_choices(241)) * 8192)
-          + (as_number(transform_left_filter_feature_0_choices(249)) * 16384) +
-          (as_number(transform_left_filter_feature_0_choices(257)) * 4096) +
-          (as_number(transform_left_filter_feature_0_choices(265)) * 2048) +
-          (as_number(transform_left_filter_feature_0_choices(273)) * 1024) + transform_left_filter_feature_0_choice_355;
+        transform_left_filter_feature_0_choice_180 := (as_number(transform_left_filter_feature_0_choices(121)) * 8192)
+          + (as_number(transform_left_filter_feature_0_choices(125)) * 16384) +
+          (as_number(transform_left_filter_feature_0_choices(129)) * 4096) +
+          (as_number(transform_left_filter_feature_0_choices(133)) * 2048) +
+          (as_number(transform_left_filter_feature_0_choices(137)) * 1024) + transform_left_filter_feature_0_choice_179;
       else
-        transform_left_filter_feature_0_choice_356 := transform_left_filter_feature_0_choice_355;
+        transform_left_filter_feature_0_choice_180 := transform_left_filter_feature_0_choice_179;
       end if;
       if transform_filtering_0_column_inside(3) then
-        transform_left_filter_feature_0_choice_357 := (as_number(transform_left_filter_feature_0_choices(201)) *
-          262144) + (as_number(transform_left_filter_feature_0_choices(209)) * 524288) +
-          (as_number(transform_left_filter_feature_0_choices(217)) * 131072) +
-          (as_number(transform_left_filter_feature_0_choices(225)) * 65536) +
-          (as_number(transform_left_filter_feature_0_choices(233)) * 32768) +
-          transform_left_filter_feature_0_choice_356;
+        transform_left_filter_feature_0_choice_181 := (as_number(transform_left_filter_feature_0_choices(101)) *
+          262144) + (as_number(transform_left_filter_feature_0_choices(105)) * 524288) +
+          (as_number(transform_left_filter_feature_0_choices(109)) * 131072) +
+          (as_number(transform_left_filter_feature_0_choices(113)) * 65536) +
+          (as_number(transform_left_filter_feature_0_choices(117)) * 32768) +
+          transform_left_filter_feature_0_choice_180;
       else
-        transform_left_filter_feature_0_choice_357 := transform_left_filter_feature_0_choice_356;
+        transform_left_filter_feature_0_choice_181 := transform_left_filter_feature_0_choice_180;
       end if;
       if transform_filtering_0_column_inside(4) then
-        transform_left_filter_feature_0_choice_358 := (as_number(transform_left_filter_feature_0_choices(177)) *
-          2097152) + (as_number(transform_left_filter_feature_0_choices(185)) * 4194304) +
-          (as_number(transform_left_filter_feature_0_choices(193)) * 1048576) +
-          transform_left_filter_feature_0_choice_357;
+        transform_left_filter_feature_0_choice_182 := (as_number(transform_left_filter_feature_0_choices(89)) *
+          2097152) + (as_number(transform_left_filter_feature_0_choices(93)) * 4194304) +
+          (as_number(transform_left_filter_feature_0_choices(97)) * 1048576) +
+          transform_left_filter_feature_0_choice_181;
       else
-        transform_left_filter_feature_0_choice_358 := transform_left_filter_feature_0_choice_357;
+        transform_left_filter_feature_0_choice_182 := transform_left_filter_feature_0_choice_181;
       end if;
       if transform_filtering_0_column_inside(5) then
-        transform_left_filter_feature_0_choice_359 := (as_number(transform_left_filter_feature_0_choices(128)) *
-          16777216) + (as_number(transform_left_filter_feature_0_choices(136)) * 33554432) +
-          (as_number(transform_left_filter_feature_0_choices(144)) * 67108864) +
-          (as_number(transform_left_filter_feature_0_choices(152)) * 134217728) +
-          (as_number(transform_left_filter_feature_0_choices(160)) * 268435456) +
-          (as_number(transform_left_filter_feature_0_choices(169)) * 8388608) +
-          transform_left_filter_feature_0_choice_358;
+        transform_left_filter_feature_0_choice_183 := (as_number(transform_left_filter_feature_0_choices(64)) *
+          16777216) + (as_number(transform_left_filter_feature_0_choices(68)) * 33554432) +
+          (as_number(transform_left_filter_feature_0_choices(72)) * 67108864) +
+          (as_number(transform_left_filter_feature_0_choices(76)) * 134217728) +
+          (as_number(transform_left_filter_feature_0_choices(80)) * 268435456) +
+          (as_number(transform_left_filter_feature_0_choices(85)) * 8388608) +
+          transform_left_filter_feature_0_choice_182;
       else
-        transform_left_filter_feature_0_choice_359 := (as_number(transform_left_filter_feature_0_choices(169)) *
-          8388608) + transform_left_filter_feature_0_choice_358;
+        transform_left_filter_feature_0_choice_183 := (as_number(transform_left_filter_feature_0_choices(85)) *
+          8388608) + transform_left_filter_feature_0_choice_182;
       end if;
       if transform_filtering_0_column_inside(6) then
-        transform_left_filter_feature_0_choice_360 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(120)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(112)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(104)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(96)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(88)), 1) &
-          to_unsigned(transform_left_filter_feature_0_choice_359, 29);
+        transform_left_filter_feature_0_choice_184 :=
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(60)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(56)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(52)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(48)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(44)), 1) &
+          to_unsigned(transform_left_filter_feature_0_choice_183, 29);
       else
-        transform_left_filter_feature_0_choice_360 := to_unsigned(transform_left_filter_feature_0_choice_359, 34);
+        transform_left_filter_feature_0_choice_184 := to_unsigned(transform_left_filter_feature_0_choice_183, 34);
       end if;
       if transform_filtering_0_column_inside(7) then
-        transform_left_filter_feature_0_choice_361 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(80)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(72)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(64)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(56)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(48)), 1) &
-          transform_left_filter_feature_0_choice_360(33 downto 0);
+        transform_left_filter_feature_0_choice_185 :=
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(40)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(36)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(32)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(28)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(24)), 1) &
+          transform_left_filter_feature_0_choice_184(33 downto 0);
       else
-        transform_left_filter_feature_0_choice_361 := resize(transform_left_filter_feature_0_choice_360, 39);
+        transform_left_filter_feature_0_choice_185 := resize(transform_left_filter_feature_0_choice_184, 39);
       end if;
-      transform_right_filter_feature_0_value := is_set(transform_right_filter_column(4, 2), 1);
-      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
-        is_set(transform_right_filter_column(4, 2), 0));
-      if is_set(transform_right_filter_column(8, 0), 0) then
-        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
+      transform_right_filter_low_is_larger_0_value(0, 0) := is_set(transform_right_filter_column(4, 2), 1);
+      if is_set(transform_right_filter_column(4, 2), 0) then
+        transform_right_filter_low_is_larger_0_choice(0, 0) := not is_set(transform_right_filter_column(0, 0), 1);
       else
-        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
+        transform_right_filter_low_is_larger_0_choice(0, 0) := (transform_right_filter_column(0, 0) mod 4) = 0;
       end if;
-      transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 2) mod 4) = 0;
-      if is_set(transform_right_filter_column(8, 0), 1) then
-        transform_right_filter_feature_0_choices(2) := transform_right_filter_feature_0_choice;
+      if transform_right_filter_low_is_larger_0_value(0, 0) then
+        transform_right_filter_low_is_larger_0_choices_from_0(0, 0, 2) := is_set(transform_right_filter_column(4, 2),
+          0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not is_set(transform_right_filter_column(0,
+          0), 0));
       else
-        transform_right_filter_feature_0_choices(2) := is_set(transform_right_filter_column(8, 0), 0) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_low_is_larger_0_choices_from_0(0, 0, 2) :=
+          transform_right_filter_low_is_larger_0_choice(0, 0);
       end if;
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 2), 2);
-      if transform_right_filter_feature_0_choices(2) then
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(8, 0), 2)) and
-          transform_right_filter_feature_0_values(2);
+      transform_right_filter_low_is_larger_0_0_0_values(2) := is_set(transform_right_filter_column(4, 2), 2);
+      transform_right_filter_low_is_larger_0_0_0_values(3) := is_set(transform_right_filter_column(0, 0), 2);
+      if transform_right_filter_low_is_larger_0_choices_from_0(0, 0, 2) then
+        transform_right_filter_low_is_larger_0_choices_from_0(0, 0, 3) := (not
+          transform_right_filter_low_is_larger_0_0_0_values(2)) and
+          transform_right_filter_low_is_larger_0_0_0_values(3);
       else
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(8, 0), 2)) or
-          transform_right_filter_feature_0_values(2);
+        transform_right_filter_low_is_larger_0_choices_from_0(0, 0, 3) := (not
+          transform_right_filter_low_is_larger_0_0_0_values(2)) or transform_right_filter_low_is_larger_0_0_0_values(3);
       end if;
-      for i in 3 to 6 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 2), i);
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(8, 0), i)) or
-            transform_right_filter_feature_0_values(i);
+      transform_right_filter_low_is_larger_0_0_0_values(4) := is_set(transform_right_filter_column(0, 0), 3);
+      transform_right_filter_low_is_larger_0_0_1_any := (not transform_right_filter_low_is_larger_0_value(0, 0)) or
+        (not is_set(transform_right_filter_column(4, 2), 0));
+      if is_set(transform_right_filter_column(0, 1), 0) then
+        transform_right_filter_low_is_larger_0_choice(0, 1) := transform_right_filter_low_is_larger_0_0_1_any;
+      else
+        transform_right_filter_low_is_larger_0_choice(0, 1) := not transform_right_filter_low_is_larger_0_value(0, 0);
+      end if;
+      transform_right_filter_low_is_larger_0_0_1_is_equal := (transform_right_filter_column(4, 2) mod 4) = 0;
+      for i in 0 to 2 loop
+        for j in 1 to 3 loop
+          if is_set(transform_right_filter_column(i, j), 1) then
+            transform_right_filter_low_is_larger_0_choices_from_0(i, j, 2) :=
+              transform_right_filter_low_is_larger_0_choice(i, j);
+          else
+            transform_right_filter_low_is_larger_0_choices_from_0(i, j, 2) := is_set(transform_right_filter_column(i,
+              j), 0) and transform_right_filter_low_is_larger_0_0_1_is_equal;
+          end if;
+          if transform_right_filter_low_is_larger_0_choices_from_0(i, j, 2) then
+            transform_right_filter_low_is_larger_0_choices_from_0(i, j, 3) := (not
+              is_set(transform_right_filter_column(i, j), 2)) and transform_right_filter_low_is_larger_0_0_0_values(2);
+          else
+            transform_right_filter_low_is_larger_0_choices_from_0(i, j, 3) := (not
+              is_set(transform_right_filter_column(i, j), 2)) or transform_right_filter_low_is_larger_0_0_0_values(2);
+          end if;
+          transform_right_filter_low_is_larger_0_value(i, j) := is_set(transform_right_filter_column(i, j), 3);
+          if is_set(transform_right_filter_column(i, j + 1), 0) then
+            transform_right_filter_low_is_larger_0_choice(i, j + 1) := transform_right_filter_low_is_larger_0_0_1_any;
+          else
+            transform_right_filter_low_is_larger_0_choice(i, j + 1) := not
+              transform_right_filter_low_is_larger_0_value(0, 0);
+          end if;
+        end loop;
+        for j in 0 to 1 loop
+          if is_set(transform_right_filter_column(i + j, 4 - 4 * j), 1) then
+            transform_right_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 2) :=
+              transform_right_filter_low_is_larger_0_choice(i + j, 4 - 4 * j);
+          else
+            transform_right_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 2) :=
+              is_set(transform_right_filter_column(i + j, 4 - 4 * j), 0) and
+              transform_right_filter_low_is_larger_0_0_1_is_equal;
+          end if;
+          if transform_right_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 2) then
+            transform_right_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 3) := (not
+              is_set(transform_right_filter_column(i + j, 4 - 4 * j), 2)) and
+              transform_right_filter_low_is_larger_0_0_0_values(2);
+          else
+            transform_right_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 3) := (not
+              is_set(transform_right_filter_column(i + j, 4 - 4 * j), 2)) or
+              transform_right_filter_low_is_larger_0_0_0_values(2);
+          end if;
+          transform_right_filter_low_is_larger_0_value(i + j, 4 - 4 * j) := is_set(transform_right_filter_column(i + j,
+            4 - 4 * j), 3);
+          if is_set(transform_right_filter_column(i + 1, j), 0) then
+            transform_right_filter_low_is_larger_0_choice(i + 1, j) := transform_right_filter_low_is_larger_0_0_1_any;
+          else
+            transform_right_filter_low_is_larger_0_choice(i + 1, j) := not
+              transform_right_filter_low_is_larger_0_value(0, 0);
+          end if;
+        end loop;
+      end loop;
+      for i in 1 to 3 loop
+        if is_set(transform_right_filter_column(3, i), 1) then
+          transform_right_filter_low_is_larger_0_choices_from_0(3, i, 2) :=
+            transform_right_filter_low_is_larger_0_choice(3, i);
         else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(8, 0), i)) and
-            transform_right_filter_feature_0_values(i);
+          transform_right_filter_low_is_larger_0_choices_from_0(3, i, 2) := is_set(transform_right_filter_column(3, i),
+            0) and transform_right_filter_low_is_larger_0_0_1_is_equal;
+        end if;
+        if transform_right_filter_low_is_larger_0_choices_from_0(3, i, 2) then
+          transform_right_filter_low_is_larger_0_choices_from_0(3, i, 3) := (not
+            is_set(transform_right_filter_column(3, i), 2)) and transform_right_filter_low_is_larger_0_0_0_values(2);
+        else
+          transform_right_filter_low_is_larger_0_choices_from_0(3, i, 3) := (not
+            is_set(transform_right_filter_column(3, i), 2)) or transform_right_filter_low_is_larger_0_0_0_values(2);
+        end if;
+        transform_right_filter_low_is_larger_0_value(3, i) := is_set(transform_right_filter_column(3, i), 3);
+        if is_set(transform_right_filter_column(3, i + 1), 0) then
+          transform_right_filter_low_is_larger_0_choice(3, i + 1) := transform_right_filter_low_is_larger_0_0_1_any;
+        else
+          transform_right_filter_low_is_larger_0_choice(3, i + 1) := not
+            transform_right_filter_low_is_larger_0_value(0, 0);
         end if;
       end loop;
+      if is_set(transform_right_filter_column(3, 4), 1) then
+        transform_right_filter_low_is_larger_0_choices_from_0(3, 4, 2) :=
+          transform_right_filter_low_is_larger_0_choice(3, 4);
+      else
+        transform_right_filter_low_is_larger_0_choices_from_0(3, 4, 2) := is_set(transform_right_filter_column(3, 4),
+          0) and transform_right_filter_low_is_larger_0_0_1_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_choices_from_0(3, 4, 2) then
+        transform_right_filter_low_is_larger_0_choices_from_0(3, 4, 3) := (not is_set(transform_right_filter_column(3,
+          4), 2)) and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_choices_from_0(3, 4, 3) := (not is_set(transform_right_filter_column(3,
+          4), 2)) or transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_value(3, 4) := is_set(transform_right_filter_column(3, 4), 3);
+      for i in 0 to 1 loop
+        if is_set(transform_right_filter_column(4, i), 0) then
+          transform_right_filter_low_is_larger_0_4_choice(i) := transform_right_filter_low_is_larger_0_0_1_any;
+        else
+          transform_right_filter_low_is_larger_0_4_choice(i) := not transform_right_filter_low_is_larger_0_value(0, 0);
+        end if;
+        if is_set(transform_right_filter_column(4, i), 1) then
+          transform_right_filter_low_is_larger_0_4_choices_from_0(i, 2) :=
+            transform_right_filter_low_is_larger_0_4_choice(i);
+        else
+          transform_right_filter_low_is_larger_0_4_choices_from_0(i, 2) := is_set(transform_right_filter_column(4, i),
+            0) and transform_right_filter_low_is_larger_0_0_1_is_equal;
+        end if;
+        if transform_right_filter_low_is_larger_0_4_choices_from_0(i, 2) then
+          transform_right_filter_low_is_larger_0_4_choices_from_0(i, 3) := (not is_set(transform_right_filter_column(4,
+            i), 2)) and transform_right_filter_low_is_larger_0_0_0_values(2);
+        else
+          transform_right_filter_low_is_larger_0_4_choices_from_0(i, 3) := (not is_set(transform_right_filter_column(4,
+            i), 2)) or transform_right_filter_low_is_larger_0_0_0_values(2);
+        end if;
+        transform_right_filter_low_is_larger_0_4_value(i) := is_set(transform_right_filter_column(4, i), 3);
+      end loop;
+      for i in 3 to 4 loop
+        if is_set(transform_right_filter_column(4, i), 0) then
+          transform_right_filter_low_is_larger_0_4_choices(i) := transform_right_filter_low_is_larger_0_0_1_any;
+        else
+          transform_right_filter_low_is_larger_0_4_choices(i) := not transform_right_filter_low_is_larger_0_value(0, 0);
+        end if;
+        if is_set(transform_right_filter_column(4, i), 1) then
+          transform_right_filter_low_is_larger_0_4_choices_from_3(i, 2) :=
+            transform_right_filter_low_is_larger_0_4_choices(i);
+        else
+          transform_right_filter_low_is_larger_0_4_choices_from_3(i, 2) := is_set(transform_right_filter_column(4, i),
+            0) and transform_right_filter_low_is_larger_0_0_1_is_equal;
+        end if;
+        if transform_right_filter_low_is_larger_0_4_choices_from_3(i, 2) then
+          transform_right_filter_low_is_larger_0_4_choices_from_3(i, 3) := (not is_set(transform_right_filter_column(4,
+            i), 2)) and transform_right_filter_low_is_larger_0_0_0_values(2);
+        else
+          transform_right_filter_low_is_larger_0_4_choices_from_3(i, 3) := (not is_set(transform_right_filter_column(4,
+            i), 2)) or transform_right_filter_low_is_larger_0_0_0_values(2);
+        end if;
+        transform_right_filter_low_is_larger_0_4_values(i) := is_set(transform_right_filter_column(4, i), 3);
+      end loop;
+      for i in 5 to 8 loop
+        for j in 0 to 4 loop
+          if is_set(transform_right_filter_column(i, j), 0) then
+            transform_right_filter_low_is_larger_0_choices(i, j) := transform_right_filter_low_is_larger_0_0_1_any;
+          else
+            transform_right_filter_low_is_larger_0_choices(i, j) := not transform_right_filter_low_is_larger_0_value(0,
+              0);
+          end if;
+          if is_set(transform_right_filter_column(i, j), 1) then
+            transform_right_filter_low_is_larger_0_choices_from_5(i, j, 2) :=
+              transform_right_filter_low_is_larger_0_choices(i, j);
+          else
+            transform_right_filter_low_is_larger_0_choices_from_5(i, j, 2) := is_set(transform_right_filter_column(i,
+              j), 0) and transform_right_filter_low_is_larger_0_0_1_is_equal;
+          end if;
+          if transform_right_filter_low_is_larger_0_choices_from_5(i, j, 2) then
+            transform_right_filter_low_is_larger_0_choices_from_5(i, j, 3) := (not
+              is_set(transform_right_filter_column(i, j), 2)) and transform_right_filter_low_is_larger_0_0_0_values(2);
+          else
+            transform_right_filter_low_is_larger_0_choices_from_5(i, j, 3) := (not
+              is_set(transform_right_filter_column(i, j), 2)) or transform_right_filter_low_is_larger_0_0_0_values(2);
+          end if;
+          transform_right_filter_low_is_larger_0_values(i, j) := is_set(transform_right_filter_column(i, j), 3);
+        end loop;
+      end loop;
+      transform_right_filter_feature_0_value := is_set(transform_right_filter_column(4, 2), 4);
+      if is_set(transform_right_filter_column(8, 0), 4) then
+        transform_right_filter_feature_0_choice := (not transform_right_filter_low_is_larger_0s(8, 0)) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choice := (not transform_right_filter_low_is_larger_0s(8, 0)) or
+          transform_right_filter_feature_0_value;
+      end if;
+      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 2), 5);
+      if transform_right_filter_feature_0_choice then
+        transform_right_filter_feature_0_choices(2) := (not is_set(transform_right_filter_column(8, 0), 5)) or
+          transform_right_filter_feature_0_values(2);
+      else
+        transform_right_filter_feature_0_choices(2) := (not is_set(transform_right_filter_column(8, 0), 5)) and
+          transform_right_filter_feature_0_values(2);
+      end if;
+      transform_right_filter_feature_0_values(3) := is_set(transform_right_filter_column(4, 2), 6);
+      if transform_right_filter_feature_0_choices(2) then
+        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(8, 0), 6)) or
+          transform_right_filter_feature_0_values(3);
+      else
+        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(8, 0), 6)) and
+          transform_right_filter_feature_0_values(3);
+      end if;
       for i in 0 to 3 loop
-        if transform_right_filter_feature_0_choices(8 * i + 7) then
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(8, i), 7) and
+        if transform_right_filter_feature_0_choices(4 * i + 3) then
+          transform_right_filter_feature_0_choices(4 * i + 4) := is_set(transform_right_filter_column(8, i), 7) and
             (not is_set(transform_right_filter_column(4, 2), 7));
         else
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(8, i), 7) or (not
+          transform_right_filter_feature_0_choices(4 * i + 4) := is_set(transform_right_filter_column(8, i), 7) or (not
             is_set(transform_right_filter_column(4, 2), 7));
         end if;
-        if is_set(transform_right_filter_column(8, i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 9) := transform_right_filter_feature_0_any;
+        if is_set(transform_right_filter_column(8, i + 1), 4) then
+          transform_right_filter_feature_0_choices(4 * i + 5) := (not transform_right_filter_low_is_larger_0s(8, i +
+            1)) and transform_right_filter_feature_0_value;
         else
-          transform_right_filter_feature_0_choices(8 * i + 9) := not transform_right_filter_feature_0_value;
+          transform_right_filter_feature_0_choices(4 * i + 5) := (not transform_right_filter_low_is_larger_0s(8, i +
+            1)) or transform_right_filter_feature_0_value;
         end if;
-        if is_set(transform_right_filter_column(8, i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 10) := transform_right_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 10) := is_set(transform_right_filter_column(8, i + 1), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 10) then
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(8, i + 1),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(8, i + 1),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 8) then
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(8, i +
-              1), j)) or transform_right_filter_feature_0_values(j);
+        for j in 5 to 6 loop
+          if transform_right_filter_feature_0_choices(4 * i + j) then
+            transform_right_filter_feature_0_choices(4 * i + j + 1) := (not is_set(transform_right_filter_column(8, i +
+              1), j)) or transform_right_filter_feature_0_values(j - 3);
           else
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(8, i +
-              1), j)) and transform_right_filter_feature_0_values(j);
+            transform_right_filter_feature_0_choices(4 * i + j + 1) := (not is_set(transform_right_filter_column(8, i +
+              1), j)) and transform_right_filter_feature_0_values(j - 3);
           end if;
         end loop;
       end loop;
       for i in 0 to 2 loop
         for j in 0 to 1 loop
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 39) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 40) := is_set(transform_right_filter_column(8 - i
+          if transform_right_filter_feature_0_choices(20 * i + 4 * j + 19) then
+            transform_right_filter_feature_0_choices(20 * i + 4 * j + 20) := is_set(transform_right_filter_column(8 - i
               - j, 4 - 4 * j), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
           else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 40) := is_set(transform_right_filter_column(8 - i
+            transform_right_filter_feature_0_choices(20 * i + 4 * j + 20) := is_set(transform_right_filter_column(8 - i
               - j, 4 - 4 * j), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
           end if;
-          if is_set(transform_right_filter_column(7 - i, j), 0) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 41) := transform_right_filter_feature_0_any;
+          if is_set(transform_right_filter_column(7 - i, j), 4) then
+            transform_right_filter_feature_0_choices(20 * i + 4 * j + 21) := (not
+              transform_right_filter_low_is_larger_0s(7 - i, j)) and transform_right_filter_feature_0_value;
           else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 41) := not transform_right_filter_feature_0_value;
+            transform_right_filter_feature_0_choices(20 * i + 4 * j + 21) := (not
+              transform_right_filter_low_is_larger_0s(7 - i, j)) or transform_right_filter_feature_0_value;
           end if;
-          if is_set(transform_right_filter_column(7 - i, j), 1) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 42) :=
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + 41);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 42) := is_set(transform_right_filter_column(7 -
-              i, j), 0) and transform_right_filter_feature_0_is_equal;
-          end if;
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 42) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 43) := (not
-              is_set(transform_right_filter_column(7 - i, j), 2)) and transform_right_filter_feature_0_values(2);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 43) := (not
-              is_set(transform_right_filter_column(7 - i, j), 2)) or transform_right_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 40) then
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 41) := (not
-                is_set(transform_right_filter_column(7 - i, j), k)) or transform_right_filter_feature_0_values(k);
+          for k in 5 to 6 loop
+            if transform_right_filter_feature_0_choices(20 * i + 4 * j + k + 16) then
+              transform_right_filter_feature_0_choices(20 * i + 4 * j + k + 17) := (not
+                is_set(transform_right_filter_column(7 - i, j), k)) or transform_right_filter_feature_0_values(k - 3);
             else
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 41) := (not
-                is_set(transform_right_filter_column(7 - i, j), k)) and transform_right_filter_feature_0_values(k);
+              transform_right_filter_feature_0_choices(20 * i + 4 * j + k + 17) := (not
+                is_set(transform_right_filter_column(7 - i, j), k)) and transform_right_filter_feature_0_values(k - 3);
             end if;
           end loop;
         end loop;
         for j in 1 to 3 loop
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 47) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 48) := is_set(transform_right_filter_column(7 -
+          if transform_right_filter_feature_0_choices(20 * i + 4 * j + 23) then
+            transform_right_filter_feature_0_choices(20 * i + 4 * j + 24) := is_set(transform_right_filter_column(7 -
               i, j), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
           else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 48) := is_set(transform_right_filter_column(7 -
+            transform_right_filter_feature_0_choices(20 * i + 4 * j + 24) := is_set(transform_right_filter_column(7 -
               i, j), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
           end if;
-          if is_set(transform_right_filter_column(7 - i, j + 1), 0) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 49) := transform_right_filter_feature_0_any;
+          if is_set(transform_right_filter_column(7 - i, j + 1), 4) then
+            transform_right_filter_feature_0_choices(20 * i + 4 * j + 25) := (not
+              transform_right_filter_low_is_larger_0s(7 - i, j + 1)) and transform_right_filter_feature_0_value;
           else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 49) := not transform_right_filter_feature_0_value;
+            transform_right_filter_feature_0_choices(20 * i + 4 * j + 25) := (not
+              transform_right_filter_low_is_larger_0s(7 - i, j + 1)) or transform_right_filter_feature_0_value;
           end if;
-          if is_set(transform_right_filter_column(7 - i, j + 1), 1) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 50) :=
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + 49);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 50) := is_set(transform_right_filter_column(7 -
-              i, j + 1), 0) and transform_right_filter_feature_0_is_equal;
-          end if;
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 50) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 51) := (not
-              is_set(transform_right_filter_column(7 - i, j + 1), 2)) and transform_right_filter_feature_0_values(2);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 51) := (not
-              is_set(transform_right_filter_column(7 - i, j + 1), 2)) or transform_right_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 48) then
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 49) := (not
-                is_set(transform_right_filter_column(7 - i, j + 1), k)) or transform_right_filter_feature_0_values(k);
+          for k in 5 to 6 loop
+            if transform_right_filter_feature_0_choices(20 * i + 4 * j + k + 20) then
+              transform_right_filter_feature_0_choices(20 * i + 4 * j + k + 21) := (not
+                is_set(transform_right_filter_column(7 - i, j + 1), k)) or transform_right_filter_feature_0_values(k -
+                3);
             else
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 49) := (not
-                is_set(transform_right_filter_column(7 - i, j + 1), k)) and transform_right_filter_feature_0_values(k);
+              transform_right_filter_feature_0_choices(20 * i + 4 * j + k + 21) := (not
+                is_set(transform_right_filter_column(7 - i, j + 1), k)) and transform_right_filter_feature_0_values(k -
+                3);
             end if;
           end loop;
         end loop;
       end loop;
-      if transform_right_filter_feature_0_choices(159) then
-        transform_right_filter_feature_0_choices(160) := is_set(transform_right_filter_column(5, 4), 7) and (not
+      if transform_right_filter_feature_0_choices(79) then
+        transform_right_filter_feature_0_choices(80) := is_set(transform_right_filter_column(5, 4), 7) and (not
           is_set(transform_right_filter_column(4, 2), 7));
       else
-        transform_right_filter_feature_0_choices(160) := is_set(transform_right_filter_column(5, 4), 7) or (not
+        transform_right_filter_feature_0_choices(80) := is_set(transform_right_filter_column(5, 4), 7) or (not
           is_set(transform_right_filter_column(4, 2), 7));
       end if;
-      if is_set(transform_right_filter_column(4, 4), 0) then
-        transform_right_filter_feature_0_choices(161) := transform_right_filter_feature_0_any;
+      if is_set(transform_right_filter_column(4, 4), 4) then
+        transform_right_filter_feature_0_choices(81) := (not transform_right_filter_low_is_larger_0_4s(4)) and
+          transform_right_filter_feature_0_value;
       else
-        transform_right_filter_feature_0_choices(161) := not transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choices(81) := (not transform_right_filter_low_is_larger_0_4s(4)) or
+          transform_right_filter_feature_0_value;
       end if;
-      if is_set(transform_right_filter_column(4, 4), 1) then
-        transform_right_filter_feature_0_choices(162) := transform_right_filter_feature_0_choices(161);
-      else
-        transform_right_filter_feature_0_choices(162) := is_set(transform_right_filter_column(4, 4), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices(162) then
-        transform_right_filter_feature_0_choices(163) := (not is_set(transform_right_filter_column(4, 4), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(163) := (not is_set(transform_right_filter_column(4, 4), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 163 to 166 loop
+      for i in 81 to 82 loop
         if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 4), i - 160))
-            or transform_right_filter_feature_0_values(i - 160);
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 4), i - 76))
+            or transform_right_filter_feature_0_values(i - 79);
         else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 4), i - 160))
-            and transform_right_filter_feature_0_values(i - 160);
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 4), i - 76))
+            and transform_right_filter_feature_0_values(i - 79);
         end if;
       end loop;
       if is_set(transform_right_filter_column(4, 4), 7) then
-        transform_right_filter_feature_0_choices(168) := transform_filtering_0_column_inside(4);
+        transform_right_filter_feature_0_choices(84) := transform_filtering_0_column_inside(4);
       else
-        transform_right_filter_feature_0_choices(168) := transform_filtering_0_column_inside(4) and (not
+        transform_right_filter_feature_0_choices(84) := transform_filtering_0_column_inside(4) and (not
           is_set(transform_right_filter_column(4, 2), 7));
       end if;
-      if transform_right_filter_feature_0_choices(167) then
-        transform_right_filter_feature_0_choices(169) := is_set(transform_right_filter_column(4, 4), 7) and
+      if transform_right_filter_feature_0_choices(83) then
+        transform_right_filter_feature_0_choices(85) := is_set(transform_right_filter_column(4, 4), 7) and
           transform_filtering_0_column_inside(4) and (not is_set(transform_right_filter_column(4, 2), 7));
       else
-        transform_right_filter_feature_0_choices(169) := transform_right_filter_feature_0_choices(168);
+        transform_right_filter_feature_0_choices(85) := transform_right_filter_feature_0_choices(84);
       end if;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(4, 2 * i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 170) := transform_right_filter_feature_0_any;
+      if is_set(transform_right_filter_column(4, 1), 4) then
+        transform_right_filter_feature_0_choices(86) := (not transform_right_filter_low_is_larger_0_4(1)) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choices(86) := (not transform_right_filter_low_is_larger_0_4(1)) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 86 to 87 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 1), i - 81))
+            or transform_right_filter_feature_0_values(i - 84);
         else
-          transform_right_filter_feature_0_choices(8 * i + 170) := not transform_right_filter_feature_0_value;
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 1), i - 81))
+            and transform_right_filter_feature_0_values(i - 84);
         end if;
-        if is_set(transform_right_filter_column(4, 2 * i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 171) := transform_right_filter_feature_0_choices(8 * i +
-            170);
+      end loop;
+      if transform_right_filter_feature_0_choices(88) then
+        transform_right_filter_feature_0_choices(89) := is_set(transform_right_filter_column(4, 1), 7) and (not
+          is_set(transform_right_filter_column(4, 2), 7));
+      else
+        transform_right_filter_feature_0_choices(89) := is_set(transform_right_filter_column(4, 1), 7) or (not
+          is_set(transform_right_filter_column(4, 2), 7));
+      end if;
+      if is_set(transform_right_filter_column(4, 3), 4) then
+        transform_right_filter_feature_0_choices(90) := (not transform_right_filter_low_is_larger_0_4s(3)) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choices(90) := (not transform_right_filter_low_is_larger_0_4s(3)) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 90 to 91 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 3), i - 85))
+            or transform_right_filter_feature_0_values(i - 88);
         else
-          transform_right_filter_feature_0_choices(8 * i + 171) := is_set(transform_right_filter_column(4, 2 * i + 1),
-            0) and transform_right_filter_feature_0_is_equal;
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 3), i - 85))
+            and transform_right_filter_feature_0_values(i - 88);
         end if;
-        if transform_right_filter_feature_0_choices(8 * i + 171) then
-          transform_right_filter_feature_0_choices(8 * i + 172) := (not is_set(transform_right_filter_column(4, 2 * i +
-            1), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 172) := (not is_set(transform_right_filter_column(4, 2 * i +
-            1), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 169) then
-            transform_right_filter_feature_0_choices(8 * i + j + 170) := (not is_set(transform_right_filter_column(4, 2
-              * i + 1), j)) or transform_right_filter_feature_0_values(j);
+      end loop;
+      if transform_right_filter_feature_0_choices(92) then
+        transform_right_filter_feature_0_choices(93) := is_set(transform_right_filter_column(4, 3), 7) and (not
+          is_set(transform_right_filter_column(4, 2), 7));
+      else
+        transform_right_filter_feature_0_choices(93) := is_set(transform_right_filter_column(4, 3), 7) or (not
+          is_set(transform_right_filter_column(4, 2), 7));
+      end if;
+      if is_set(transform_right_filter_column(4, 0), 4) then
+        transform_right_filter_feature_0_choices(94) := (not transform_right_filter_low_is_larger_0_4(0)) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choices(94) := (not transform_right_filter_low_is_larger_0_4(0)) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 3 to 4 loop
+        for j in 5 to 6 loop
+          if transform_right_filter_feature_0_choices(4 * i + j + 77) then
+            transform_right_filter_feature_0_choices(4 * i + j + 78) := (not is_set(transform_right_filter_column(7 -
+              i, 3 * i - 9), j)) or transform_right_filter_feature_0_values(j - 3);
           else
-            transform_right_filter_feature_0_choices(8 * i + j + 170) := (not is_set(transform_right_filter_column(4, 2
-              * i + 1), j)) and transform_right_filter_feature_0_values(j);
+            transform_right_filter_feature_0_choices(4 * i + j + 78) := (not is_set(transform_right_filter_column(7 -
+              i, 3 * i - 9), j)) and transform_right_filter_feature_0_values(j - 3);
           end if;
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 176) then
-          transform_right_filter_feature_0_choices(8 * i + 177) := is_set(transform_right_filter_column(4, 2 * i + 1),
-            7) and (not is_set(transform_right_filter_column(4, 2), 7));
+        if transform_right_filter_feature_0_choices(4 * i + 84) then
+          transform_right_filter_feature_0_choices(4 * i + 85) := is_set(transform_right_filter_column(7 - i, 3 * i -
+            9), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
         else
-          transform_right_filter_feature_0_choices(8 * i + 177) := is_set(transform_right_filter_column(4, 2 * i + 1),
-            7) or (not is_set(transform_right_filter_column(4, 2), 7));
+          transform_right_filter_feature_0_choices(4 * i + 85) := is_set(transform_right_filter_column(7 - i, 3 * i -
+            9), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_right_filter_column(3, i), 4) then
+          transform_right_filter_feature_0_choices(4 * i + 86) := (not transform_right_filter_low_is_larger_0(3, i))
+            and transform_right_filter_feature_0_value;
+        else
+          transform_right_filter_feature_0_choices(4 * i + 86) := (not transform_right_filter_low_is_larger_0(3, i)) or
+            transform_right_filter_feature_0_value;
         end if;
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(4 - i, 3 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 186) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 186) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(4 - i, 3 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 187) := transform_right_filter_feature_0_choices(8 * i +
-            186);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 187) := is_set(transform_right_filter_column(4 - i, 3 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 187) then
-          transform_right_filter_feature_0_choices(8 * i + 188) := (not is_set(transform_right_filter_column(4 - i, 3 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 188) := (not is_set(transform_right_filter_column(4 - i, 3 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 185) then
-            transform_right_filter_feature_0_choices(8 * i + j + 186) := (not is_set(transform_right_filter_column(4 -
-              i, 3 * i), j)) or transform_right_filter_feature_0_values(j);
+        for j in 5 to 6 loop
+          if transform_right_filter_feature_0_choices(4 * i + j + 97) then
+            transform_right_filter_feature_0_choices(4 * i + j + 98) := (not is_set(transform_right_filter_column(3, 4
+              - 2 * i), j)) or transform_right_filter_feature_0_values(j - 3);
           else
-            transform_right_filter_feature_0_choices(8 * i + j + 186) := (not is_set(transform_right_filter_column(4 -
-              i, 3 * i), j)) and transform_right_filter_feature_0_values(j);
+            transform_right_filter_feature_0_choices(4 * i + j + 98) := (not is_set(transform_right_filter_column(3, 4
+              - 2 * i), j)) and transform_right_filter_feature_0_values(j - 3);
           end if;
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 192) then
-          transform_right_filter_feature_0_choices(8 * i + 193) := is_set(transform_right_filter_column(4 - i, 3 * i),
+        if transform_right_filter_feature_0_choices(4 * i + 104) then
+          transform_right_filter_feature_0_choices(4 * i + 105) := is_set(transform_right_filter_column(3, 4 - 2 * i),
             7) and (not is_set(transform_right_filter_column(4, 2), 7));
         else
-          transform_right_filter_feature_0_choices(8 * i + 193) := is_set(transform_right_filter_column(4 - i, 3 * i),
+          transform_right_filter_feature_0_choices(4 * i + 105) := is_set(transform_right_filter_column(3, 4 - 2 * i),
             7) or (not is_set(transform_right_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_right_filter_column(3, 2 - i), 4) then
+          transform_right_filter_feature_0_choices(4 * i + 106) := (not transform_right_filter_low_is_larger_0(3, 2 -
+            i)) and transform_right_filter_feature_0_value;
+        else
+          transform_right_filter_feature_0_choices(4 * i + 106) := (not transform_right_filter_low_is_larger_0(3, 2 -
+            i)) or transform_right_filter_feature_0_value;
         end if;
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(3, 4 - 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 202) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 202) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3, 4 - 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 203) := transform_right_filter_feature_0_choices(8 * i +
-            202);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 203) := is_set(transform_right_filter_column(3, 4 - 2 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 203) then
-          transform_right_filter_feature_0_choices(8 * i + 204) := (not is_set(transform_right_filter_column(3, 4 - 2 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 204) := (not is_set(transform_right_filter_column(3, 4 - 2 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 201) then
-            transform_right_filter_feature_0_choices(8 * i + j + 202) := (not is_set(transform_right_filter_column(3, 4
-              - 2 * i), j)) or transform_right_filter_feature_0_values(j);
+        for j in 5 to 6 loop
+          if transform_right_filter_feature_0_choices(4 * i + j + 105) then
+            transform_right_filter_feature_0_choices(4 * i + j + 106) := (not is_set(transform_right_filter_column(3, 1
+              - i), j)) or transform_right_filter_feature_0_values(j - 3);
           else
-            transform_right_filter_feature_0_choices(8 * i + j + 202) := (not is_set(transform_right_filter_column(3, 4
-              - 2 * i), j)) and transform_right_filter_feature_0_values(j);
+            transform_right_filter_feature_0_choices(4 * i + j + 106) := (not is_set(transform_right_filter_column(3, 1
+              - i), j)) and transform_right_filter_feature_0_values(j - 3);
           end if;
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 208) then
-          transform_right_filter_feature_0_choices(8 * i + 209) := is_set(transform_right_filter_column(3, 4 - 2 * i),
-            7) and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 209) := is_set(transform_right_filter_column(3, 4 - 2 * i),
-            7) or (not is_set(transform_right_filter_column(4, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(3, 1 - i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 218) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 218) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3, 1 - i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 219) := transform_right_filter_feature_0_choices(8 * i +
-            218);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 219) := is_set(transform_right_filter_column(3, 1 - i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 219) then
-          transform_right_filter_feature_0_choices(8 * i + 220) := (not is_set(transform_right_filter_column(3, 1 - i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 220) := (not is_set(transform_right_filter_column(3, 1 - i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 217) then
-            transform_right_filter_feature_0_choices(8 * i + j + 218) := (not is_set(transform_right_filter_column(3, 1
-              - i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 218) := (not is_set(transform_right_filter_column(3, 1
-              - i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 224) then
-          transform_right_filter_feature_0_choices(8 * i + 225) := is_set(transform_right_filter_column(3, 1 - i), 7)
+        if transform_right_filter_feature_0_choices(4 * i + 112) then
+          transform_right_filter_feature_0_choices(4 * i + 113) := is_set(transform_right_filter_column(3, 1 - i), 7)
             and (not is_set(transform_right_filter_column(4, 2), 7));
         else
-          transform_right_filter_feature_0_choices(8 * i + 225) := is_set(transform_right_filter_column(3, 1 - i), 7)
+          transform_right_filter_feature_0_choices(4 * i + 113) := is_set(transform_right_filter_column(3, 1 - i), 7)
             or (not is_set(transform_right_filter_column(4, 2), 7));
         end if;
-      end loop;
-      for i in 0 to 1 loop
-        for j in 3 to 4 loop
-          if is_set(transform_right_filter_column(2 - i, j), 0) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 210) := transform_right_filter_feature_0_any;
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 210) := not
-              transform_right_filter_feature_0_value;
-          end if;
-          if is_set(transform_right_filter_column(2 - i, j), 1) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 211) :=
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + 210);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 211) := is_set(transform_right_filter_column(2 -
-              i, j), 0) and transform_right_filter_feature_0_is_equal;
-          end if;
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 211) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 212) := (not
-              is_set(transform_right_filter_column(2 - i, j), 2)) and transform_right_filter_feature_0_values(2);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 212) := (not
-              is_set(transform_right_filter_column(2 - i, j), 2)) or transform_right_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 209) then
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 210) := (not
-                is_set(transform_right_filter_column(2 - i, j), k)) or transform_right_filter_feature_0_values(k);
-            else
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 210) := (not
-                is_set(transform_right_filter_column(2 - i, j), k)) and transform_right_filter_feature_0_values(k);
-            end if;
-          end loop;
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 216) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 217) := is_set(transform_right_filter_column(2 -
-              i, j), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 217) := is_set(transform_right_filter_column(2 -
-              i, j), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
-          end if;
-        end loop;
-        for j in 0 to 2 loop
-          if is_set(transform_right_filter_column(2 - i, 2 - j), 0) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 250) := transform_right_filter_feature_0_any;
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 250) := not
-              transform_right_filter_feature_0_value;
-          end if;
-          if is_set(transform_right_filter_column(2 - i, 2 - j), 1) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 251) :=
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + 250);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 251) := is_set(transform_right_filter_column(2 -
-              i, 2 - j), 0) and transform_right_filter_feature_0_is_equal;
-          end if;
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 251) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 252) := (not
-              is_set(transform_right_filter_column(2 - i, 2 - j), 2)) and transform_right_filter_feature_0_values(2);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 252) := (not
-              is_set(transform_right_filter_column(2 - i, 2 - j), 2)) or transform_right_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 249) then
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 250) := (not
-                is_set(transform_right_filter_column(2 - i, 2 - j), k)) or transform_right_filter_feature_0_values(k);
-            else
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 250) := (not
-                is_set(transform_right_filter_column(2 - i, 2 - j), k)) and transform_right_filter_feature_0_values(k);
-            end if;
-          end loop;
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 256) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 257) := is_set(transform_right_filter_column(2 -
-              i, 2 - j), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 257) := is_set(transform_right_filter_column(2 -
-              i, 2 - j), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
-          end if;
-        end loop;
+        if is_set(transform_right_filter_column(3 - i, 3 * i), 4) then
+          transform_right_filter_feature_0_choices(4 * i + 114) := (not transform_right_filter_low_is_larger_0(3 - i, 3
+            * i)) and transform_right_filter_feature_0_value;
+        else
+          transform_right_filter_feature_0_choices(4 * i + 114) := (not transform_right_filter_low_is_larger_0(3 - i, 3
+            * i)) or transform_right_filter_feature_0_value;
+        end if;
       end loop;
       for i in 3 to 4 loop
-        if is_set(transform_right_filter_column(0, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 290) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 290) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(0, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 291) := transform_right_filter_feature_0_choices(8 * i +
-            290);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 291) := is_set(transform_right_filter_column(0, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 291) then
-          transform_right_filter_feature_0_choices(8 * i + 292) := (not is_set(transform_right_filter_column(0, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 292) := (not is_set(transform_right_filter_column(0, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 289) then
-            transform_right_filter_feature_0_choices(8 * i + j + 290) := (not is_set(transform_right_filter_column(0,
-              i), j)) or transform_right_filter_feature_0_values(j);
+        for j in 5 to 6 loop
+          if transform_right_filter_feature_0_choices(4 * i + j + 101) then
+            transform_right_filter_feature_0_choices(4 * i + j + 102) := (not is_set(transform_right_filter_column(2,
+              i), j)) or transform_right_filter_feature_0_values(j - 3);
           else
-            transform_right_filter_feature_0_choices(8 * i + j + 290) := (not is_set(transform_right_filter_column(0,
-              i), j)) and transform_right_filter_feature_0_values(j);
+            transform_right_filter_feature_0_choices(4 * i + j + 102) := (not is_set(transform_right_filter_column(2,
+              i), j)) and transform_right_filter_feature_0_values(j - 3);
           end if;
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 296) then
-          transform_right_filter_feature_0_choices(8 * i + 297) := is_set(transform_right_filter_column(0, i), 7) and
+        if transform_right_filter_feature_0_choices(4 * i + 108) then
+          transform_right_filter_feature_0_choices(4 * i + 109) := is_set(transform_right_filter_column(2, i), 7) and
             (not is_set(transform_right_filter_column(4, 2), 7));
         else
-          transform_right_filter_feature_0_choices(8 * i + 297) := is_set(transform_right_filter_column(0, i), 7) or
+          transform_right_filter_feature_0_choices(4 * i + 109) := is_set(transform_right_filter_column(2, i), 7) or
             (not is_set(transform_right_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_right_filter_column(2, 10 - 2 * i), 4) then
+          transform_right_filter_feature_0_choices(4 * i + 110) := (not transform_right_filter_low_is_larger_0(2, 10 -
+            2 * i)) and transform_right_filter_feature_0_value;
+        else
+          transform_right_filter_feature_0_choices(4 * i + 110) := (not transform_right_filter_low_is_larger_0(2, 10 -
+            2 * i)) or transform_right_filter_feature_0_value;
         end if;
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(0, 2 - i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 330) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 330) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(0, 2 - i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 331) := transform_right_filter_feature_0_choices(8 * i +
-            330);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 331) := is_set(transform_right_filter_column(0, 2 - i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 331) then
-          transform_right_filter_feature_0_choices(8 * i + 332) := (not is_set(transform_right_filter_column(0, 2 - i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 332) := (not is_set(transform_right_filter_column(0, 2 - i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 329) then
-            transform_right_filter_feature_0_choices(8 * i + j + 330) := (not is_set(transform_right_filter_column(0, 2
-              - i), j)) or transform_right_filter_feature_0_values(j);
+        for j in 5 to 6 loop
+          if transform_right_filter_feature_0_choices(4 * i + j + 121) then
+            transform_right_filter_feature_0_choices(4 * i + j + 122) := (not is_set(transform_right_filter_column(2, 2
+              - i), j)) or transform_right_filter_feature_0_values(j - 3);
           else
-            transform_right_filter_feature_0_choices(8 * i + j + 330) := (not is_set(transform_right_filter_column(0, 2
-              - i), j)) and transform_right_filter_feature_0_values(j);
+            transform_right_filter_feature_0_choices(4 * i + j + 122) := (not is_set(transform_right_filter_column(2, 2
+              - i), j)) and transform_right_filter_feature_0_values(j - 3);
           end if;
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 336) then
-          transform_right_filter_feature_0_choices(8 * i + 337) := is_set(transform_right_filter_column(0, 2 - i), 7)
+        if transform_right_filter_feature_0_choices(4 * i + 128) then
+          transform_right_filter_feature_0_choices(4 * i + 129) := is_set(transform_right_filter_column(2, 2 - i), 7)
             and (not is_set(transform_right_filter_column(4, 2), 7));
         else
-          transform_right_filter_feature_0_choices(8 * i + 337) := is_set(transform_right_filter_column(0, 2 - i), 7)
+          transform_right_filter_feature_0_choices(4 * i + 129) := is_set(transform_right_filter_column(2, 2 - i), 7)
             or (not is_set(transform_right_filter_column(4, 2), 7));
         end if;
+        if is_set(transform_right_filter_column(2, 1 - i), 4) then
+          transform_right_filter_feature_0_choices(4 * i + 130) := (not transform_right_filter_low_is_larger_0(2, 1 -
+            i)) and transform_right_filter_feature_0_value;
+        else
+          transform_right_filter_feature_0_choices(4 * i + 130) := (not transform_right_filter_low_is_larger_0(2, 1 -
+            i)) or transform_right_filter_feature_0_value;
+        end if;
       end loop;
-      if is_set(transform_right_filter_column(4, 2), 0) then
-        transform_right_filter_feature_0_choices(346) := not is_set(transform_right_filter_column(0, 0), 1);
+      for i in 3 to 4 loop
+        for j in 5 to 6 loop
+          if transform_right_filter_feature_0_choices(4 * i + j + 117) then
+            transform_right_filter_feature_0_choices(4 * i + j + 118) := (not is_set(transform_right_filter_column(5 -
+              i, 3 * i - 9), j)) or transform_right_filter_feature_0_values(j - 3);
+          else
+            transform_right_filter_feature_0_choices(4 * i + j + 118) := (not is_set(transform_right_filter_column(5 -
+              i, 3 * i - 9), j)) and transform_right_filter_feature_0_values(j - 3);
+          end if;
+        end loop;
+        if transform_right_filter_feature_0_choices(4 * i + 124) then
+          transform_right_filter_feature_0_choices(4 * i + 125) := is_set(transform_right_filter_column(5 - i, 3 * i -
+            9), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
+        else
+          transform_right_filter_feature_0_choices(4 * i + 125) := is_set(transform_right_filter_column(5 - i, 3 * i -
+            9), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_right_filter_column(1, i), 4) then
+          transform_right_filter_feature_0_choices(4 * i + 126) := (not transform_right_filter_low_is_larger_0(1, i))
+            and transform_right_filter_feature_0_value;
+        else
+          transform_right_filter_feature_0_choices(4 * i + 126) := (not transform_right_filter_low_is_larger_0(1, i))
+            or transform_right_filter_feature_0_value;
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        for j in 5 to 6 loop
+          if transform_right_filter_feature_0_choices(4 * i + j + 137) then
+            transform_right_filter_feature_0_choices(4 * i + j + 138) := (not is_set(transform_right_filter_column(1, 4
+              - 2 * i), j)) or transform_right_filter_feature_0_values(j - 3);
+          else
+            transform_right_filter_feature_0_choices(4 * i + j + 138) := (not is_set(transform_right_filter_column(1, 4
+              - 2 * i), j)) and transform_right_filter_feature_0_values(j - 3);
+          end if;
+        end loop;
+        if transform_right_filter_feature_0_choices(4 * i + 144) then
+          transform_right_filter_feature_0_choices(4 * i + 145) := is_set(transform_right_filter_column(1, 4 - 2 * i),
+            7) and (not is_set(transform_right_filter_column(4, 2), 7));
+        else
+          transform_right_filter_feature_0_choices(4 * i + 145) := is_set(transform_right_filter_column(1, 4 - 2 * i),
+            7) or (not is_set(transform_right_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_right_filter_column(1, 2 - i), 4) then
+          transform_right_filter_feature_0_choices(4 * i + 146) := (not transform_right_filter_low_is_larger_0(1, 2 -
+            i)) and transform_right_filter_feature_0_value;
+        else
+          transform_right_filter_feature_0_choices(4 * i + 146) := (not transform_right_filter_low_is_larger_0(1, 2 -
+            i)) or transform_right_filter_feature_0_value;
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        for j in 5 to 6 loop
+          if transform_right_filter_feature_0_choices(4 * i + j + 145) then
+            transform_right_filter_feature_0_choices(4 * i + j + 146) := (not is_set(transform_right_filter_column(1, 1
+              - i), j)) or transform_right_filter_feature_0_values(j - 3);
+          else
+            transform_right_filter_feature_0_choices(4 * i + j + 146) := (not is_set(transform_right_filter_column(1, 1
+              - i), j)) and transform_right_filter_feature_0_values(j - 3);
+          end if;
+        end loop;
+        if transform_right_filter_feature_0_choices(4 * i + 152) then
+          transform_right_filter_feature_0_choices(4 * i + 153) := is_set(transform_right_filter_column(1, 1 - i), 7)
+            and (not is_set(transform_right_filter_column(4, 2), 7));
+        else
+          transform_right_filter_feature_0_choices(4 * i + 153) := is_set(transform_right_filter_column(1, 1 - i), 7)
+            or (not is_set(transform_right_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_right_filter_column(1 - i, 3 * i), 4) then
+          transform_right_filter_feature_0_choices(4 * i + 154) := (not transform_right_filter_low_is_larger_0(1 - i, 3
+            * i)) and transform_right_filter_feature_0_value;
+        else
+          transform_right_filter_feature_0_choices(4 * i + 154) := (not transform_right_filter_low_is_larger_0(1 - i, 3
+            * i)) or transform_right_filter_feature_0_value;
+        end if;
+      end loop;
+      for i in 3 to 4 loop
+        for j in 5 to 6 loop
+          if transform_right_filter_feature_0_choices(4 * i + j + 141) then
+            transform_right_filter_feature_0_choices(4 * i + j + 142) := (not is_set(transform_right_filter_column(0,
+              i), j)) or transform_right_filter_feature_0_values(j - 3);
+          else
+            transform_right_filter_feature_0_choices(4 * i + j + 142) := (not is_set(transform_right_filter_column(0,
+              i), j)) and transform_right_filter_feature_0_values(j - 3);
+          end if;
+        end loop;
+        if transform_right_filter_feature_0_choices(4 * i + 148) then
+          transform_right_filter_feature_0_choices(4 * i + 149) := is_set(transform_right_filter_column(0, i), 7) and
+            (not is_set(transform_right_filter_column(4, 2), 7));
+        else
+          transform_right_filter_feature_0_choices(4 * i + 149) := is_set(transform_right_filter_column(0, i), 7) or
+            (not is_set(transform_right_filter_column(4, 2), 7));
+        end if;
+        if is_set(transform_right_filter_column(0, 10 - 2 * i), 4) then
+          transform_right_filter_feature_0_choices(4 * i + 150) := (not transform_right_filter_low_is_larger_0(0, 10 -
+            2 * i)) and transform_right_filter_feature_0_value;
+        else
+          transform_right_filter_feature_0_choices(4 * i + 150) := (not transform_right_filter_low_is_larger_0(0, 10 -
+            2 * i)) or transform_right_filter_feature_0_value;
+        end if;
+      end loop;
+      for i in 166 to 167 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 2), i - 161))
+            or transform_right_filter_feature_0_values(i - 164);
+        else
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 2), i - 161))
+            and transform_right_filter_feature_0_values(i - 164);
+        end if;
+      end loop;
+      if transform_right_filter_feature_0_choices(168) then
+        transform_right_filter_feature_0_choices(169) := is_set(transform_right_filter_column(0, 2), 7) and (not
+          is_set(transform_right_filter_column(4, 2), 7));
       else
-        transform_right_filter_feature_0_choices(346) := (transform_right_filter_column(0, 0) mod 4) = 0;
+        transform_right_filter_feature_0_choices(169) := is_set(transform_right_filter_column(0, 2), 7) or (not
+          is_set(transform_right_filter_column(4, 2), 7));
       end if;
+      if is_set(transform_right_filter_column(0, 1), 4) then
+        transform_right_filter_feature_0_choices(170) := (not transform_right_filter_low_is_larger_0(0, 1)) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choices(170) := (not transform_right_filter_low_is_larger_0(0, 1)) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 170 to 171 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 1), i - 165))
+            or transform_right_filter_feature_0_values(i - 168);
+        else
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 1), i - 165))
+            and transform_right_filter_feature_0_values(i - 168);
+        end if;
+      end loop;
+      if transform_right_filter_feature_0_choices(172) then
+        transform_right_filter_feature_0_choices(173) := is_set(transform_right_filter_column(0, 1), 7) and (not
+          is_set(transform_right_filter_column(4, 2), 7));
+      else
+        transform_right_filter_feature_0_choices(173) := is_set(transform_right_filter_column(0, 1), 7) or (not
+          is_set(transform_right_filter_column(4, 2), 7));
+      end if;
+      transform_right_filter_feature_0_values(4) := is_set(transform_right_filter_column(0, 0), 4);
       if transform_right_filter_feature_0_value then
-        transform_right_filter_feature_0_choices(347) := is_set(transform_right_filter_column(4, 2), 0) or (not
-          is_set(transform_right_filter_column(0, 0), 1)) or (not is_set(transform_right_filter_column(0, 0), 0));
+        transform_right_filter_feature_0_choices(174) := transform_right_filter_feature_0_values(4) and
+          transform_right_filter_low_is_larger_0(0, 0);
       else
-        transform_right_filter_feature_0_choices(347) := transform_right_filter_feature_0_choices(346);
+        transform_right_filter_feature_0_choices(174) := transform_right_filter_feature_0_values(4) or
+          transform_right_filter_low_is_larger_0(0, 0);
       end if;
-      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      if transform_right_filter_feature_0_choices(347) then
-        transform_right_filter_feature_0_choices(348) := (not transform_right_filter_feature_0_values(2)) and
-          transform_right_filter_feature_0_values(7);
-      else
-        transform_right_filter_feature_0_choices(348) := (not transform_right_filter_feature_0_values(2)) or
-          transform_right_filter_feature_0_values(7);
-      end if;
-      for i in 8 to 11 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        if transform_right_filter_feature_0_choices(i + 340) then
-          transform_right_filter_feature_0_choices(i + 341) := (not transform_right_filter_feature_0_values(i - 5)) or
+      for i in 5 to 6 loop
+        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i);
+        if transform_right_filter_feature_0_choices(i + 169) then
+          transform_right_filter_feature_0_choices(i + 170) := (not transform_right_filter_feature_0_values(i - 3)) or
             transform_right_filter_feature_0_values(i);
         else
-          transform_right_filter_feature_0_choices(i + 341) := (not transform_right_filter_feature_0_values(i - 5)) and
+          transform_right_filter_feature_0_choices(i + 170) := (not transform_right_filter_feature_0_values(i - 3)) and
             transform_right_filter_feature_0_values(i);
         end if;
       end loop;
-      if transform_right_filter_feature_0_choices(352) then
-        transform_right_filter_feature_0_choices(353) := (not is_set(transform_right_filter_column(4, 2), 7)) or
+      if transform_right_filter_feature_0_choices(176) then
+        transform_right_filter_feature_0_choices(177) := (not is_set(transform_right_filter_column(4, 2), 7)) or
           is_set(transform_right_filter_column(0, 0), 7);
       else
-        transform_right_filter_feature_0_choices(353) := (not is_set(transform_right_filter_column(4, 2), 7)) and
+        transform_right_filter_feature_0_choices(177) := (not is_set(transform_right_filter_column(4, 2), 7)) and
           is_set(transform_right_filter_column(0, 0), 7);
       end if;
       if transform_filtering_0_column_inside(0) then
-        transform_right_filter_feature_0_choice_354 := (as_number(transform_right_filter_feature_0_choices(321)) * 8) +
-          (as_number(transform_right_filter_feature_0_choices(329)) * 16) +
-          (as_number(transform_right_filter_feature_0_choices(337)) * 4) +
-          (as_number(transform_right_filter_feature_0_choices(345)) * 2) +
-          as_number(transform_right_filter_feature_0_choices(353));
+        transform_right_filter_feature_0_choice_178 := (as_number(transform_right_filter_feature_0_choices(161)) * 8) +
+          (as_number(transform_right_filter_feature_0_choices(165)) * 16) +
+          (as_number(transform_right_filter_feature_0_choices(169)) * 4) +
+          (as_number(transform_right_filter_feature_0_choices(173)) * 2) +
+          as_number(transform_right_filter_feature_0_choices(177));
       else
-        transform_right_filter_feature_0_choice_354 := 0;
+        transform_right_filter_feature_0_choice_178 := 0;
       end if;
       if transform_filtering_0_column_inside(1) then
-        transform_right_filter_feature_0_choice_355 := (as_number(transform_right_filter_feature_0_choices(281)) * 256)
-          + (as_number(transform_right_filter_feature_0_choices(289)) * 512) +
-          (as_number(transform_right_filter_feature_0_choices(297)) * 128) +
-          (as_number(transform_right_filter_feature_0_choices(305)) * 64) +
-          (as_number(transform_right_filter_feature_0_choices(313)) * 32) + transform_right_filter_feature_0_choice_354;
+        transform_right_filter_feature_0_choice_179 := (as_number(transform_right_filter_feature_0_choices(141)) * 256)
+          + (as_number(transform_right_filter_feature_0_choices(145)) * 512) +
+          (as_number(transform_right_filter_feature_0_choices(149)) * 128) +
+          (as_number(transform_right_filter_feature_0_choices(153)) * 64) +
+          (as_number(transform_right_filter_feature_0_choices(157)) * 32) + transform_right_filter_feature_0_choice_178;
       else
-        transform_right_filter_feature_0_choice_355 := transform_right_filter_feature_0_choice_354;
+        transform_right_filter_feature_0_choice_179 := transform_right_filter_feature_0_choice_178;
       end if;
       if transform_filtering_0_column_inside(2) then
-        transform_right_filter_feature_0_choice_356 := (as_number(transform_right_filter_feature_0_choices(241)) *
-          8192) + (as_number(transform_right_filter_feature_0_choices(249)) * 16384) +
-          (as_number(transform_right_filter_feature_0_choices(257)) * 4096) +
-          (as_number(transform_right_filter_feature_0_choices(265)) * 2048) +
-          (as_number(transform_right_filter_feature_0_choices(273)) * 1024) +
-          transform_right_filter_feature_0_choice_355;
+        transform_right_filter_feature_0_choice_180 := (as_number(transform_right_filter_feature_0_choices(121)) *
+          8192) + (as_number(transform_right_filter_feature_0_choices(125)) * 16384) +
+          (as_number(transform_right_filter_feature_0_choices(129)) * 4096) +
+          (as_number(transform_right_filter_feature_0_choices(133)) * 2048) +
+          (as_number(transform_right_filter_feature_0_choices(137)) * 1024) +
+          transform_right_filter_feature_0_choice_179;
       else
-        transform_right_filter_feature_0_choice_356 := transform_right_filter_feature_0_choice_355;
+        transform_right_filter_feature_0_choice_180 := transform_right_filter_feature_0_choice_179;
       end if;
       if transform_filtering_0_column_inside(3) then
-        transform_right_filter_feature_0_choice_357 := (as_number(transform_right_filter_feature_0_choices(201)) *
-          262144) + (as_number(transform_right_filter_feature_0_choices(209)) * 524288) +
-          (as_number(transform_right_filter_feature_0_choices(217)) * 131072) +
-          (as_number(transform_right_filter_feature_0_choices(225)) * 65536) +
-          (as_number(transform_right_filter_feature_0_choices(233)) * 32768) +
-          transform_right_filter_feature_0_choice_356;
+        transform_right_filter_feature_0_choice_181 := (as_number(transform_right_filter_feature_0_choices(101)) *
+          262144) + (as_number(transform_right_filter_feature_0_choices(105)) * 524288) +
+          (as_number(transform_right_filter_feature_0_choices(109)) * 131072) +
+          (as_number(transform_right_filter_feature_0_choices(113)) * 65536) +
+          (as_number(transform_right_filter_feature_0_choices(117)) * 32768) +
+          transform_right_filter_feature_0_choice_180;
       else
-        transform_right_filter_feature_0_choice_357 := transform_right_filter_feature_0_choice_356;
+        transform_right_filter_feature_0_choice_181 := transform_right_filter_feature_0_choice_180;
       end if;
       if transform_filtering_0_column_inside(4) then
-        transform_right_filter_feature_0_choice_358 := (as_number(transform_right_filter_feature_0_choices(177)) *
-          2097152) + (as_number(transform_right_filter_feature_0_choices(185)) * 4194304) +
-          (as_number(transform_right_filter_feature_0_choices(193)) * 1048576) +
-          transform_right_filter_feature_0_choice_357;
+        transform_right_filter_feature_0_choice_182 := (as_number(transform_right_filter_feature_0_choices(89)) *
+          2097152) + (as_number(transform_right_filter_feature_0_choices(93)) * 4194304) +
+          (as_number(transform_right_filter_feature_0_choices(97)) * 1048576) +
+          transform_right_filter_feature_0_choice_181;
       else
-        transform_right_filter_feature_0_choice_358 := transform_right_filter_feature_0_choice_357;
+        transform_right_filter_feature_0_choice_182 := transform_right_filter_feature_0_choice_181;
       end if;
       if transform_filtering_0_column_inside(5) then
-        transform_right_filter_feature_0_choice_359 := (as_number(transform_right_filter_feature_0_choices(128)) *
-          16777216) + (as_number(transform_right_filter_feature_0_choices(136)) * 33554432) +
-          (as_number(transform_right_filter_feature_0_choices(144)) * 67108864) +
-          (as_number(transform_right_filter_feature_0_choices(152)) * 134217728) +
-          (as_number(transform_right_filter_feature_0_choices(160)) * 268435456) +
-          (as_number(transform_right_filter_feature_0_choices(169)) * 8388608) +
-          transform_right_filter_feature_0_choice_358;
+        transform_right_filter_feature_0_choice_183 := (as_number(transform_right_filter_feature_0_choices(64)) *
+          16777216) + (as_number(transform_right_filter_feature_0_choices(68)) * 33554432) +
+          (as_number(transform_right_filter_feature_0_choices(72)) * 67108864) +
+          (as_number(transform_right_filter_feature_0_choices(76)) * 134217728) +
+          (as_number(transform_right_filter_feature_0_choices(80)) * 268435456) +
+          (as_number(transform_right_filter_feature_0_choices(85)) * 8388608) +
+          transform_right_filter_feature_0_choice_182;
       else
-        transform_right_filter_feature_0_choice_359 := (as_number(transform_right_filter_feature_0_choices(169)) *
-          8388608) + transform_right_filter_feature_0_choice_358;
+        transform_right_filter_feature_0_choice_183 := (as_number(transform_right_filter_feature_0_choices(85)) *
+          8388608) + transform_right_filter_feature_0_choice_182;
       end if;
       if transform_filtering_0_column_inside(6) then
-        transform_right_filter_feature_0_choice_360 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(120)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(112)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(104)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(96)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(88)), 1) &
-          to_unsigned(transform_right_filter_feature_0_choice_359, 29);
+        transform_right_filter_feature_0_choice_184 :=
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(60)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(56)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(52)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(48)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(44)), 1) &
+          to_unsigned(transform_right_filter_feature_0_choice_183, 29);
       else
-        transform_right_filter_feature_0_choice_360 := to_unsigned(transform_right_filter_feature_0_choice_359, 34);
+        transform_right_filter_feature_0_choice_184 := to_unsigned(transform_right_filter_feature_0_choice_183, 34);
       end if;
       if transform_filtering_0_column_inside(7) then
-        transform_right_filter_feature_0_choice_361 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(80)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(72)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(64)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(56)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(48)), 1) &
-          transform_right_filter_feature_0_choice_360(33 downto 0);
+        transform_right_filter_feature_0_choice_185 :=
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(40)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(36)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(32)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(28)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(24)), 1) &
+          transform_right_filter_feature_0_choice_184(33 downto 0);
       else
-        transform_right_filter_feature_0_choice_361 := resize(transform_right_filter_feature_0_choice_360, 39);
+        transform_right_filter_feature_0_choice_185 := resize(transform_right_filter_feature_0_choice_184, 39);
       end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_next_frame <= transform_counter_next_frame_choices(4) or ((not in_valid) and
-        transform_counter_next_frame);
+      transform_counter_next_frame <= transform_counter_next_frame_is_equal and (transform_counter_group = 479);
+      transform_counter_last_column <= transform_counter_next_frame_is_equal;
+      transform_counter_counts <= transform_counter_group /= 482;
+      transform_counter_back_to_back <= (transform_counter_group = 481) and winnerswinner1_best_below_0;
+      transform_counter_next_frame_after <= 482 < transform_counter_group;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -2927,31 +3233,42 @@ begin
       transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
-      transform_read_row_inside(0) <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
-        (transform_counter_group mod 4)) < 480;
-      transform_read_row_inside(1) <= (transform_counter_group >= 3) and (transform_counter_group < 483);
-      transform_read_row_inside(2) <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
-        (transform_counter_group mod 2)) < 480;
-      transform_read_row_inside(3) <= (transform_counter_group >= 1) and (transform_counter_group < 481);
-      transform_read_row_inside(4) <= transform_counter_group < 480;
+      transform_read_row_inside_0 <= 483 < transform_counter_group;
       transform_read_column_inside(0) <= transform_read_column_inside_0_is_less;
       transform_read_column_inside(1) <= (transform_counter_column = 0) /= transform_read_column_inside_0_is_less;
       transform_read_column_inside(2) <= (transform_counter_column < 2) /= transform_read_column_inside_0_is_less;
       transform_read_column_inside(3) <= transform_counter_column /= 3;
-      for i in 4 to 8 loop
+      transform_read_column_inside(4) <= true;
+      for i in 5 to 8 loop
         transform_read_column_inside(i) <= (transform_counter_column < i) /= transform_read_column_inside_0_is_less;
       end loop;
       transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 4);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      for i in 0 to 4 loop
-        transform_ready_row_inside(i) <= transform_read_row_inside(i);
-      end loop;
-      for i in 0 to 8 loop
-        transform_ready_column_inside(i) <= transform_read_column_inside(i);
-      end loop;
+      transform_ready_row_inside(0) <= transform_reached_first(0) and (not transform_read_row_inside_0);
+      transform_ready_row_inside(1) <= transform_reached_first(1) and (not transform_counter_next_frame_after);
+      transform_ready_row_inside(2) <= transform_reached_first(2) and (not transform_reached_beyond_last(4));
+      transform_ready_row_inside(3) <= transform_reached_first(3) and (not transform_reached_beyond_last(3));
+      transform_ready_row_inside(4) <= transform_read_column_inside(4) and (not transform_reached_beyond_last(2));
+      transform_ready_column_inside(0) <= transform_read_column_inside(0);
+      transform_ready_column_inside(1) <= transform_read_column_inside(1);
+      transform_ready_column_inside(2) <= transform_read_column_inside(2);
+      transform_ready_column_inside(3) <= transform_read_column_inside(3);
+      transform_ready_column_inside(4) <= transform_reached_first(4);
+      transform_ready_column_inside(5) <= transform_read_column_inside(5);
+      transform_ready_column_inside(6) <= transform_read_column_inside(6);
+      transform_ready_column_inside(7) <= transform_read_column_inside(7);
+      transform_ready_column_inside(8) <= transform_read_column_inside(8);
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
+      transform_reached_first(0) <= 3 < transform_counter_group;
+      transform_reached_first(1) <= 2 < transform_counter_group;
+      transform_reached_first(2) <= 1 < transform_counter_group;
+      transform_reached_first(3) <= transform_counter_group /= 0;
+      transform_reached_first(4) <= (transform_counter_column < 4) /= transform_read_column_inside_0_is_less;
+      transform_reached_beyond_last(2) <= 479 < transform_counter_group;
+      transform_reached_beyond_last(3) <= 480 < transform_counter_group;
+      transform_reached_beyond_last(4) <= 481 < transform_counter_group;
       transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
       transform_left_column(1) <= to_integer(transform_left_rows_ready_words_0(15 downto 8));
       transform_left_column(2) <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
@@ -2977,33 +3294,182 @@ begin
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
       transform_filtering_valid(1) <= transform_filtering_valid(0);
-      if in_valid and in_start_of_frame then
-        transform_counter_group <= transform_counter_group_choice * 32;
+      transform_filtering_start_of_frame(2) <= transform_filtering_start_of_frame(1);
+      transform_filtering_valid(2) <= transform_filtering_valid(1);
+      if transform_counter_counts then
+        transform_counter_frame_joins <= transform_counter_frame_joins_choice;
       else
-        transform_counter_group <= transform_counter_group_choices(3);
+        transform_counter_frame_joins <= winnerswinner1_best_below_0;
       end if;
-      if transform_filtering_0_column_inside(8) then
-        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choices(40)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(32)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(24)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(16)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(8)), 1) &
-          transform_left_filter_feature_0_choice_361(38 downto 0);
-        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choices(40)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(32)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(24)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(16)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(8)), 1) &
-          transform_right_filter_feature_0_choice_361(38 downto 0);
+      if transform_counter_last_column then
+        transform_counter_column_after <= 0;
       else
-        transform_left_filter_feature_0 <= resize(transform_left_filter_feature_0_choice_361, 44);
-        transform_right_filter_feature_0 <= resize(transform_right_filter_feature_0_choice_361, 44);
+        transform_counter_column_after <= (transform_counter_column + 1) mod 1024;
+      end if;
+      if (not transform_counter_counts) or (not transform_counter_last_column) then
+        transform_counter_group_after <= transform_counter_group;
+      else
+        transform_counter_group_after <= transform_counter_group_after_choice;
+      end if;
+      if transform_left_filter_low_is_larger_0_choices_from_0(0, 0, 3) then
+        transform_left_filter_low_is_larger_0(0, 0) <= (not is_set(transform_left_filter_column(4, 2), 3)) or
+          transform_left_filter_low_is_larger_0_0_0_values(4);
+      else
+        transform_left_filter_low_is_larger_0(0, 0) <= (not is_set(transform_left_filter_column(4, 2), 3)) and
+          transform_left_filter_low_is_larger_0_0_0_values(4);
+      end if;
+      for i in 1 to 4 loop
+        if transform_left_filter_low_is_larger_0_choices_from_0(0, i, 3) then
+          transform_left_filter_low_is_larger_0(0, i) <= transform_left_filter_low_is_larger_0_value(0, i) and (not
+            is_set(transform_left_filter_column(4, 2), 3));
+        else
+          transform_left_filter_low_is_larger_0(0, i) <= transform_left_filter_low_is_larger_0_value(0, i) or (not
+            is_set(transform_left_filter_column(4, 2), 3));
+        end if;
+      end loop;
+      for i in 1 to 3 loop
+        for j in 0 to 4 loop
+          if transform_left_filter_low_is_larger_0_choices_from_0(i, j, 3) then
+            transform_left_filter_low_is_larger_0(i, j) <= transform_left_filter_low_is_larger_0_value(i, j) and (not
+              is_set(transform_left_filter_column(4, 2), 3));
+          else
+            transform_left_filter_low_is_larger_0(i, j) <= transform_left_filter_low_is_larger_0_value(i, j) or (not
+              is_set(transform_left_filter_column(4, 2), 3));
+          end if;
+        end loop;
+      end loop;
+      for i in 0 to 1 loop
+        if transform_left_filter_low_is_larger_0_4_choices_from_0(i, 3) then
+          transform_left_filter_low_is_larger_0_4(i) <= transform_left_filter_low_is_larger_0_4_value(i) and (not
+            is_set(transform_left_filter_column(4, 2), 3));
+        else
+          transform_left_filter_low_is_larger_0_4(i) <= transform_left_filter_low_is_larger_0_4_value(i) or (not
+            is_set(transform_left_filter_column(4, 2), 3));
+        end if;
+      end loop;
+      for i in 3 to 4 loop
+        if transform_left_filter_low_is_larger_0_4_choices_from_3(i, 3) then
+          transform_left_filter_low_is_larger_0_4s(i) <= transform_left_filter_low_is_larger_0_4_values(i) and (not
+            is_set(transform_left_filter_column(4, 2), 3));
+        else
+          transform_left_filter_low_is_larger_0_4s(i) <= transform_left_filter_low_is_larger_0_4_values(i) or (not
+            is_set(transform_left_filter_column(4, 2), 3));
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        for j in 0 to 4 loop
+          if transform_left_filter_low_is_larger_0_choices_from_5(2 * i + 5, j, 3) then
+            transform_left_filter_low_is_larger_0s(2 * i + 5, j) <= transform_left_filter_low_is_larger_0_values(2 * i
+              + 5, j) and (not is_set(transform_left_filter_column(4, 2), 3));
+          else
+            transform_left_filter_low_is_larger_0s(2 * i + 5, j) <= transform_left_filter_low_is_larger_0_values(2 * i
+              + 5, j) or (not is_set(transform_left_filter_column(4, 2), 3));
+          end if;
+        end loop;
+        for j in 0 to 4 loop
+          if transform_left_filter_low_is_larger_0_choices_from_5(2 * i + 6, j, 3) then
+            transform_left_filter_low_is_larger_0s(2 * i + 6, j) <= transform_left_filter_low_is_larger_0_values(2 * i
+              + 6, j) and (not is_set(transform_left_filter_column(4, 2), 3));
+          else
+            transform_left_filter_low_is_larger_0s(2 * i + 6, j) <= transform_left_filter_low_is_larger_0_values(2 * i
+              + 6, j) or (not is_set(transform_left_filter_column(4, 2), 3));
+          end if;
+        end loop;
+      end loop;
+      if transform_filtering_0_column_inside(8) then
+        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choices(20)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(16)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(12)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(8)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choices(4)), 1) &
+          transform_left_filter_feature_0_choice_185(38 downto 0);
+        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choices(20)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(16)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(12)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(8)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choices(4)), 1) &
+          transform_right_filter_feature_0_choice_185(38 downto 0);
+      else
+        transform_left_filter_feature_0 <= resize(transform_left_filter_feature_0_choice_185, 44);
+        transform_right_filter_feature_0 <= resize(transform_right_filter_feature_0_choice_185, 44);
+      end if;
+      if transform_right_filter_low_is_larger_0_choices_from_0(0, 0, 3) then
+        transform_right_filter_low_is_larger_0(0, 0) <= (not is_set(transform_right_filter_column(4, 2), 3)) or
+          transform_right_filter_low_is_larger_0_0_0_values(4);
+      else
+        transform_right_filter_low_is_larger_0(0, 0) <= (not is_set(transform_right_filter_column(4, 2), 3)) and
+          transform_right_filter_low_is_larger_0_0_0_values(4);
+      end if;
+      for i in 1 to 4 loop
+        if transform_right_filter_low_is_larger_0_choices_from_0(0, i, 3) then
+          transform_right_filter_low_is_larger_0(0, i) <= transform_right_filter_low_is_larger_0_value(0, i) and (not
+            is_set(transform_right_filter_column(4, 2), 3));
+        else
+          transform_right_filter_low_is_larger_0(0, i) <= transform_right_filter_low_is_larger_0_value(0, i) or (not
+            is_set(transform_right_filter_column(4, 2), 3));
+        end if;
+      end loop;
+      for i in 1 to 3 loop
+        for j in 0 to 4 loop
+          if transform_right_filter_low_is_larger_0_choices_from_0(i, j, 3) then
+            transform_right_filter_low_is_larger_0(i, j) <= transform_right_filter_low_is_larger_0_value(i, j) and (not
+              is_set(transform_right_filter_column(4, 2), 3));
+          else
+            transform_right_filter_low_is_larger_0(i, j) <= transform_right_filter_low_is_larger_0_value(i, j) or (not
+              is_set(transform_right_filter_column(4, 2), 3));
+          end if;
+        end loop;
+      end loop;
+      for i in 0 to 1 loop
+        if transform_right_filter_low_is_larger_0_4_choices_from_0(i, 3) then
+          transform_right_filter_low_is_larger_0_4(i) <= transform_right_filter_low_is_larger_0_4_value(i) and (not
+            is_set(transform_right_filter_column(4, 2), 3));
+        else
+          transform_right_filter_low_is_larger_0_4(i) <= transform_right_filter_low_is_larger_0_4_value(i) or (not
+            is_set(transform_right_filter_column(4, 2), 3));
+        end if;
+      end loop;
+      for i in 3 to 4 loop
+        if transform_right_filter_low_is_larger_0_4_choices_from_3(i, 3) then
+          transform_right_filter_low_is_larger_0_4s(i) <= transform_right_filter_low_is_larger_0_4_values(i) and (not
+            is_set(transform_right_filter_column(4, 2), 3));
+        else
+          transform_right_filter_low_is_larger_0_4s(i) <= transform_right_filter_low_is_larger_0_4_values(i) or (not
+            is_set(transform_right_filter_column(4, 2), 3));
+        end if;
+      end loop;
+      for i in 0 to 1 loop
+        for j in 0 to 4 loop
+          if transform_right_filter_low_is_larger_0_choices_from_5(2 * i + 5, j, 3) then
+            transform_right_filter_low_is_larger_0s(2 * i + 5, j) <= transform_right_filter_low_is_larger_0_values(2 *
+              i + 5, j) and (not is_set(transform_right_filter_column(4, 2), 3));
+          else
+            transform_right_filter_low_is_larger_0s(2 * i + 5, j) <= transform_right_filter_low_is_larger_0_values(2 *
+              i + 5, j) or (not is_set(transform_right_filter_column(4, 2), 3));
+          end if;
+        end loop;
+        for j in 0 to 4 loop
+          if transform_right_filter_low_is_larger_0_choices_from_5(2 * i + 6, j, 3) then
+            transform_right_filter_low_is_larger_0s(2 * i + 6, j) <= transform_right_filter_low_is_larger_0_values(2 *
+              i + 6, j) and (not is_set(transform_right_filter_column(4, 2), 3));
+          else
+            transform_right_filter_low_is_larger_0s(2 * i + 6, j) <= transform_right_filter_low_is_larger_0_values(2 *
+              i + 6, j) or (not is_set(transform_right_filter_column(4, 2), 3));
+          end if;
+        end loop;
+      end loop;
+      if transform_counter_next_frame then
+        transform_counter_group_choice := 15;
+      else
+        transform_counter_group_choice := 0;
       end if;
       if in_valid then
-        if in_start_of_frame or transform_counter_group_is_equal_2 then
+        if in_start_of_frame then
           transform_counter_column <= 0;
+          transform_counter_group <= transform_counter_group_choice * 32;
         else
-          transform_counter_column <= (transform_counter_column + 1) mod 1024;
+          transform_counter_column <= transform_counter_column_after;
+          transform_counter_group <= transform_counter_group_after;
         end if;
       end if;
       if transform_ready_valid then
@@ -3041,21 +3507,25 @@ begin
         end loop;
       end if;
       -- raster
-      raster_place_group_is_equal := raster_place_column = 639;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
-      raster_features_valid <= transform_filtering_valid(1);
-      if transform_filtering_valid(1) and transform_filtering_start_of_frame(1) then
-        raster_place_group <= 0;
+      raster_features_valid <= transform_filtering_valid(2);
+      raster_place_last_column <= raster_place_column = 639;
+      raster_place_counts <= raster_place_group /= 480;
+      raster_place_group_after <= (raster_place_group + as_number((raster_place_counts and raster_place_last_column)))
+        mod 512;
+      if raster_place_last_column then
+        raster_place_column_after <= 0;
       else
-        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 480) and
-          transform_filtering_valid(1) and raster_place_group_is_equal))) mod 512;
+        raster_place_column_after <= (raster_place_column + 1) mod 1024;
       end if;
-      if transform_filtering_valid(1) then
-        if raster_place_group_is_equal or transform_filtering_start_of_frame(1) then
+      if transform_filtering_valid(2) then
+        if transform_filtering_start_of_frame(2) then
           raster_place_column <= 0;
+          raster_place_group <= 0;
         else
-          raster_place_column <= (raster_place_column + 1) mod 1024;
+          raster_place_column <= raster_place_column_after;
+          raster_place_group <= raster_place_group_after;
         end if;
       end if;
       -- delay
@@ -3070,7 +3540,6 @@ begin
       delay_tag_output_column <= (raster_place_group < 480) and delay_tag_map_column_is_not_less and
         delay_tag_map_column_is_less;
       delay_tag_start_of_frame <= (raster_place_group = 0) and delay_tag_first_cost_is_equal;
-      delay_tag_end_of_line <= raster_place_group_is_equal;
       -- rows
       rows_search_0 <= delay_delayed_0;
       rows_reference_0 <= delay_ahead_0;
@@ -3079,7 +3548,7 @@ begin
       rows_tag_map_column <= delay_tag_map_column;
       rows_tag_output_column <= delay_tag_output_column;
       rows_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_tag_end_of_line <= delay_tag_end_of_line;
+      rows_tag_end_of_line <= raster_place_last_column;
       -- line
       if rows_tag_valid then
         line_centre_map_column_0 <= rows_tag_map_column;
@@ -4392,6 +4861,13 @@ begin
       else
         winnerswinner1_best_index_0_3 <= 6;
       end if;
+      if in_valid then
+        if in_start_of_frame then
+          winnerswinner1_best_below_0 <= transform_counter_next_frame;
+        else
+          winnerswinner1_best_below_0 <= transform_counter_frame_joins;
+        end if;
+      end if;
       -- winnerswinner2
       for i in 0 to 1 loop
         if is_set(winnerswinner1_best_cost_0(2 * i), 0) then
@@ -5466,6 +5942,12 @@ begin
         transform_counter_column <= 0;
         transform_counter_group <= 482;
         transform_counter_next_frame <= false;
+        transform_counter_last_column <= false;
+        transform_counter_counts <= false;
+        transform_counter_frame_joins <= false;
+        transform_counter_back_to_back <= false;
+        transform_counter_column_after <= 1;
+        transform_counter_group_after <= 482;
         transform_read_column <= 0;
         transform_read_start_of_frame <= false;
         transform_read_valid <= false;
@@ -5475,19 +5957,22 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame(0) <= false;
-        transform_filtering_valid(0) <= false;
-        transform_filtering_start_of_frame(1) <= false;
-        transform_filtering_valid(1) <= false;
+        for i in 0 to 2 loop
+          transform_filtering_start_of_frame(i) <= false;
+          transform_filtering_valid(i) <= false;
+        end loop;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 480;
+        raster_place_last_column <= false;
+        raster_place_counts <= false;
+        raster_place_column_after <= 1;
+        raster_place_group_after <= 480;
         delay_tag_valid <= false;
         delay_tag_first_cost <= false;
         delay_tag_map_column <= false;
         delay_tag_output_column <= false;
         delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
         rows_tag_valid <= false;
         rows_tag_first_cost <= false;
         rows_tag_map_column <= false;
@@ -5573,6 +6058,7 @@ begin
         pathsturn_sum_write_address(1) <= 0;
         pathsturn_writes_sums(0) <= false;
         pathsturn_writes_sums(1) <= false;
+        winnerswinner1_best_below_0 <= false;
         winners_best_tag_valid <= false;
         winners_best_tag_map_column <= false;
         winners_best_tag_output_column <= false;

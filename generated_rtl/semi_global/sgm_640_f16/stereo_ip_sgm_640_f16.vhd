@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 513,
-      latency_clocks => 72,
+      latency_clocks => 73,
       flush_groups => 3205,
       gap_groups => 0,
-      core_id => x"5a4e6ba6",
+      core_id => x"9e3778a2",
       enabled_at_reset => enabled_at_reset,
       clocks_per_group => 16)
     port map (
@@ -120,7 +120,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 513,
-      latency_clocks => 72,
+      latency_clocks => 73,
       flush_groups => 3205,
       gap_groups => 0)
     port map (
