@@ -108,7 +108,8 @@ def main() -> int:
     parser.add_argument(
         "--record",
         action="store_true",
-        help="write the result into cosimulation.json beside the VHDL, for docs/performance.md",
+        help="write the result into cosimulation.json beside the VHDL: of the images alone, for docs/performance.md, or "
+        "with --stimulus stress of the stress stream",
     )
     options = parser.parse_args()
     if options.coverage:
@@ -122,7 +123,7 @@ def main() -> int:
     fields = {name: value for name, value in vars(options).items() if name in job.Job.__dataclass_fields__}
     report = job.run_job(job.Job(options.configs[0], **fields))
     if options.record:
-        record.keep(report)
+        record.keep([report], stimulus(options))
     return job.exit_code(report)
 
 
@@ -134,9 +135,11 @@ def _choose_stimulus(options: argparse.Namespace) -> None:
         return
     if word not in (None, "stress", "scene"):
         raise FlowError(f"--stimulus {word}: must be stress or scene, or a file together with --expected")
-    if word == "stress" and options.record:
-        raise FlowError("--record keeps results of whole frames and rows: no --stimulus stress")
-    options.stress, options.stimulus = word != "scene" and not options.record, None
+    options.stress, options.stimulus = word == "stress" or word is None and not options.record, None
+
+
+def stimulus(options: argparse.Namespace) -> record.Stimulus:
+    return "stress" if options.stress else "runs"
 
 
 def _check(options: argparse.Namespace) -> None:
@@ -151,11 +154,11 @@ def _check(options: argparse.Namespace) -> None:
     if options.stimulus and (options.left or options.rows or options.broken or options.stall_percent):
         raise FlowError("--stimulus takes the place of images, --rows, --broken and --stall-percent")
     if options.stress_clocks is not None and not options.stress:
-        raise FlowError("--stress-clocks needs the stress stream, which --record and another --stimulus leave out")
+        raise FlowError("--stress-clocks needs the stress stream, which --record alone and another --stimulus leave out")
     if options.coverage and options.wave:
         raise FlowError("--coverage and --wave are for two runs")
     if options.record and options.broken:
-        raise FlowError("--record keeps results of whole frames and rows: no --broken")
+        raise FlowError("--record keeps results of frames, rows and the stress stream: no --broken")
     if options.frames < 1:
         raise FlowError("--frames must be at least 1")
     if options.broken < 0:
@@ -180,9 +183,7 @@ def _several(options: argparse.Namespace) -> int:
         if value is not None:
             words += [f"--{name.replace('_', '-')}", str(value)]
     words += ["--watchdog", str(options.watchdog_seconds)]
-    words += [
-        f"--{name}" for name in ("allow-edited", "coverage", "record") if getattr(options, name.replace("-", "_"))
-    ]
+    words += [f"--{name}" for name in ("allow-edited", "coverage") if getattr(options, name.replace("-", "_"))]
     configs = regression.select(options.configs)
     with farm.of(options, SIMULATORS[options.simulator].tools) as workers:
         return regression.Regression(
@@ -194,6 +195,7 @@ def _several(options: argparse.Namespace) -> int:
             workers,
             options.fail_fast,
             options.changed,
+            stimulus(options) if options.record else None,
         ).run()
 
 

@@ -117,10 +117,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 577,
-      latency_clocks => 82,
+      latency_clocks => 83,
       flush_groups => 14085,
       gap_groups => 0,
-      core_id => x"62f133d2",
+      core_id => x"d347c632",
       enabled_at_reset => enabled_at_reset,
       clocks_per_group => 8)
     port map (
@@ -237,7 +237,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 577,
-      latency_clocks => 56,
+      latency_clocks => 57,
       flush_groups => 3205,
       gap_groups => 0)
     port map (

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Co-simulation of every option of the algorithm: model == core (hls_tb/cores/named_cores_test.cpp) == VHDL (here). The
-fast set takes the tiny cores, and of block matching as few others as have every option; mark.slow takes the rest."""
+fast set takes the tiny cores, and of block matching as few others as have every option. mark.slow takes a few that have
+every option of every family, and all whose VHDL has not passed the stress stream on record."""
 
 import pytest
 
-from cover import simulated, with_slow
-from flow.base import rtl
+from cover import cover, options, rows, simulated, with_slow
+from flow.base import committed, rtl
 from flow.base.configurations import clocks_per_pixel, configurations
 from flow.base.ghdl import to_verilog
+from flow.cosim import record
+from flow.cosim.report import judged
 from flow.synthesis import manifest
 from flow_commands import call, cosim, report, scene
 
@@ -17,6 +20,28 @@ TINY = [name for name, row in TABLE.items() if row["use"] == "tiny"]
 SMALL = sorted([*OPTIONS, *TINY])
 FAST = simulated() & {*SMALL}
 LONG = sorted(name for name in FAST if TABLE[name]["family"] == "dynamic_range")  # a minute: the fast set takes rows
+
+
+def few():
+    """As few as have every option of every family."""
+
+    def of_family(row):
+        return {(row.family, option) for option in options(row)}
+
+    table = {name: row for name, row in rows().items() if name in SMALL}
+    return {*FAST, *cover(table, of_family, lambda row: 1, [table[name] for name in FAST])}
+
+
+def on_record(config):
+    """Whether the VHDL that is there now has passed."""
+    folder = committed.folder(config)
+    run = record.read(folder, manifest.read(folder), "stress").get("ghdl")
+    return run is not None and judged(run) == 0
+
+
+FEW = few()
+IN_SYNTHESIS = {"example_p2_delayed", "tiny_12bit_all"}  # of the fast set
+SIMULATED = sorted(name for name in SMALL if name in FEW or not on_record(name))
 
 
 def test_there_are_enough_parameter_sets():
@@ -39,6 +64,19 @@ def test_the_fast_set_has_every_option():
     assert {TABLE[name]["family"] for name in FAST} == {TABLE[name]["family"] for name in SMALL}
 
 
+def test_a_result_counts_for_its_vhdl_and_where_it_passed(monkeypatch):
+    [config, *_] = [name for name in SMALL if on_record(name)]
+    folder = committed.folder(config)
+    entry = manifest.read(folder)
+    monkeypatch.setattr(manifest, "read", lambda _: entry | {"structure": "0"})
+    assert not on_record(config)
+    monkeypatch.undo()
+    run = record.read(folder, entry, "stress")["ghdl"]
+    for wrong in ({"passed": False}, {"mismatches": 1}, {"compared": 0, "expected": 0}):
+        monkeypatch.setattr(record, "read", lambda *_, wrong=wrong: {"ghdl": run | wrong})
+        assert not on_record(config)
+
+
 @pytest.mark.parametrize("config", LONG)
 def test_rows_of_a_long_frame(ghdl, tmp_path, config):
     process = cosim(config, scene(tmp_path / "pair", config), tmp_path / "out", "--rows", 2)
@@ -47,7 +85,7 @@ def test_rows_of_a_long_frame(ghdl, tmp_path, config):
     assert result["compared"] == result["expected"] > 40 and result["mismatches"] == 0
 
 
-@pytest.mark.parametrize("config", with_slow(SMALL, FAST.difference(LONG)))
+@pytest.mark.parametrize("config", with_slow(SIMULATED, FAST.difference(LONG)))
 def test_stress_stream_and_two_frames(ghdl, tmp_path, config):
     """One of the streams that cosim.py sends by default, of another seed in each configuration, and behind it two
     frames as close as they may be. Clock by clock as the C++ core."""
@@ -65,6 +103,6 @@ def test_stress_stream_and_two_frames(ghdl, tmp_path, config):
     assert result["latency_clocks"] == parameters["latency_clocks"]
 
 
-@pytest.mark.parametrize("config", with_slow(OPTIONS, ["example_p2_delayed", "tiny_12bit_all"]))
+@pytest.mark.parametrize("config", with_slow(sorted(FEW | IN_SYNTHESIS), IN_SYNTHESIS))
 def test_synthesis_takes_the_vhdl(ghdl, tmp_path, config):
     assert to_verilog(manifest.core_files(config), tmp_path, rtl.core_entity(config)).count("endmodule") >= 1

@@ -42,9 +42,9 @@ def folder(tmp_path, monkeypatch):
 def test_the_last_run_of_each_simulator_is_kept(folder):
     entry = manifest.read(folder)
     assert record.read(folder, entry) == {}
-    record.keep(REPORT)
-    record.keep(REPORT | {"simulator": "verilator", "expected": 288, "compared": 288})
-    record.keep(REPORT | {"mismatches": 3, "passed": False})
+    record.keep([REPORT])
+    record.keep([REPORT | {"simulator": "verilator", "expected": 288, "compared": 288}])
+    record.keep([REPORT | {"mismatches": 3, "passed": False}])
     runs = record.read(folder, entry)
     assert {name: (run["compared"], run["mismatches"]) for name, run in runs.items()} == {
         "ghdl": (168, 3),
@@ -54,9 +54,20 @@ def test_the_last_run_of_each_simulator_is_kept(folder):
 
 
 def test_results_of_other_vhdl_do_not_count(folder):
-    record.keep(REPORT)
+    record.keep([REPORT])
+    record.keep([REPORT], "stress")
     entry = manifest.read(folder)
-    assert record.read(folder, entry | {"structure": "0"}) == {}
+    for stimulus in ("runs", "stress"):
+        assert record.read(folder, entry, stimulus) and not record.read(folder, entry | {"structure": "0"}, stimulus)
+
+
+def test_images_and_the_stress_stream_are_two_results(folder):
+    entry = manifest.read(folder)
+    record.keep([REPORT | {"compared": 900, "expected": 900}], "stress")
+    assert record.read(folder, entry) == {}
+    record.keep([REPORT])
+    assert record.read(folder, entry)["ghdl"]["compared"] == 168
+    assert record.read(folder, entry, "stress")["ghdl"]["compared"] == 900
 
 
 @pytest.mark.parametrize(
@@ -67,17 +78,19 @@ def test_results_of_other_vhdl_do_not_count(folder):
         "{}",
         '{"format": "stereo-hls cosimulation 9", "runs": {}}',
         json.dumps({"format": record.FORMAT, "runs": {"ghdl": {"compared": "all"}}}),
+        json.dumps({"format": record.FORMAT, "stress": []}),
     ],
 )
 def test_damaged_results_are_refused(folder, content):
     (folder / record.FILE).write_text(content)
     with pytest.raises(FlowError, match="damaged .*cosimulation.json"):
-        record.read(folder, manifest.read(folder))
+        for stimulus in ("runs", "stress"):
+            record.read(folder, manifest.read(folder), stimulus)
 
 
 def test_the_page_shows_them(folder, monkeypatch):
     monkeypatch.setattr(performance, "SYSTEMS", [System("ours", "32x12", None, "", "tiny")])
-    record.keep(REPORT)
+    record.keep([REPORT])
     head, rows = performance.systems()
     shown = dict(zip(head, rows[0]))
     assert (shown["compared in GHDL"], shown["compared in Verilator"]) == ("168 of 168, 0 differ", performance.UNKNOWN)

@@ -185,6 +185,18 @@ def test_an_interruption_keeps_what_has_run(stand_ins):
     assert outcomes(run(stand_ins, "good0", "other0", only_changed=True)[1]) == {"good0": "unchanged", "other0": "pass"}
 
 
+def test_what_was_compared_is_kept_at_the_end(stand_ins, monkeypatch):
+    """A wrong result, too: whoever reads it asks whether it passed."""
+    kept = []
+    monkeypatch.setattr(regression.record, "keep", lambda *of: kept.append(of))
+    run(stand_ins, "good0", "wrong1", "input2")
+    assert kept == []
+    run(stand_ins, "good0", "wrong1", "input2", recorded="stress")
+    [(reports, stimulus)] = kept
+    assert [(one["config"], one["passed"]) for one in reports] == [("good0", True), ("wrong1", False)]
+    assert stimulus == "stress"
+
+
 def test_a_report_of_an_earlier_run_is_not_taken(stand_ins):
     (stand_ins / "silent0-ghdl").mkdir(parents=True)
     shutil.copy(run(stand_ins, "good0") and stand_ins / "good0-ghdl" / "report.json", stand_ins / "silent0-ghdl")

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""cosimulation.json beside the VHDL of a configuration: what its co-simulations gave, for the pages."""
+"""cosimulation.json beside the VHDL of a configuration: what its co-simulations gave, for the pages and for the tests,
+which do not repeat all of them."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable
 from pathlib import Path
-from typing import TypedDict, get_type_hints
+from typing import Literal, TypedDict, get_type_hints
 
 from ..base import committed, json_files
 from ..synthesis import manifest
@@ -12,6 +13,7 @@ from .report import Report
 
 FILE = "cosimulation.json"
 FORMAT = "stereo-hls cosimulation 2"
+Stimulus = Literal["runs", "stress"]  # the keys of the file: images, and the stress stream
 
 
 class Run(TypedDict):
@@ -29,25 +31,33 @@ class Run(TypedDict):
 _KEPT = get_type_hints(Run)
 
 
-def keep(report: Report) -> None:
-    """Adds a report of job.run_job; the last one of each simulator stays."""
+def keep(reports: Iterable[Report], stimulus: Stimulus = "runs") -> None:
+    """Adds reports of job.run_job, each of another configuration; the last one of each simulator stays."""
+    committed.keep([_change(report, stimulus) for report in reports])
+
+
+def _change(report: Report, stimulus: Stimulus) -> committed.Change:
     directory = committed.folder(report["config"])
     entry = manifest.read(directory)
-    runs: dict[str, Mapping[str, object]] = {**read(directory, entry)}
-    runs[report["simulator"]] = {key: value for key, value in report.items() if key in _KEPT}
-    content = {"format": FORMAT, "configuration": report["config"], "design": manifest.design(entry), "runs": runs}
-    text = json.dumps(content, indent=2, sort_keys=True) + "\n"
-    committed.keep([manifest.change(entry, {FILE: text})])
+    content: dict[str, object] = {
+        "format": FORMAT,
+        "configuration": report["config"],
+        "design": manifest.design(entry),
+        **{one: runs for one in ("runs", "stress") if (runs := read(directory, entry, one))},
+    }
+    run = {key: value for key, value in report.items() if key in _KEPT}
+    content[stimulus] = {**read(directory, entry, stimulus), report["simulator"]: run}
+    return manifest.change(entry, {FILE: json.dumps(content, indent=2, sort_keys=True) + "\n"})
 
 
-def read(directory: Path, entry: manifest.Manifest) -> dict[str, Run]:
+def read(directory: Path, entry: manifest.Manifest, stimulus: Stimulus = "runs") -> dict[str, Run]:
     """The last run of each simulator with the VHDL that the manifest `entry` describes; those of other VHDL do not
     count."""
     path = directory / FILE
     content = json_files.load_result(path, FORMAT)
     if content is None:
         return {}
-    runs = content.get("runs")
+    runs = content.get(stimulus, {})
     if not isinstance(runs, dict) or not all(_is_run(run) for run in runs.values()):
         raise json_files.damaged(path, FORMAT)
     return runs if content.get("design") == manifest.design(entry) else {}

@@ -21,7 +21,7 @@ from ..base import committed, facts, farm, files, json_files, locks, rtl
 from ..base.configurations import designs
 from ..base.errors import EXIT_INTERRUPTED, EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_stereo_hls
-from . import overview, report
+from . import overview, record, report
 from .simulators import BENCH, SIMULATORS
 
 FORMAT = "stereo-hls regression 1"
@@ -75,6 +75,7 @@ class Regression:
     farm: farm.Farm
     fails_fast: bool = False
     only_changed: bool = False
+    recorded: record.Stimulus | None = None  # as what results go beside the VHDL, all at the end: many share an archive
     _stopped: str = ""  # why no more are started
 
     def run(self) -> int:
@@ -114,6 +115,9 @@ class Regression:
                 raise
         code = exit_code(entries)
         self._write(entries, code, time.monotonic() - started)
+        if self.recorded:
+            judged = [entry.report for entry in entries if entry.outcome in ("pass", "FAIL")]
+            record.keep(judged, self.recorded)  # type: ignore[arg-type]
         return code
 
     def _one(self, entry: Entry, earlier: dict[str, Any]) -> None:
