@@ -108,8 +108,8 @@ def main() -> int:
     parser.add_argument(
         "--record",
         action="store_true",
-        help="write the result into cosimulation.json beside the VHDL: of the images alone, for docs/performance.md, or "
-        "with --stimulus stress of the stress stream",
+        help="write the result into cosimulation.json beside the VHDL: that of the images alone, for "
+        "docs/performance.md, or with --stimulus stress that of the stress stream",
     )
     options = parser.parse_args()
     if options.coverage:
@@ -154,7 +154,9 @@ def _check(options: argparse.Namespace) -> None:
     if options.stimulus and (options.left or options.rows or options.broken or options.stall_percent):
         raise FlowError("--stimulus takes the place of images, --rows, --broken and --stall-percent")
     if options.stress_clocks is not None and not options.stress:
-        raise FlowError("--stress-clocks needs the stress stream, which --record alone and another --stimulus leave out")
+        raise FlowError(
+            "--stress-clocks needs the stress stream, which --record alone and another --stimulus leave out"
+        )
     if options.coverage and options.wave:
         raise FlowError("--coverage and --wave are for two runs")
     if options.record and options.broken:

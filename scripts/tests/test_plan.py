@@ -266,6 +266,20 @@ def test_a_row_that_is_there_is_not_added_again():
     assert "its row is there: sgm_640_64_f8." in process.stdout and "STEREO_ROW" not in process.stdout
 
 
+def test_a_row_with_more_clocks_in_front_serves_as_one_with_fewer():
+    """The map is the same; a row that has just these options comes first."""
+    table = configurations()
+    found = candidates.twins(table)
+    assert table["sgm_640_64_f8"]["front_clocks"] == 2
+    for name, clocks, wanted in (
+        ("sgm_640_64_f8", 1, "sgm_640_64_f8"),
+        ("tiny_f3_front", 2, "tiny_f3_front"),
+        ("tiny_f3_front", 1, "tiny_f3_census"),
+    ):
+        assert found[candidates.key_of({**table[name], "front_clocks": clocks})] == wanted
+    assert candidates.key_of({**table["census_640_f8"], "front_clocks": 2}) not in found
+
+
 def test_nothing_fits():
     process = call("plan.py", *VGA, "--luts", 100)
     assert process.returncode == 1 and "Nothing fits." in process.stdout and "STEREO_ROW" not in process.stdout

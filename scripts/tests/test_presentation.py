@@ -18,7 +18,9 @@ from flow.synthesis.structure import structure_digest
 
 FAST = ["tiny", "tiny_sgm"]
 # Every option of every family. Whether the others stand for what was made, test_manifest.py asks of each.
-SMALL = {name: row for name, row in rows().items() if row.use in (*COVERED, "tiny") and name in committed.known_designs()}
+SMALL = {
+    name: row for name, row in rows().items() if row.use in (*COVERED, "tiny") and name in committed.known_designs()
+}
 CASES = sorted({*FAST, *cover(SMALL, lambda row: {(row.family, option) for option in options(row)})})
 
 

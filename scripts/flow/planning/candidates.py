@@ -28,6 +28,7 @@ CHECKS: dict[str, dict[str, Options]] = {
     "full_width": {"": {"full_width": True}},
 }
 THRESHOLDS = {"left_right_threshold", "uniqueness_percent", "uniqueness_distance", "texture_threshold"}
+SAME_MAP = {"front_clocks"}  # a row with more of them serves as one with fewer: the same map, a clock no slower
 PARALLEL = (2, 4)  # pixel pairs a clock, beside one
 
 
@@ -246,7 +247,9 @@ def in_cpp(name: str, value: Any) -> str:
 
 def twins(table: Mapping[str, Configuration]) -> dict[Key, str]:
     """{what decides the hardware: a configuration of the table}"""
-    return {key_of(row): name for name, row in table.items() if row["family"] in cores.FAMILIES}
+    rows = {name: row for name, row in table.items() if row["family"] in cores.FAMILIES}
+    serving = {key_of({**row, **dict.fromkeys(SAME_MAP & row.keys(), 1)}): name for name, row in rows.items()}
+    return serving | {key_of(row): name for name, row in rows.items()}
 
 
 def key_of(row: Mapping[str, Any]) -> Key:

@@ -10,7 +10,7 @@ from typing import Any
 
 from ..base.configurations import configurations, option
 from . import cores
-from .candidates import Algorithm, Camera, Candidate, candidates, key_of, twins
+from .candidates import SAME_MAP, Algorithm, Camera, Candidate, candidates, key_of, twins
 from .devices import Device, netlist_of
 from .model import Core, Implemented, Model, implemented
 
@@ -108,7 +108,8 @@ class Planner:
             shares.append((math.inf, f"no clock is known on {place.target}"))
         reasons = tuple(text for share, text in shares if share > 1)
         load = max(share for share, _ in shares)
-        is_there = name is not None and all(option(self._table[name], o) == v for o, v in candidate.options.items())
+        wanted = {o: value for o, value in candidate.options.items() if o not in SAME_MAP}
+        is_there = name is not None and all(option(self._table[name], o) == value for o, value in wanted.items())
         return Planned(candidate, needed, numbers, reasons, load, name if is_there else None)
 
     def numbers(self, options: Mapping[str, Any] | None, target: str, measured: Mapping[str, Implemented]) -> Numbers:
