@@ -124,6 +124,7 @@ def logic_only(netlist: dict[str, Any]) -> dict[str, Any]:
     return {"modules": {"top": {"ports": ports, "cells": module["cells"], "netnames": {}}}}
 
 
+@pytest.mark.slow
 def test_a_whole_core_is_proven_equal(ghdl: str, tmp_path: Path) -> None:
     """The committed `tiny`. Registers and memories are the same before and after, so the logic between them decides."""
     entity = rtl.core_entity("tiny")
