@@ -121,9 +121,10 @@ def main() -> int:
     if options.jobs != 1 or options.scheduler or options.fail_fast or options.changed:
         raise FlowError("--jobs, --scheduler, --fail-fast and --changed are for several configurations")
     fields = {name: value for name, value in vars(options).items() if name in job.Job.__dataclass_fields__}
+    design = record.design(options.configs[0]) if options.record else {}
     report = job.run_job(job.Job(options.configs[0], **fields))
     if options.record:
-        record.keep([report], stimulus(options))
+        record.keep([(report, design)], stimulus(options))
     return job.exit_code(report)
 
 
@@ -159,6 +160,9 @@ def _check(options: argparse.Namespace) -> None:
         )
     if options.coverage and options.wave:
         raise FlowError("--coverage and --wave are for two runs")
+    for name in ("changed", "wave", "coverage"):
+        if options.record and getattr(options, name):
+            raise FlowError(f"--record keeps a run of the VHDL that users take, of each configuration: no --{name}")
     if options.record and options.broken:
         raise FlowError("--record keeps results of frames, rows and the stress stream: no --broken")
     if options.frames < 1:

@@ -29,6 +29,10 @@ REPORT = {
 }
 
 
+def keep(report, *stimulus):
+    record.keep([(report, record.design("tiny"))], *stimulus)
+
+
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     shutil.copytree(committed.folder("tiny"), tmp_path / "block_matching" / "tiny")
@@ -42,9 +46,9 @@ def folder(tmp_path, monkeypatch):
 def test_the_last_run_of_each_simulator_is_kept(folder):
     entry = manifest.read(folder)
     assert record.read(folder, entry) == {}
-    record.keep([REPORT])
-    record.keep([REPORT | {"simulator": "verilator", "expected": 288, "compared": 288}])
-    record.keep([REPORT | {"mismatches": 3, "passed": False}])
+    keep(REPORT)
+    keep(REPORT | {"simulator": "verilator", "expected": 288, "compared": 288})
+    keep(REPORT | {"mismatches": 3, "passed": False})
     runs = record.read(folder, entry)
     assert {name: (run["compared"], run["mismatches"]) for name, run in runs.items()} == {
         "ghdl": (168, 3),
@@ -54,18 +58,24 @@ def test_the_last_run_of_each_simulator_is_kept(folder):
 
 
 def test_results_of_other_vhdl_do_not_count(folder):
-    record.keep([REPORT])
-    record.keep([REPORT], "stress")
+    keep(REPORT)
+    keep(REPORT, "stress")
     entry = manifest.read(folder)
     for stimulus in ("runs", "stress"):
         assert record.read(folder, entry, stimulus) and not record.read(folder, entry | {"structure": "0"}, stimulus)
 
 
+def test_what_was_simulated_must_be_there_still(folder):
+    with pytest.raises(FlowError, match="the VHDL of tiny changed in the meantime; nothing recorded of it"):
+        record.keep([(REPORT, {**record.design("tiny"), "structure": "0"})])
+    assert not (folder / record.FILE).exists()
+
+
 def test_images_and_the_stress_stream_are_two_results(folder):
     entry = manifest.read(folder)
-    record.keep([REPORT | {"compared": 900, "expected": 900}], "stress")
+    keep(REPORT | {"compared": 900, "expected": 900}, "stress")
     assert record.read(folder, entry) == {}
-    record.keep([REPORT])
+    keep(REPORT)
     assert record.read(folder, entry)["ghdl"]["compared"] == 168
     assert record.read(folder, entry, "stress")["ghdl"]["compared"] == 900
 
@@ -90,13 +100,23 @@ def test_damaged_results_are_refused(folder, content):
 
 def test_the_page_shows_them(folder, monkeypatch):
     monkeypatch.setattr(performance, "SYSTEMS", [System("ours", "32x12", None, "", "tiny")])
-    record.keep([REPORT])
+    keep(REPORT)
     head, rows = performance.systems()
     shown = dict(zip(head, rows[0]))
     assert (shown["compared in GHDL"], shown["compared in Verilator"]) == ("168 of 168, 0 differ", performance.UNKNOWN)
 
 
-@pytest.mark.parametrize("options", [["--rtl", committed.folder("tiny")], ["--simulator", "original"], ["--broken", 3]])
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--rtl", committed.folder("tiny")],
+        ["--simulator", "original"],
+        ["--broken", 3],
+        ["--wave", "w.ghw"],
+        ["--coverage"],
+        ["--config", "tiny_p2", "--changed"],
+    ],
+)
 def test_only_results_of_the_committed_vhdl_are_recorded(options):
     refused(
         call("cosim.py", "--config", "tiny", "--left", "l.png", "--right", "r.png", "--record", *options), 2, "--record"

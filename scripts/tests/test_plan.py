@@ -280,6 +280,14 @@ def test_a_row_with_more_clocks_in_front_serves_as_one_with_fewer():
     assert candidates.key_of({**table["census_640_f8"], "front_clocks": 2}) not in found
 
 
+@pytest.mark.parametrize("clocks, row", [(None, "sgm_640_64_f8"), (1, None), (2, "sgm_640_64_f8")])
+def test_a_row_that_was_not_asked_for_does_not_serve(planner, clocks, row):
+    settings = {"clocks_per_pixel": 8, **({} if clocks is None else {"front_clocks": clocks})}
+    plans = planner.plan(Camera(640, 480, 64, 30, settings=settings), place())
+    rows = {planned.row for planned in plans if planned.candidate.algorithm.config == "sgm_640"}
+    assert rows == {row}
+
+
 def test_nothing_fits():
     process = call("plan.py", *VGA, "--luts", 100)
     assert process.returncode == 1 and "Nothing fits." in process.stdout and "STEREO_ROW" not in process.stdout

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from cover import COVERED, cover, options, rows, with_slow
+from cover import COVERED, clocks, cover, options, rows, with_slow
 from flow.base import committed
 from flow.base.errors import FlowError
 from flow.synthesis import manifest
@@ -17,11 +17,18 @@ from flow.synthesis.presentation.words import joined, split
 from flow.synthesis.structure import structure_digest
 
 FAST = ["tiny", "tiny_sgm"]
-# Every option of every family. Whether the others stand for what was made, test_manifest.py asks of each.
-SMALL = {
-    name: row for name, row in rows().items() if row.use in (*COVERED, "tiny") and name in committed.known_designs()
-}
-CASES = sorted({*FAST, *cover(SMALL, lambda row: {(row.family, option) for option in options(row)})})
+# Every option of every family, and a core that people take of each. Whether the others stand for what was made,
+# test_manifest.py asks of each.
+MADE = {name: row for name, row in rows().items() if name in committed.known_designs()}
+SMALL = {name: row for name, row in MADE.items() if row.use in (*COVERED, "tiny")}
+LARGE = {name: row for name, row in MADE.items() if row.use in ("paper", "system")}
+CASES = sorted(
+    {
+        *FAST,
+        *cover(SMALL, lambda row: {(row.family, option) for option in options(row)}),
+        *cover(LARGE, lambda row: {row.family}, clocks),
+    }
+)
 
 
 def text_of(name):

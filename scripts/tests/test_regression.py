@@ -189,12 +189,13 @@ def test_what_was_compared_is_kept_at_the_end(stand_ins, monkeypatch):
     """A wrong result, too: whoever reads it asks whether it passed."""
     kept = []
     monkeypatch.setattr(regression.record, "keep", lambda *of: kept.append(of))
+    monkeypatch.setattr(regression.record, "design", lambda config: {"structure": config})
     run(stand_ins, "good0", "wrong1", "input2")
     assert kept == []
     run(stand_ins, "good0", "wrong1", "input2", recorded="stress")
     [(reports, stimulus)] = kept
-    assert [(one["config"], one["passed"]) for one in reports] == [("good0", True), ("wrong1", False)]
-    assert stimulus == "stress"
+    assert [(one["config"], one["passed"]) for one, _ in reports] == [("good0", True), ("wrong1", False)]
+    assert stimulus == "stress" and all(design == {"structure": one["config"]} for one, design in reports)
 
 
 def test_a_report_of_an_earlier_run_is_not_taken(stand_ins):

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from cover import clocks, cover, rows
+from cover import COVERED, clocks, cover, rows
 from flow.base import committed
 from flow.base.configurations import configurations
 from flow.cosim import record
@@ -18,9 +18,14 @@ SYSTEMS = sorted(name for name, row in TABLE.items() if row["use"] == "system")
 ROWS = 2  # more where an output needs them
 
 
+IN_SMALL = {  # whose whole VHDL test_cosim_options.py simulates
+    (row.family, option) for row in rows().values() if row.use in (*COVERED, "tiny") for option in row.options
+}
+
+
 def kinds(row):
-    """Its family, folded or not. The options run in smaller cores, whose VHDL is simulated whole."""
-    return {(row.family, "clocks_per_pixel" in row.options)}
+    """Its family, folded or not, and options that no smaller core has."""
+    return {(row.family, "clocks_per_pixel" in row.options)} | {(row.family, o) for o in row.options} - IN_SMALL
 
 
 FEW = cover({name: rows()[name] for name in SYSTEMS}, kinds, lambda row: math.sqrt(clocks(row)))

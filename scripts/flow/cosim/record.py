@@ -5,9 +5,10 @@ which do not repeat all of them."""
 import json
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Literal, TypedDict, get_type_hints
+from typing import Literal, TypedDict, get_args, get_type_hints
 
 from ..base import committed, json_files
+from ..base.errors import EXIT_MISMATCH, FlowError
 from ..synthesis import manifest
 from .report import Report
 
@@ -31,22 +32,39 @@ class Run(TypedDict):
 _KEPT = get_type_hints(Run)
 
 
-def keep(reports: Iterable[Report], stimulus: Stimulus = "runs") -> None:
-    """Adds reports of job.run_job, each of another configuration; the last one of each simulator stays."""
-    committed.keep([_change(report, stimulus) for report in reports])
+def design(config: str) -> manifest.Digests:
+    """Of the VHDL that is there now: to be asked before a run whose result is kept."""
+    return manifest.design(manifest.read(committed.folder(config)))
+
+
+def keep(reports: Iterable[tuple[Report, manifest.Digests]], stimulus: Stimulus = "runs") -> None:
+    """Adds reports of job.run_job, each of another configuration and with its `design` of before; the last one of each
+    simulator stays."""
+    changes, changed = [], []
+    for report, simulated in reports:
+        if design(report["config"]) == simulated:
+            changes.append(_change(report, stimulus))
+        else:
+            changed.append(report["config"])
+    committed.keep(changes)
+    if changed:
+        raise FlowError(
+            f"the VHDL of {', '.join(changed)} changed in the meantime; nothing recorded of it", EXIT_MISMATCH
+        )
 
 
 def _change(report: Report, stimulus: Stimulus) -> committed.Change:
     directory = committed.folder(report["config"])
     entry = manifest.read(directory)
-    content: dict[str, object] = {
+    runs = {one: read(directory, entry, one) for one in get_args(Stimulus)}
+    run = {key: value for key, value in report.items() if key in _KEPT}
+    content = {
         "format": FORMAT,
         "configuration": report["config"],
         "design": manifest.design(entry),
-        **{one: runs for one in ("runs", "stress") if (runs := read(directory, entry, one))},
+        **{one: of_one for one, of_one in runs.items() if of_one},
+        stimulus: {**runs[stimulus], report["simulator"]: run},
     }
-    run = {key: value for key, value in report.items() if key in _KEPT}
-    content[stimulus] = {**read(directory, entry, stimulus), report["simulator"]: run}
     return manifest.change(entry, {FILE: json.dumps(content, indent=2, sort_keys=True) + "\n"})
 
 

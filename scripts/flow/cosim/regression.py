@@ -11,7 +11,7 @@ import os
 import threading
 import time
 import xml.etree.ElementTree as xml
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -59,6 +59,7 @@ class Entry:
     seconds: float = 0
     exit_code: int | None = None
     inputs: str = ""  # digest of all that decides the result
+    design: Mapping[str, str] = field(default_factory=dict)  # of the VHDL, where the result is kept beside it
     report: dict[str, Any] = field(default_factory=dict)
 
     def line(self) -> str:
@@ -112,18 +113,23 @@ class Regression:
                 for entry in entries:
                     entry.text = entry.text or self._stopped
                 self._write(entries, EXIT_INTERRUPTED, time.monotonic() - started)
+                self._record(entries)
                 raise
         code = exit_code(entries)
         self._write(entries, code, time.monotonic() - started)
-        if self.recorded:
-            judged = [entry.report for entry in entries if entry.outcome in ("pass", "FAIL")]
-            record.keep(judged, self.recorded)  # type: ignore[arg-type]
+        self._record(entries)
         return code
+
+    def _record(self, entries: Iterable[Entry]) -> None:
+        if self.recorded:
+            judged = [(entry.report, entry.design) for entry in entries if entry.outcome in ("pass", "FAIL")]
+            record.keep(judged, self.recorded)  # type: ignore[arg-type]
 
     def _one(self, entry: Entry, earlier: dict[str, Any]) -> None:
         folder = self.out / f"{entry.config}-{self.simulator}"
         try:
             entry.inputs = self._digest(entry.config)
+            entry.design = record.design(entry.config) if self.recorded else {}
         except FlowError as error:
             entry.text, entry.outcome, entry.exit_code = str(error), "ERROR", error.exit_code
             return

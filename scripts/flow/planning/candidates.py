@@ -28,7 +28,7 @@ CHECKS: dict[str, dict[str, Options]] = {
     "full_width": {"": {"full_width": True}},
 }
 THRESHOLDS = {"left_right_threshold", "uniqueness_percent", "uniqueness_distance", "texture_threshold"}
-SAME_MAP = {"front_clocks"}  # a row with more of them serves as one with fewer: the same map, a clock no slower
+SAME_MAP = {"front_clocks"}  # a row with more of them serves as one with fewer: the same map, hardly more logic
 PARALLEL = (2, 4)  # pixel pairs a clock, beside one
 
 

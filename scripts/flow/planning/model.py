@@ -4,8 +4,8 @@
   block RAMs  counted: each memory of the core becomes what yosys makes of it (ram.py); nothing is fitted
   LUTs        LUT RAM and what chooses among RAMs, counted too, and a number for each kind of work (work.py), fitted;
               on a family that is not ECP5 one number more, for all work
-  clock       the logarithm of the period is a constant, a slope over the logarithm of the LUTs, three options that
-              leave more logic in a clock, and a constant for each device and grade
+  clock       the logarithm of the period is a constant, a slope over the logarithm of the LUTs, four options that
+              leave more or less logic in a clock, and a constant for each device and grade
 
 Fits are plain least squares of relative errors, over the committed cores whose families work.py knows.
 """
@@ -29,7 +29,14 @@ from .work import work_of
 
 BASE = "ecp5"  # the target with most cores
 WORK = ("costs", "sums", "winners", "paths", "what is there once")  # as the fields of Work
-CLOCK = ("constant", "logarithm of the LUTs", "cost clock less than 3", "winner more in a group", "cost not SAD")
+CLOCK = (
+    "constant",
+    "logarithm of the LUTs",
+    "cost clock less than 3",
+    "winner more in a group",
+    "cost not SAD",
+    "clock more in front of a folded core",
+)
 
 
 @dataclass(frozen=True)
@@ -182,6 +189,7 @@ class Model:
             float(3 - o["cost_clocks"]) if is_direct_sad else 0.0,
             float(o["winner_group"] - 2),
             float(o["cost"] != "sad"),
+            float(o.get("front_clocks", 1) - 1),
         ]
         return own + [float(target == other) for other in self._clocked[1:]]
 

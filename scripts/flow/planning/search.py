@@ -95,6 +95,10 @@ class Planner:
         if candidate.problem:
             return Planned(candidate, needed, Numbers(), (candidate.problem,))
         name = self._twins.get(key_of(candidate.options))
+        if name and any(
+            self._table[name].get(o) != candidate.options.get(o) for o in SAME_MAP & camera.settings.keys()
+        ):
+            name = None  # what serves as well is not what was asked for
         of_name = {core.target: core for core in self.known if core.name == name}
         numbers = self.numbers(candidate.options, place.target, of_name)
         shares = list(_shares(numbers, place))
