@@ -20,6 +20,13 @@ def main() -> int:
     parser.add_argument(
         "--seed", type=int, help="seed of the configurations and their images; printed (default: another one each time)"
     )
+    parser.add_argument(
+        "--differs",
+        action="append",
+        default=[],
+        metavar="OPTION",
+        help="only configurations in which this option is not its default, may be repeated",
+    )
     farm.add_options(parser, os.cpu_count() or 1, "cores")
     parser.add_argument(
         "--row", action="append", metavar="ROW", help="a given row, as in configurations.hpp, instead of random ones"
@@ -31,12 +38,14 @@ def main() -> int:
         raise FlowError("--seed must be 0 ... 2^64 - 1")
     seed = random_cores.new_seed() if options.seed is None else options.seed
     random_cores.source_folder(options.family)  # an unknown family is refused first
+    if options.row and options.differs:
+        raise FlowError("--differs is for random configurations: no --row")
     if options.row:
         cores = [random_cores.core_of(row) for row in options.row]
     else:
-        cores = random_cores.draw(options.family, options.count, seed)
+        cores = random_cores.draw(options.family, options.count, seed, options.differs)
     with farm.of(options, random_cores.tools) as workers:
-        return random_cores.run_family(options.family, cores, seed, workers)
+        return random_cores.run_family(options.family, cores, seed, workers, options.differs)
 
 
 if __name__ == "__main__":

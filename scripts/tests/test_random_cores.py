@@ -76,7 +76,21 @@ def test_the_check_finds_a_fault(tmp_path, fault):
     assert checker.check(random_cores.core_of(row)).exact, "the copy without the fault"
 
 
+@pytest.mark.parametrize("differing", [["clocks_per_pixel"], ["cost", "full_width"], ["front_clocks"]])
+def test_rows_differ_in_what_was_asked_for(differing):
+    """And are those that the seed gives without the wish."""
+    chosen = random_cores.draw("block_matching", 4, 5, differing)
+    defaults = {"clocks_per_pixel": "1", "cost": "Cost::sad", "full_width": "false", "front_clocks": "1"}
+    assert len({core.name for core in chosen}) == 4
+    for core in chosen:
+        assert all(f"{name} = " in core.row and f"{name} = {defaults[name]}," not in core.row for name in differing)
+    every = {core.row for core in random_cores.draw("block_matching", 256, 5)}
+    assert every.issuperset(core.row for core in chosen) and len(every) == 256
+
+
 def test_bad_options():
+    refused(call("random_configurations.py", "--differs", "nobody"), 2, "block_matching has no option 'nobody'")
+    refused(call("random_configurations.py", "--row", TALL_CENSUS, "--differs", "cost"), 2, "no --row")
     refused(call("random_configurations.py", "--count", 0), 2, "must be at least 1")
     refused(call("random_configurations.py", "--family", "nonsense"), 2, "nonsense")
     refused(call("random_configurations.py", "--row", "tiny"), 2, "'tiny' is no row of a configuration")

@@ -6,11 +6,13 @@ import re
 import secrets
 import subprocess
 import tempfile
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from ..base import progress
-from ..base.configurations import configurations
+from ..base.configurations import configurations, options
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.farm import Farm, result_of
 from ..base.places import build_folder
@@ -40,9 +42,29 @@ def source_folder(family: str) -> str:
     return folders[family]
 
 
-def draw(family: str, count: int, seed: int) -> list[Core]:
-    text = run([find_native("random_cores/random_rows"), family, seed, count])
-    return [core_of(row) for row in text.splitlines()]
+MOST_DRAWN = 100_000
+
+
+def draw(family: str, count: int, seed: int, differing: Collection[str] = ()) -> list[Core]:
+    """The first `count` of the seed in whose rows each option of `differing` is not its default."""
+    known = options()[family]
+    for name in differing:
+        if name not in known:
+            raise FlowError(f"{family} has no option '{name}'; docs/options.md lists all")
+    drawn = count
+    while True:
+        text = run([find_native("random_cores/random_rows"), family, seed, drawn])
+        found = [row for row in text.splitlines() if all(_differs(row, name, known[name]) for name in differing)]
+        if len(found) >= count:
+            return [core_of(row) for row in found[:count]]
+        if drawn >= MOST_DRAWN:
+            raise FlowError(f"only {len(found)} of {drawn} rows differ from the defaults in {' and '.join(differing)}")
+        drawn = min(MOST_DRAWN, 4 * drawn)
+
+
+def _differs(row: str, name: str, option: Mapping[str, Any]) -> bool:
+    said = re.search(rf"\b{name} = (?:\w+::)?([\w-]+)", row)
+    return said is not None and said[1] != str(option["default"]).lower()
 
 
 def core_of(row: str) -> Core:
@@ -115,7 +137,7 @@ def run_all(cores: list[Core], family: str, seed: int, workers: Farm) -> list[Co
     return checked
 
 
-def run_family(family: str, cores: list[Core], seed: int, workers: Farm) -> int:
+def run_family(family: str, cores: list[Core], seed: int, workers: Farm, differing: Collection[str] = ()) -> int:
     """Returns the exit code."""
     print(f"{len(cores)} configurations of {family}, seed {seed}", flush=True)
     checked = run_all(cores, family, seed, workers)
@@ -125,7 +147,8 @@ def run_family(family: str, cores: list[Core], seed: int, workers: Farm) -> int:
     if wrong:
         raise FlowError(
             f"{len(wrong)} of {len(checked)} cores differ from the definition; "
-            f"again with --family {family} --count {len(checked)} --seed {seed}",
+            f"again with --family {family} --count {len(checked)} --seed {seed}"
+            + "".join(f" --differs {name}" for name in differing),
             EXIT_MISMATCH,
         )
     return EXIT_OK
