@@ -160,9 +160,14 @@ def _check(options: argparse.Namespace) -> None:
         )
     if options.coverage and options.wave:
         raise FlowError("--coverage and --wave are for two runs")
-    for name in ("changed", "wave", "coverage"):
-        if options.record and getattr(options, name):
-            raise FlowError(f"--record keeps a run of the VHDL that users take, of each configuration: no --{name}")
+    if options.record and (options.wave or options.coverage):
+        raise FlowError(
+            "--record keeps results of the VHDL as it is; --wave and --coverage simulate it without its arrays"
+        )
+    if options.record and options.changed:
+        raise FlowError(
+            "--record keeps a result of each configuration; --changed leaves out those that have passed before"
+        )
     if options.record and options.broken:
         raise FlowError("--record keeps results of frames, rows and the stress stream: no --broken")
     if options.frames < 1:

@@ -5,9 +5,9 @@ every option of every family, and all whose VHDL has not passed the stress strea
 
 import pytest
 
-from cover import choices, cover, rows, simulated, with_slow
+from cover import cover, rows, simulated, with_slow
 from flow.base import committed, rtl
-from flow.base.configurations import clocks_per_pixel, configurations
+from flow.base.configurations import clocks_per_pixel, configurations, outputs_per_frame
 from flow.base.ghdl import to_verilog
 from flow.cosim import record
 from flow.cosim.report import judged
@@ -22,20 +22,9 @@ FAST = simulated() & {*SMALL}
 LONG = sorted(name for name in FAST if TABLE[name]["family"] == "dynamic_range")  # a minute: the fast set takes rows
 
 
-def few():
-    """As few as have every option of every family, and each word of it."""
-    table = {name: row for name, row in rows().items() if name in SMALL}
-    return {*FAST, *cover(table, choices, others=[table[name] for name in FAST])}
-
-
-def outputs(config):
-    row = TABLE[config]
-    return row["output_width_px"] * row["output_height_px"] // row["pixels_per_clock"]
-
-
 def is_whole(config, result):
     """A stream and two frames."""
-    return judged(result) == 0 and result["frames"] == 2 and result["compared"] > 12 * outputs(config)
+    return judged(result) == 0 and result["frames"] == 2 and result["compared"] > 12 * outputs_per_frame(TABLE[config])
 
 
 def on_record(config):
@@ -48,7 +37,9 @@ def on_record(config):
 
 
 MADE = set(committed.known_configurations())
-FEW = few()
+ROWS = {name: row for name, row in rows().items() if name in SMALL}
+# As few as have every option of every family, and each word of it.
+FEW = {*FAST, *cover(ROWS, others=[ROWS[name] for name in FAST])}
 IN_SYNTHESIS = {"example_p2_delayed", "tiny_12bit_all"}  # of the fast set
 SIMULATED = sorted(name for name in SMALL if name in FEW or not on_record(name))
 
@@ -74,7 +65,7 @@ def test_the_fast_set_has_every_option():
 
 
 def test_what_counts_on_record(monkeypatch):
-    count = 12 * outputs("tiny") + 1
+    count = 12 * outputs_per_frame(TABLE["tiny"]) + 1
     run = {"passed": True, "compared": count, "expected": count, "mismatches": 0, "frames": 2}
     for change, counts in (
         ({}, True),

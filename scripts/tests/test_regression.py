@@ -162,7 +162,7 @@ def test_one_that_was_killed_is_an_error(stand_ins):
     assert suite.find("testcase[@name='killed0']/error").get("message") == "killed by signal 9"
 
 
-def test_an_interruption_keeps_what_has_run(stand_ins):
+def test_an_interruption_keeps_what_has_run(stand_ins, monkeypatch):
     """Ctrl-C, or the time limit of a CI service."""
 
     def interrupt():
@@ -170,10 +170,14 @@ def test_an_interruption_keeps_what_has_run(stand_ins):
             time.sleep(0.01)
         os.kill(os.getpid(), signal.SIGINT)
 
+    kept = []
+    monkeypatch.setattr(regression.record, "keep", lambda reports, _: kept.extend(one["config"] for one, _ in reports))
+    monkeypatch.setattr(regression.record, "design", lambda config: {})
     started = time.monotonic()
     threading.Thread(target=interrupt).start()
     with pytest.raises(KeyboardInterrupt):
-        run(stand_ins, "good0", "slow0", "other0")
+        run(stand_ins, "good0", "slow0", "other0", recorded="runs")
+    assert kept == ["good0"]
     assert time.monotonic() - started < 30, "what runs is ended"
     summary = json.loads((stand_ins / "summary.json").read_text())
     assert outcomes(summary) == {"good0": "pass", "slow0": "not run", "other0": "not run"}

@@ -8,7 +8,7 @@ import pytest
 
 from cover import COVERED, clocks, cover, rows
 from flow.base import committed
-from flow.base.configurations import configurations
+from flow.base.configurations import configurations, outputs_per_frame
 from flow.cosim import record
 from flow.synthesis import manifest
 from flow_commands import cosim, report, scene
@@ -31,11 +31,6 @@ def kinds(row):
 FEW = cover({name: rows()[name] for name in SYSTEMS}, kinds, lambda row: math.sqrt(clocks(row)))
 
 
-def outputs(config):
-    row = TABLE[config]
-    return row["output_width_px"] * row["output_height_px"] // row["pixels_per_clock"]
-
-
 def on_record(config, least):
     """The simulators that have compared as many outputs of the VHDL that is there now."""
     folder = committed.folder(config)
@@ -43,7 +38,7 @@ def on_record(config, least):
     return {name for name, run in runs.items() if run["passed"] and run["compared"] >= least}
 
 
-WHOLE = [name for name in SYSTEMS if name in FEW or not on_record(name, outputs(name))]
+WHOLE = [name for name in SYSTEMS if name in FEW or not on_record(name, outputs_per_frame(TABLE[name]))]
 IN_GHDL = sorted(
     {min(FEW, key=lambda name: clocks(rows()[name]))} | {name for name in SYSTEMS if not on_record(name, 1)}
 )
@@ -62,7 +57,7 @@ def test_there_are_systems():
 def test_whole_frame_in_verilator(verilator, tmp_path, config):
     process = cosim(config, scene(tmp_path / "pair", config), tmp_path / "out", "--simulator", "verilator")
     assert process.returncode == 0, process.stdout + process.stderr
-    result, wanted = report(tmp_path / "out"), outputs(config)
+    result, wanted = report(tmp_path / "out"), outputs_per_frame(TABLE[config])
     assert (result["expected"], result["compared"], result["mismatches"]) == (wanted, wanted, 0)
 
 

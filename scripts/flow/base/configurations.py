@@ -56,6 +56,11 @@ def parameters_of(row: Configuration) -> Parameters:
     return cast(Parameters, kept)
 
 
+def outputs_per_frame(parameters: Parameters) -> int:
+    """Each of as many disparities as there are pixel pairs a clock."""
+    return parameters["output_width_px"] * parameters["output_height_px"] // parameters["pixels_per_clock"]
+
+
 def clocks_per_pixel(parameters: Mapping[str, Any]) -> int:
     """Least clocks from one group of pixel pairs to the next."""
     return cast(int, parameters.get("clocks_per_pixel", 1))

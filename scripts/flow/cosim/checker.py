@@ -7,7 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TypedDict
 
-from ..base.configurations import Parameters
+from ..base.configurations import Parameters, outputs_per_frame
 from .vectors import Expected, Observed, Seen, Stimulus
 
 
@@ -104,9 +104,8 @@ def measure(stimulus: Stimulus, observed: list[Observed], configuration: Paramet
     """
     numbers = [(o.clock, o.flags) for o in observed if isinstance(o.flags, int)]
     starts = [clock for clock, flags in numbers if flags & 1]
-    pixels = configuration["output_width_px"] * configuration["output_height_px"]
-    outputs_per_frame = pixels // configuration["pixels_per_clock"]
-    whole_frames = len(numbers) // outputs_per_frame
+    of_frame = outputs_per_frame(configuration)
+    whole_frames = len(numbers) // of_frame
     first_input = next((clock for clock, (valid, start) in enumerate(stimulus) if valid and start), None)
     clocks = latency = None
     if whole_frames > 1:
@@ -114,8 +113,8 @@ def measure(stimulus: Stimulus, observed: list[Observed], configuration: Paramet
     elif whole_frames == 1 and first_input is not None:
         # A stage shows a pair for each one that comes in, those before the frame too.
         first = next((number for number, (_, flags) in enumerate(numbers) if flags & 1), 0)
-        if first + outputs_per_frame <= len(numbers):
-            clocks = numbers[first + outputs_per_frame - 1][0] - first_input + 1
+        if first + of_frame <= len(numbers):
+            clocks = numbers[first + of_frame - 1][0] - first_input + 1
     gaps = [later - clock for (clock, flags), (later, _) in zip(numbers, numbers[1:]) if not flags & 2]
     interval: Interval | None = None
     if gaps:

@@ -42,8 +42,10 @@ def keep(reports: Iterable[tuple[Report, manifest.Digests]], stimulus: Stimulus 
     simulator stays."""
     changes, changed = [], []
     for report, simulated in reports:
-        if design(report["config"]) == simulated:
-            changes.append(_change(report, stimulus))
+        directory = committed.folder(report["config"])
+        entry = manifest.read(directory)
+        if manifest.design(entry) == simulated:
+            changes.append(_change(report, stimulus, directory, entry))
         else:
             changed.append(report["config"])
     committed.keep(changes)
@@ -53,9 +55,7 @@ def keep(reports: Iterable[tuple[Report, manifest.Digests]], stimulus: Stimulus 
         )
 
 
-def _change(report: Report, stimulus: Stimulus) -> committed.Change:
-    directory = committed.folder(report["config"])
-    entry = manifest.read(directory)
+def _change(report: Report, stimulus: Stimulus, directory: Path, entry: manifest.Manifest) -> committed.Change:
     runs = {one: read(directory, entry, one) for one in get_args(Stimulus)}
     run = {key: value for key, value in report.items() if key in _KEPT}
     content = {

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from ..base.configurations import Configuration, configuration, configurations, options
+from ..base.configurations import configuration, configurations, options
 from ..base.errors import FlowError
 from ..implementation import figures
 from . import cores
@@ -245,11 +245,14 @@ def in_cpp(name: str, value: Any) -> str:
     return _text(value)
 
 
-def twins(table: Mapping[str, Configuration]) -> dict[Key, str]:
+def twins(table: Mapping[str, Mapping[str, Any]]) -> dict[Key, str]:
     """{what decides the hardware: a configuration of the table}"""
-    rows = {name: row for name, row in table.items() if row["family"] in cores.FAMILIES}
-    serving = {key_of({**row, **dict.fromkeys(SAME_MAP & row.keys(), 1)}): name for name, row in rows.items()}
-    return serving | {key_of(row): name for name, row in rows.items()}
+    return {key_of(row): name for name, row in table.items() if row["family"] in cores.FAMILIES}
+
+
+def serving(table: Mapping[str, Mapping[str, Any]]) -> dict[Key, str]:
+    """The same for those who do not ask for the options of SAME_MAP, as if no row had them."""
+    return twins({name: {**row, **dict.fromkeys(SAME_MAP & row.keys(), 1)} for name, row in table.items()})
 
 
 def key_of(row: Mapping[str, Any]) -> Key:

@@ -10,7 +10,7 @@ from typing import Any
 
 from ..base.configurations import configurations, option
 from . import cores
-from .candidates import SAME_MAP, Algorithm, Camera, Candidate, candidates, key_of, twins
+from .candidates import SAME_MAP, Algorithm, Camera, Candidate, candidates, key_of, serving, twins
 from .devices import Device, netlist_of
 from .model import Core, Implemented, Model, implemented
 
@@ -84,7 +84,7 @@ class Planner:
         self.known = implemented() if known is None else known
         self.model = Model(self.known)
         self._table = configurations()
-        self._twins = twins(self._table)
+        self._twins, self._serving = twins(self._table), serving(self._table)
 
     def plan(self, camera: Camera, place: Place) -> list[Planned]:
         """Every candidate that can be built or says why not, in the order of its algorithms and speeds."""
@@ -94,11 +94,10 @@ class Planner:
         needed = camera.needed_mhz(candidate.clocks_a_frame)
         if candidate.problem:
             return Planned(candidate, needed, Numbers(), (candidate.problem,))
-        name = self._twins.get(key_of(candidate.options))
-        if name and any(
-            self._table[name].get(o) != candidate.options.get(o) for o in SAME_MAP & camera.settings.keys()
-        ):
-            name = None  # what serves as well is not what was asked for
+        key = key_of(candidate.options)
+        name = self._twins.get(key)
+        if name is None and not SAME_MAP & camera.settings.keys():
+            name = self._serving.get(key)
         of_name = {core.target: core for core in self.known if core.name == name}
         numbers = self.numbers(candidate.options, place.target, of_name)
         shares = list(_shares(numbers, place))
