@@ -6,6 +6,7 @@
 #   SUITE      bookworm (Debian 12), trixie (Debian 13) or another that debootstrap knows
 #   COMMAND    one word each, such as "scripts/test.sh -L unit" (default: scripts/demo.sh scripts/test.sh)
 #   --user     runs them as a user who has sudo, instead of as root
+#   --built DIR  takes the program and the clocked cores of a build, made in the same distribution, instead of building them
 #   --keep     keeps the system in build/distributions/SUITE (default: it is removed)
 #   --out DIR  folder for the systems, and for SUITE.log with what the commands printed (default build/distributions)
 # MIRROR in the environment is where Debian's packages come from. A base system is made once and kept as SUITE.tar.
@@ -20,18 +21,18 @@ end() {
 }
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-as_user=no keep=no out=$root/build/distributions given=("$@")
+as_user=no keep=no built="" out=$root/build/distributions given=("$@")
 while [ $# -gt 0 ]; do
    case "$1" in
       --user) as_user=yes ;;
       --keep) keep=yes ;;
-      --out)
-         [ -n "${2:-}" ] || end 2 "--out needs a value (see $program --help)"
-         out=$(realpath -m -- "$2")
+      --out | --built)
+         [ -n "${2:-}" ] || end 2 "$1 needs a value (see $program --help)"
+         declare "${1#--}=$(realpath -m -- "$2")"
          shift
          ;;
       --help | -h)
-         sed -n '3,14s/^# //p' "${BASH_SOURCE[0]}"
+         sed -n '3,15s/^# //p' "${BASH_SOURCE[0]}"
          exit 0
          ;;
       -*) end 2 "unknown option '$1' (see $program --help)" ;;
@@ -43,6 +44,7 @@ suite=${1:-}
 [[ $suite =~ ^[a-z]+$ ]] || end 2 "which distribution? For example: $program trixie (see $program --help)"
 shift
 [ $# -gt 0 ] || set -- scripts/demo.sh scripts/test.sh
+[ -z "$built" ] || [ -x "$built/stereo_hls" ] || end 2 "--built $built: there is no program stereo_hls"
 [ "$(id -u)" -eq 0 ] || end 3 "SKIP: a chroot needs root"
 for tool in debootstrap unshare git; do
    command -v "$tool" >/dev/null || end 3 "SKIP: $tool is not installed; on Debian: apt-get install debootstrap util-linux git"
@@ -117,6 +119,11 @@ fi
 mkdir -p "$system$home"
 git -c safe.directory="$root" clone -q --no-hardlinks "file://$root" "$system$home/stereo_hls" || end 4 "the checkout $root cannot be cloned"
 commit=$(git -c safe.directory='*' -C "$system$home/stereo_hls" rev-parse --short HEAD)
+if [ -n "$built" ]; then
+   mkdir "$system$home/built"
+   cp -r -- "$built"/stereo_hls "$built"/*.so "$built/cores" "$system$home/built"
+   inside+=(STEREO_HLS="$home/built/stereo_hls")
+fi
 [ $as_user = no ] || chroot "$system" chown -R trial:trial "$home"
 
 : >"$log"

@@ -62,21 +62,25 @@ struct Config : Image, Matching, Structure {
       return shifted < cost_cap ? shifted : cost_cap;
    }
    constexpr int cost_bits() const { return bits_for(largest_cost()); }
+   /// A core of one clock a pixel pair keeps K and A with the relief of the next column added, the same for all
+   /// disparities. With several the next column is not known when they are.
+   constexpr bool adds_next_relief() const { return has_relief() && !is_folded(); }
    /// The K and A of the row paths are kept with a bias of half their range: then their highest bit says that they are
    /// not below 0.
    constexpr int row_path_bits() const {
-      const int highest = 2 * largest_cost() + p1 + largest_relief();
+      const int highest = 2 * largest_cost() + p1 + (adds_next_relief() ? largest_relief() : 0);
       const int lowest = p2 + (largest_cost() > p1 ? largest_cost() - p1 : 0);
       int bits = 2;
       while (1 << (bits - 1) <= highest || 1 << (bits - 1) < lowest) ++bits;
       return bits;
    }
    constexpr int relief_bits() const { return bits_for(largest_relief()); }
-   /// A row path holds K with the relief of the next column added, the same for all disparities. Only the left/right
-   /// check compares sums of two columns, and needs it taken off again.
-   constexpr bool takes_relief_off() const { return has_relief() && has_left_right_check(); }
+   /// Only the left/right check compares sums of two columns, and needs the relief taken off again.
+   constexpr bool takes_relief_off() const { return adds_next_relief() && has_left_right_check(); }
    /// Largest number that a row path adds to the sum, without the bias.
-   constexpr int largest_row_path() const { return largest_cost() + (takes_relief_off() ? 0 : largest_relief()); }
+   constexpr int largest_row_path() const {
+      return largest_cost() + (adds_next_relief() && !takes_relief_off() ? largest_relief() : 0);
+   }
    constexpr int row_path_bias() const { return 1 << (row_path_bits() - 1); }
    /// The smallest P1 that ports may bring: that with which the row paths need no more bits, with P2 as it is. The
    /// largest penalties are the configuration's.
@@ -157,7 +161,6 @@ struct Config : Image, Matching, Structure {
          return "with several clocks a pixel pair two disparities or more must be left for each";
       if (aggregation != Aggregation::direct)
          return "with several clocks a pixel pair semi-global costs have no recursive sums";
-      if (has_relief()) return "with several clocks a pixel pair P2 does not fall";
       if (run_time_size) return "with several clocks a pixel pair there is no run-time size";
       if (output_width_px() * clocks_per_pixel > 1 << 16)
          return "with so many clocks a pixel pair a row of the map must be shorter";

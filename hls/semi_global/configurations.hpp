@@ -30,6 +30,12 @@ STEREO_ROW(sgm_640_64_f8, system, sgm_640_64_f4, clocks_per_pixel = 8, front_clo
 STEREO_ROW(sgm_640_64_f8_lr, system, sgm_640_64_f4, clocks_per_pixel = 8, left_right_threshold = 1, subpixel = true);
 STEREO_ROW(sgm_640_f8, system, sgm_640, clocks_per_pixel = 8);
 STEREO_ROW(sgm_640_f16, system, sgm_640, clocks_per_pixel = 16, front_clocks = 2);
+// A road: rows of KITTI, in full width.
+STEREO_ROW(sgm_1242_f8, system, sgm_450, width_px = 1242, disparities = 128, full_width = true, clocks_per_pixel = 8,
+           front_clocks = 2);
+// The same for a small FPGA: a P2 that falls would need more block RAMs than an LFE5U-25F has.
+STEREO_ROW(sgm_640_64_f8_road, system, sgm_450, width_px = 640, height_px = 480, p2_least = -1, full_width = true,
+           clocks_per_pixel = 8, front_clocks = 2);
 
 // option: one option after the other, alone and together, at a size that a test can afford.
 STEREO_ROW(tiny_sgm_left, option, tiny_sgm, reference = Reference::left);
@@ -121,6 +127,13 @@ STEREO_ROW(tiny_sgm_f4_full_all, option, tiny_sgm_full_all, clocks_per_pixel = 4
 STEREO_ROW(tiny_sgm_f6_border, option, tiny_sgm_border_part, clocks_per_pixel = 6);
 STEREO_ROW(tiny_sgm_f4_settings, option, tiny_sgm_settings_full, height_px = 16, clocks_per_pixel = 4);
 STEREO_ROW(tiny_sgm_f4_dense, option, tiny_sgm_dense, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f4_road, tiny, tiny_sgm_road, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f4_relief_lr, option, tiny_sgm_relief_lr, disparities = 8, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f5_relief_forward, option, tiny_sgm_relief_forward, disparities = 20, clocks_per_pixel = 5,
+           front_clocks = 2);
+STEREO_ROW(tiny_sgm_f6_relief_rows, option, tiny_sgm_relief_rows, clocks_per_pixel = 6);
+STEREO_ROW(tiny_sgm_f4_relief_settings, option, tiny_sgm_road, cost_cap = 9, full_width = true, left_right_threshold = 1,
+           height_px = 20, min_disparity = 1, clocks_per_pixel = 4, run_time_settings = true);
 
 // sgm_450 as a depth map without holes: of full width, checked, in sixteenths, filtered, with a confidence, filled. A smaller
 // P2 for a room; docs/post_processing.md has its figures.

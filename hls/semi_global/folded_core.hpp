@@ -6,6 +6,7 @@
 #include "semi_global/phase_costs.hpp"
 #include "semi_global/phase_other.hpp"
 #include "semi_global/phase_paths.hpp"
+#include "semi_global/phase_relief.hpp"
 #include "semi_global/phase_winners.hpp"
 
 namespace stereo::semi_global {
@@ -58,7 +59,8 @@ struct Core<C> {
    BLOCK(refinement, Refine)                                                                                           \
    BLOCK(leftright, Optional<C.has_left_right_check(), Check>)                                                         \
    BLOCK(turn, Optional<C.path_right, WinnerTurn<C>>)                                                                  \
-   BLOCK(map, MapBlock<C>)
+   BLOCK(map, MapBlock<C>)                                                                                             \
+   BESIDE(relief, Optional<C.has_relief(), PhaseRelief<C>>)
    STEREO_CORE(STEREO_BLOCKS);
 #undef STEREO_BLOCKS
 
@@ -84,7 +86,8 @@ struct Core<C> {
       refinement.clock(winners, NoTexture(), settings);
       if constexpr (C.has_left_right_check()) other.clock(paths, line, winners.mask);
       winners.clock(paths, line, settings, size);
-      paths.clock(costs, line, settings);
+      paths.clock(costs, line, settings, relief);
+      if constexpr (C.has_relief()) follow_relief(in);
       costs.clock(rows.search, rows.reference, rows.tag, line, settings, size);
       line.clock(rows.tag, size);
       rows.clock(delay);
@@ -105,6 +108,11 @@ struct Core<C> {
    }
 
   private:
+   HLS_INLINE void follow_relief(const CoreInput<C>& in) {
+      relief.clock(line, rows, delay, raster, settings);
+      if constexpr (kWindows.has_transform()) relief.compare(transform);
+      else relief.compare(in);
+   }
    HLS_INLINE void check() {
       const uint8_t other_winner[1] = {other.leaving()};
       leftright.clock(refinement.output(winners, NoTexture()), other_winner, settings);

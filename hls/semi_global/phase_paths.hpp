@@ -22,7 +22,7 @@ struct PhasePaths {
    using Left = Optional<C.path_left, PhaseRowPath<C>>;
    using Above = Optional<C.path_above, PhaseAbove<C>>;
    using Turn = Optional<C.path_right, PhaseTurn<C>>;
-   using Right = Optional<C.path_right, PhaseRowPath<C>>;
+   using Right = Optional<C.path_right, PhaseRowPath<C, true>>;
    static constexpr int kMemories =
        CostDelay::kMemories + Left::kMemories + Above::kMemories + Turn::kMemories + Right::kMemories;
    static constexpr int kClocks = At::kSums;
@@ -73,8 +73,9 @@ struct PhasePaths {
       else return forward[lane];
    }
 
-   template <class Line, class Settings>
-   HLS_INLINE void clock(const PhaseCosts<C>& costs, const Line& line, [[maybe_unused]] const Settings& settings) {
+   template <class Line, class Settings, class Reliefs>
+   HLS_INLINE void clock(const PhaseCosts<C>& costs, const Line& line, [[maybe_unused]] const Settings& settings,
+                         const Reliefs& relief) {
       if constexpr (C.path_right) {
          add_right();
          PathCost<C> late_costs[kLanes], turned_costs[kLanes];
@@ -82,8 +83,8 @@ struct PhasePaths {
          delayed(late_costs);
          add_forward(sums);
          turn.costs(turned_costs);
-         right.clock(line, turn.ready_smallest[0], turned_costs);
-         if constexpr (C.run_time_settings) right.template take<true>(line, settings);
+         right.clock(line, turn.ready_smallest[0], turned_costs, relief);
+         if constexpr (C.run_time_settings) right.take(line, settings);
          turn.clock(line, smallest_cost, late_costs, sums);
       } else {
          add_forward(forward);
@@ -93,8 +94,8 @@ struct PhasePaths {
       if constexpr (C.path_left) {
          PathCost<C> late_costs[kLanes];
          delayed(late_costs);
-         left.clock(line, smallest_cost, late_costs);
-         if constexpr (C.run_time_settings) left.template take<false>(line, settings);
+         left.clock(line, smallest_cost, late_costs, relief);
+         if constexpr (C.run_time_settings) left.take(line, settings);
       }
       if constexpr (kHasRows) {
          smallest_cost =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "semi_global/phase_relief.hpp"
 #include "semi_global/phases.hpp"
 #include "semi_global/settings.hpp"
 #include "support/memory_bank.hpp"
@@ -11,9 +12,11 @@ namespace stereo::semi_global {
 /// A path along a row, a phase a clock: what RowPath is for all disparities at once, with the same numbers. K and A of
 /// the column before stand in a ring with a word for each phase; the loop takes four clocks, and so no less than four
 /// phases. Costs come at the stage kPaths, K is there at kPathCosts. Memory: phases x 2 x lanes x bits of K, LUT RAM.
+/// K and A have no relief: the next column, whose relief RowPath adds, may come at any time. Turned: this is the path
+/// from the right.
 ///
 ///    clock, of phase p   read it | K and A of the column before | the smaller ones, changes | K and A | written
-template <const Config& C>
+template <const Config& C, bool Turned = false>
 struct PhaseRowPath {
    using At = Stages<C>;
    static constexpr int kPhases = At::kPhases;
@@ -35,8 +38,10 @@ struct PhaseRowPath {
    using Tree = MinimumTree<Value, kLanes>;
    /// When the smallest K of a column is written, and when that of look_back columns before is read.
    static constexpr int kLow = At::kLow;
-   static constexpr int kReadsLow = At::kPaths - 5;
+   static constexpr int kReadsLow = At::kPaths - 5 - (C.has_relief() ? 1 : 0);
    static_assert(kLookBack < kLowPlaces && kLow < kLookBack * kPhases + kReadsLow, "it must be there");
+   /// When a column's fresh start comes to those that the definition looks back over.
+   static constexpr int kLooksBack = kReadsLow + 1 - CheapestStart<C>::kClocks;
    /// The upper neighbour's phase comes a clock later, in the clock in which it is read ahead for the next column.
    static constexpr bool kPassesBy = kPhases == 4;
 
@@ -45,7 +50,8 @@ struct PhaseRowPath {
    Lows lows;
    [[no_unique_address]] FirstPenalty<C> p1;
    [[no_unique_address]] SecondPenalty<C> p2;
-   // q; beside each step, how many clocks before the costs
+   [[no_unique_address]] std::conditional_t<C.has_relief(), PhaseStarts<C>, NoSettings> fresh;
+   // q; beside each step, how many clocks before the costs; the first two are a clock earlier where P2 falls
    uint16_t low_address;                   // 5
    Value lowest[1];                        // 4
    bool lost;                              // 3: the best path is no better than a fresh start
@@ -90,6 +96,7 @@ struct PhaseRowPath {
          visit("p1", p1.value, C.p1);
          visit("p2", p2.value, C.p2);
       }
+      if constexpr (C.has_relief()) visit("fresh", fresh);
       visit("low_address", low_address, kLowPlaces - 1 - kLookBack);
       visit("lowest", lowest);
       visit("lost", lost);
@@ -127,8 +134,9 @@ struct PhaseRowPath {
    }
 
    /// smallest_cost: of the column whose costs begin in the next clock.
-   template <class Line>
-   HLS_INLINE void clock(const Line& line, PathCost<C> smallest_cost, const PathCost<C> (&costs)[kLanes]) {
+   template <class Line, class Reliefs>
+   HLS_INLINE void clock(const Line& line, PathCost<C> smallest_cost, const PathCost<C> (&costs)[kLanes],
+                         [[maybe_unused]] const Reliefs& relief) {
       Word stored[Pack::kWords];
       Value neighbour[1];
       states.read(read_count.phase, stored);
@@ -154,15 +162,19 @@ struct PhaseRowPath {
       read_count.clock(line.template starts<At::kPaths - 2>());
       ahead_count.clock(line.template starts<At::kPaths - 3>());
 
-      const bool starts = line.template starts<At::kPaths - 1>();
-      first = select<bool>(starts, line.template at<At::kPaths - 1>().first_column, first);
-      g = select<Value>(starts, Value(smallest_cost + q_now) & kMask, g);
-      g_less = select<Value>(starts, Value(smallest_cost + q_less) & kMask, g_less);
+      const bool comes = line.template starts<At::kPaths - 1>();
+      first = select<bool>(comes, line.template at<At::kPaths - 1>().first_column, first);
+      g = select<Value>(comes, Value(smallest_cost + q_now) & kMask, g);
+      g_less = select<Value>(comes, Value(smallest_cost + q_less) & kMask, g_less);
       find_start(line, low_read[0]);
+      if constexpr (C.has_relief()) {
+         fresh.here = select<Value>(comes, relief.template at<Turned, At::kPaths - 1>(), fresh.here);
+         fresh.past.template clock<kLooksBack>(line, relief.template at<Turned, kLooksBack>());
+      }
    }
 
-   /// Behind clock(). Turned: as for PhaseMask.
-   template <bool Turned, class Line, class Settings>
+   /// Behind clock().
+   template <class Line, class Settings>
    HLS_INLINE void take(const Line& line, const Settings& settings) {
       const auto& place = line.template at<At::kPaths - 4>();
       const bool of_frame = Turned ? place.shown.start_of_frame : place.first_column & place.top;
@@ -216,13 +228,21 @@ struct PhaseRowPath {
       for (int l = 0; l < kLanes; ++l) {
          const Value k = Value(Pack::lane(read_words, l)), a = Value(Pack::lane(read_words, kLanes + l));
          const Value best = smaller_of<Value>(k, a);
-         const bool fresh = first | (best >= kBias);
-         stay[l] = select<Value>(fresh, kBias, best);
+         stay[l] = select<Value>(first | is_fresh(k, a, best), fresh_start(), best);
          const Value beside = smaller_of<Value>(lower(l), upper(l));
          step[l] = select<Value>(first, kBias, beside);
          stay_change[l] = Value(costs[l] - g) & kMask;
          step_change[l] = Value(costs[l] - g_less) & kMask;
       }
+   }
+   /// Where P2 falls, K and A meet the fresh start beside each other: the loop has no time for one after the other.
+   HLS_INLINE bool is_fresh(Value k, Value a, Value best) const {
+      if constexpr (C.has_relief()) return (k >= fresh.here) & (a >= fresh.here);
+      else return best >= kBias;
+   }
+   HLS_INLINE Value fresh_start() const {
+      if constexpr (C.has_relief()) return fresh.here;
+      else return kBias;
    }
    /// K beside lane l; at an end of the disparity range that on the other side.
    HLS_INLINE Value lower(int l) const {
@@ -238,16 +258,16 @@ struct PhaseRowPath {
    template <class Line>
    HLS_INLINE void find_start(const Line& line, Value low_read) {
       const Start room_now = room;
-      const bool starts = line.template starts<At::kPaths - 2>();
+      const bool comes = line.template starts<At::kPaths - 2>();
       const bool starts_row = line.template at<At::kPaths - 2>().first_column;
-      q_now = select<Start>(starts, q, q_now);
-      q_less = select<Value>(starts, Value(q - p1.get()) & kMask, q_less);
+      q_now = select<Start>(comes, q, q_now);
+      q_less = select<Value>(comes, Value(q - p1.get()) & kMask, q_less);
       const Start room_after = Start((room_left + start_cost[kLookBack - 2]) & kStartMask);
-      room = select<Start>(starts, select<Start>(starts_row, 0, room_after), room);
+      room = select<Start>(comes, select<Start>(starts_row, 0, room_after), room);
       HLS_UNROLL
       for (int j = kLookBack - 2; j > 0; --j)
-         start_cost[j] = select<Start>(starts, select<Start>(starts_row, 0, start_cost[j - 1]), start_cost[j]);
-      start_cost[0] = select<Start>(starts, q, start_cost[0]);
+         start_cost[j] = select<Start>(comes, select<Start>(starts_row, 0, start_cost[j - 1]), start_cost[j]);
+      start_cost[0] = select<Start>(comes, q, start_cost[0]);
 
       const bool chooses = line.template starts<At::kPaths - 3>();
       const Start wanted = select<Start>(lost, room_now, select<Start>(short_of, missing, 0));
@@ -256,13 +276,18 @@ struct PhaseRowPath {
       const Start rest = select<Start>(short_of, below, room_now);
       room_left = select<Start>(chooses, select<Start>(lost, 0, rest), room_left);
 
-      const uint32_t depth = uint32_t(lowest[0] & (kBias - 1)), reached = uint32_t(room_now) + depth;
-      lost = lowest[0] >= kBias;
+      Value best = lowest[0];
+      if constexpr (C.has_relief()) {
+         best = fresh.known;
+         fresh.known = smaller_of<Value>(lowest[0], fresh.past.cheapest);
+      }
+      const uint32_t depth = uint32_t(best & (kBias - 1)), reached = uint32_t(room_now) + depth;
+      lost = best >= kBias;
       short_of = reached >= uint32_t(kBias);
       missing = Start(reached - kBias) & kStartMask;
       below = Start(kBias - depth) & kStartMask;
       lowest[0] = low_read;
-      const bool reads = line.template starts<At::kPaths - 6>();
+      const bool reads = line.template starts<kReadsLow - 1>();
       low_address = select<uint16_t>(reads, wrapped<kLowPlaces>(low_address + 1u), low_address);
    }
 };

@@ -47,11 +47,11 @@ struct CentreGrey {
    }
 };
 
-/// The relief of the columns that come to the paths: by how much P2 falls between the column before and this one. It
-/// follows the reference's pixels beside the blocks that make costs of them. Memory: (delay_groups() x W + the
+/// The relief beside the columns of the windows' rows: by how much P2 falls between the column before and this one. It
+/// follows the reference's pixels beside the blocks that make columns of them. Memory: (delay_groups() x W + the
 /// reference's delay) x bits of a relief.
 template <const Config& C>
-struct ReliefStream {
+struct ReliefColumns {
    static constexpr const auto& kWindows = kWindowConfig<C>;
    static constexpr int kBits = C.relief_bits();
    static constexpr int kLargest = C.largest_relief();
@@ -59,7 +59,6 @@ struct ReliefStream {
    static constexpr int kDelay = kWindows.reference_delay();
    static constexpr int kRows = kWindows.delay_groups();
    static constexpr int kColumns = kWindows.columns_after();  ///< by which a window's centre is older than its newest
-   static constexpr int kSliceClocks = CostSlice<C>::kClocks;
    using Value = Relief<C>;
    using Delay = Ring<Value, kDelay + 1, (kDelay > 0 ? 1 : 0)>;
    using Rows = Optional<(kRows > 0), RowBuffer<kBits, 1, kRows, C.width_px>>;
@@ -74,20 +73,14 @@ struct ReliefStream {
    Pixel<C> before;  ///< grey value of the last pixel
    Value newest;     ///< beside the raster's features
    Delay delay;
-   Value delayed[1];             ///< beside the pair delay
-   Rows rows;                    // beside the line buffer's clocks 1 and 2
-   Value shown[kShown];          ///< [kShown - 1]: beside its columns
-   Value column[kOlder];         ///< [age]: of the windows' columns before the newest
-   Value waiting[kSliceClocks];  ///< [kSliceClocks - 1]: beside the slices' costs
-   [[no_unique_address]] NumberHere<C.run_time_settings, C.largest_relief()> largest;
-   Value entering;  ///< beside the entry's clock 1
-   Value entered;   ///< beside its costs
+   Value delayed[1];      ///< beside the pair delay
+   Rows rows;             // beside the line buffer's clocks 1 and 2
+   Value shown[kShown];   ///< [kShown - 1]: beside its columns
+   Value column[kOlder];  ///< [age]: of the windows' columns before the newest
 
    template <class Source, int First>
-   HLS_INLINE ReliefStream(Source& memories, MemoryId<First> first)
-       : delay(memories, first), rows(memories, MemoryId<First + Delay::kMemories>()) {
-      start(*this);
-   }
+   HLS_INLINE ReliefColumns(Source& memories, MemoryId<First> first)
+       : delay(memories, first), rows(memories, MemoryId<First + Delay::kMemories>()) {}
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
@@ -99,27 +92,14 @@ struct ReliefStream {
       if constexpr (kRows > 0) visit("rows", rows);
       visit("shown", shown);
       if constexpr (kColumns > 0) visit("column", column);
-      visit("waiting", waiting);
-      if constexpr (C.run_time_settings) visit("largest", largest.value, C.largest_relief());
-      visit("entering", entering);
-      visit("entered", entered);
    }
 
+   /// Of the centre of the windows that the line buffer's columns complete.
+   HLS_INLINE Value of_centre() const { return kColumns > 0 ? column[kOlder - 1] : shown[kShown - 1]; }
+
    /// Before the clocks of the blocks that it goes beside: it reads what they held until now.
-   template <class LineRows, class PairDelayed, class Places, class Settings>
-   HLS_INLINE void clock(const PixelTag& slices_tag, const LineRows& line, const PairDelayed& pairs,
-                         const Places& raster, const Settings& settings) {
-      entered = entering;
-      const int fall = waiting[kSliceClocks - 1];
-      entering = Value(at_most<kLargest>(select<int>(fall > largest.get(), largest.get(), fall)));
-      if constexpr (C.run_time_settings) {
-         const uint16_t least = settings.p2_least, most = settings.p2;
-         largest.take(slices_tag.valid & slices_tag.start_of_frame,
-                      select<uint16_t>(most > least, at_most<kLargest>(uint16_t(most - least)), 0));
-      }
-      HLS_UNROLL
-      for (int j = kSliceClocks - 1; j > 0; --j) waiting[j] = waiting[j - 1];
-      waiting[0] = kColumns > 0 ? column[kOlder - 1] : shown[kShown - 1];
+   template <class LineRows, class PairDelayed, class Places>
+   HLS_INLINE void follow(const LineRows& line, const PairDelayed& pairs, const Places& raster) {
       take_column(line.tag.valid);
       follow_rows(line, pairs);
       Value oldest[1] = {newest};
@@ -167,6 +147,67 @@ struct ReliefStream {
          for (int j = kShown - 1; j > 0; --j) shown[j] = shown[j - 1];
          shown[0] = delayed[0];
       }
+   }
+};
+
+/// The largest relief of a frame, where its settings come from ports.
+template <const Config& C>
+struct ReliefLimit {
+   using Value = Relief<C>;
+   static constexpr int kLargest = C.largest_relief();
+
+   [[no_unique_address]] NumberHere<C.run_time_settings, kLargest> largest;
+
+   HLS_INLINE Value limited(Value relief) const {
+      const int fall = relief;
+      return Value(at_most<kLargest>(select<int>(fall > largest.get(), largest.get(), fall)));
+   }
+   template <class Settings>
+   HLS_INLINE void take(bool of_frame, const Settings& settings) {
+      if constexpr (C.run_time_settings) {
+         const uint16_t least = settings.p2_least, most = settings.p2;
+         largest.take(of_frame, select<uint16_t>(most > least, at_most<kLargest>(uint16_t(most - least)), 0));
+      }
+   }
+};
+
+/// The relief of the columns that come to the paths, where these take a column a move.
+template <const Config& C>
+struct ReliefStream : ReliefColumns<C> {
+   using Columns = ReliefColumns<C>;
+   using Value = Relief<C>;
+   static constexpr int kSliceClocks = CostSlice<C>::kClocks;
+
+   Value waiting[kSliceClocks];  ///< [kSliceClocks - 1]: beside the slices' costs
+   [[no_unique_address]] ReliefLimit<C> limit;
+   Value entering;  ///< beside the entry's clock 1
+   Value entered;   ///< beside its costs
+
+   template <class Source, int First>
+   HLS_INLINE ReliefStream(Source& memories, MemoryId<First> first) : Columns(memories, first) {
+      start(*this);
+   }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      Columns::registers(visit);
+      visit("waiting", waiting);
+      if constexpr (C.run_time_settings) visit("largest", limit.largest.value, C.largest_relief());
+      visit("entering", entering);
+      visit("entered", entered);
+   }
+
+   /// Before the clocks of the blocks that it goes beside.
+   template <class LineRows, class PairDelayed, class Places, class Settings>
+   HLS_INLINE void clock(const PixelTag& slices_tag, const LineRows& line, const PairDelayed& pairs,
+                         const Places& raster, const Settings& settings) {
+      entered = entering;
+      entering = limit.limited(waiting[kSliceClocks - 1]);
+      limit.take(slices_tag.valid & slices_tag.start_of_frame, settings);
+      HLS_UNROLL
+      for (int j = kSliceClocks - 1; j > 0; --j) waiting[j] = waiting[j - 1];
+      waiting[0] = Columns::of_centre();
+      Columns::follow(line, pairs, raster);
    }
 };
 

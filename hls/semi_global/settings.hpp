@@ -29,10 +29,5 @@ template <const Config& C>
 using FirstPenaltyAbove = NumberHere<C.run_time_settings, C.p1_above()>;
 template <const Config& C>
 using SecondPenaltyAbove = NumberHere<C.run_time_settings, C.p2_above()>;
-// Of the path from above.
-template <const Config& C>
-using FirstPenaltyAbove = NumberHere<C.run_time_settings, C.p1_above()>;
-template <const Config& C>
-using SecondPenaltyAbove = NumberHere<C.run_time_settings, C.p2_above()>;
 
 }  // namespace stereo::semi_global

@@ -102,7 +102,6 @@ void fold(Config& config, Random& random) {
    }
    if constexpr (requires { &Config::phase_disparities; }) {
       config.aggregation = Aggregation::direct;
-      config.p2_least = config.p2;
    }
 }
 

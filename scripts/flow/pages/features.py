@@ -62,6 +62,7 @@ FOLDED = (
     "sgm_640_f16",
     "sgm_640_64_f4",
     "sgm_640_64_f8",
+    "sgm_640_64_f8_road",
 )
 # Pairs that differ in the bits of a pixel alone: (configuration of 8 bits, the deeper one)
 DEEPER = [

@@ -221,8 +221,6 @@ def _path_problem(shape: PathShape) -> str:
     if s.is_folded:
         if s.passes < 4:
             return "a semi-global path takes four clocks a pixel pair or more, or one"
-        if s.largest_relief:
-            return "with several clocks a pixel pair P2 does not fall"
         if s.recursive:
             return "with several clocks a pixel pair semi-global costs have no recursive sums"
         if s.output_width * s.passes > 1 << 16:

@@ -64,6 +64,8 @@ def _relief(shape: PathShape) -> list[Memory]:
         found.append(Memory(s.offset + 1, s.relief_bits))
     if s.delay_groups:
         found += bank(s.width, packed(s.relief_bits, s.delay_groups))
+    if s.is_folded and s.right:
+        found.append(Memory(s.output_width + 1, s.relief_bits))
     return found
 
 
@@ -96,7 +98,8 @@ def _in_phases(shape: PathShape) -> list[Memory]:
 def semi_global(shape: PathShape) -> list[Memory]:
     s = shape
     found = front_end(s)
-    found += _in_phases(s) if s.is_folded else slices(s) + _at_once(s) + _relief(s)
+    found += _in_phases(s) if s.is_folded else slices(s) + _at_once(s)
+    found += _relief(s)
     if s.left_right:
         found += left_right_check(s)
     if s.right:

@@ -41,6 +41,10 @@ class PathShape(WindowShape):
         return 0 if least < 0 or least >= self.p2 or not self.rows_paths else self.p2 - least
 
     @property
+    def adds_next_relief(self) -> bool:
+        return self.largest_relief > 0 and not self.is_folded
+
+    @property
     def relief_bits(self) -> int:
         return bits_for(self.largest_relief)
 
@@ -56,7 +60,7 @@ class PathShape(WindowShape):
 
     @property
     def row_path_bits(self) -> int:
-        highest = 2 * self.largest_cost + self.p1 + self.largest_relief
+        highest = 2 * self.largest_cost + self.p1 + (self.largest_relief if self.adds_next_relief else 0)
         lowest = self.p2 + max(0, self.largest_cost - self.p1)
         bits = 2
         while 1 << (bits - 1) <= highest or 1 << (bits - 1) < lowest:
@@ -66,8 +70,7 @@ class PathShape(WindowShape):
     @property
     def _row_path_sum(self) -> int:
         """The largest number that a path along a row adds to the sum, its bias with it."""
-        takes_relief_off = self.largest_relief > 0 and self.left_right
-        relief = 0 if takes_relief_off else self.largest_relief
+        relief = self.largest_relief if self.adds_next_relief and not self.left_right else 0
         return (1 << (self.row_path_bits - 1)) + self.largest_cost + relief
 
     @property
