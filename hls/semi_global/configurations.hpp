@@ -33,7 +33,7 @@ STEREO_ROW(sgm_640_f16, system, sgm_640, clocks_per_pixel = 16, front_clocks = 2
 // A road: rows of KITTI, in full width.
 STEREO_ROW(sgm_1242_f8, system, sgm_450, width_px = 1242, disparities = 128, full_width = true, clocks_per_pixel = 8,
            front_clocks = 2);
-// The same for a small FPGA: a P2 that falls would need more block RAMs than an LFE5U-25F has.
+// For a small FPGA: on a road a P2 that is the same everywhere serves as well.
 STEREO_ROW(sgm_640_64_f8_road, system, sgm_450, width_px = 640, height_px = 480, p2_least = -1, full_width = true,
            clocks_per_pixel = 8, front_clocks = 2);
 
@@ -140,10 +140,6 @@ STEREO_ROW(tiny_sgm_f4_relief_settings, option, tiny_sgm_road, cost_cap = 9, ful
 STEREO_ROW(sgm_450_dense, system, sgm_450, full_width = true, left_right_threshold = 1, subpixel = true, p2 = 40,
            border_cost = 2, support_threshold = 10, confidence = true, margin_weight = 3, support_weight = 3,
            fill_holes = true);
-
-// planned: its VHDL is not made yet. A row of KITTI, full width, and as many disparities as the memory of an LFE5U-85F holds
-// (docs/semi_global.md).
-STEREO_ROW(sgm_1242, planned, sgm_450, width_px = 1242, disparities = 96, full_width = true);
 // clang-format on
 
 }  // namespace stereo::semi_global::configurations
