@@ -103,5 +103,7 @@ SYSTEMS = [
     System("semi-global, three paths", "450x375, D=64, census 9x5 sparse, 3x3", None, _OURS, "sgm_450"),
     System("semi-global, three paths, single pixels", "640x480, D=128, census 9x5", None, _OURS, "sgm_640"),
     System("semi-global, three paths, single pixels", "1280x720, D=64, census 9x5", None, _OURS, "sgm_1280"),
-    System("semi-global, three paths, full width", "1242x375, D=128, census 9x5 sparse, 3x3", None, _OURS, "sgm_1242_f8"),
+    System(
+        "semi-global, three paths, full width", "1242x375, D=128, census 9x5 sparse, 3x3", None, _OURS, "sgm_1242_f8"
+    ),
 ]

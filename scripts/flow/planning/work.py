@@ -75,7 +75,12 @@ def _paths(shape: PathShape) -> int:
     s = shape
     of_rows = s.rows_paths * 8 * s.row_path_bits  # neighbours, penalties, the fresh start
     above = 6 * s.above_bits if s.above else 0
-    return s.lanes * (of_rows + above + 2 * s.forward_bits + 3 * s.cost_bits)
+    folded = 0
+    if s.is_folded and s.largest_relief:  # K and A against the fresh start
+        folded += s.rows_paths * 2 * s.row_path_bits
+    if s.is_folded and s.full_width:  # the column that a lane leads to against both ends, for costs and for sums
+        folded += 2 * 2 * bits_for(s.width)
+    return s.lanes * (of_rows + above + 2 * s.forward_bits + 3 * s.cost_bits + folded)
 
 
 def work_of(shape: WindowShape) -> Work:
