@@ -127,13 +127,12 @@ STEREO_ROW(tiny_sgm_f4_full_all, option, tiny_sgm_full_all, clocks_per_pixel = 4
 STEREO_ROW(tiny_sgm_f6_border, option, tiny_sgm_border_part, clocks_per_pixel = 6);
 STEREO_ROW(tiny_sgm_f4_settings, option, tiny_sgm_settings_full, height_px = 16, clocks_per_pixel = 4);
 STEREO_ROW(tiny_sgm_f4_dense, option, tiny_sgm_dense, clocks_per_pixel = 4);
-STEREO_ROW(tiny_sgm_f4_road, tiny, tiny_sgm_road, clocks_per_pixel = 4);
+STEREO_ROW(tiny_sgm_f4_road, option, tiny_sgm_road, clocks_per_pixel = 4);
 STEREO_ROW(tiny_sgm_f4_relief_lr, option, tiny_sgm_relief_lr, disparities = 8, clocks_per_pixel = 4);
 STEREO_ROW(tiny_sgm_f5_relief_forward, option, tiny_sgm_relief_forward, disparities = 20, clocks_per_pixel = 5,
            front_clocks = 2);
 STEREO_ROW(tiny_sgm_f6_relief_rows, option, tiny_sgm_relief_rows, clocks_per_pixel = 6);
-STEREO_ROW(tiny_sgm_f4_relief_settings, option, tiny_sgm_road, cost_cap = 9, full_width = true, left_right_threshold = 1,
-           height_px = 20, min_disparity = 1, clocks_per_pixel = 4, run_time_settings = true);
+STEREO_ROW(tiny_sgm_f4_relief_settings, option, tiny_sgm_f4_settings, p2_least = 4);
 
 // sgm_450 as a depth map without holes: of full width, checked, in sixteenths, filtered, with a confidence, filled. A smaller
 // P2 for a room; docs/post_processing.md has its figures.

@@ -65,7 +65,8 @@ struct PhaseRelief : ReliefColumns<C> {
    HLS_INLINE Start at() const {
       static_assert(Stage >= kFirst && Stage < At::kPaths);
       constexpr int kPlace = (Stage - kFirst) / kPhases;
-      return Turned ? right[kPlace] : left[kPlace];
+      if constexpr (Turned) return right[kPlace];
+      else return left[kPlace];
    }
 
    /// Before the clocks of the blocks that it goes beside: it reads what they held until now.
