@@ -6,7 +6,7 @@
 #   SUITE      bookworm (Debian 12), trixie (Debian 13) or another that debootstrap knows
 #   COMMAND    one word each, such as "scripts/test.sh -L unit" (default: scripts/demo.sh scripts/test.sh)
 #   --user     runs them as a user who has sudo, instead of as root
-#   --built DIR  takes the program and the clocked cores of a build, made in the same distribution, instead of building them
+#   --built DIR  gives the commands the program and the cores of a build of HEAD in the same distribution; the demo then builds nothing
 #   --keep     keeps the system in build/distributions/SUITE (default: it is removed)
 #   --out DIR  folder for the systems, and for SUITE.log with what the commands printed (default build/distributions)
 # MIRROR in the environment is where Debian's packages come from. A base system is made once and kept as SUITE.tar.
@@ -44,7 +44,9 @@ suite=${1:-}
 [[ $suite =~ ^[a-z]+$ ]] || end 2 "which distribution? For example: $program trixie (see $program --help)"
 shift
 [ $# -gt 0 ] || set -- scripts/demo.sh scripts/test.sh
-[ -z "$built" ] || [ -x "$built/stereo_hls" ] || end 2 "--built $built: there is no program stereo_hls"
+for part in stereo_hls stereo_hls_images.so stereo_hls_video.so cores; do
+   [ -z "$built" ] || [ -e "$built/$part" ] || end 2 "--built $built: there is no $part"
+done
 [ "$(id -u)" -eq 0 ] || end 3 "SKIP: a chroot needs root"
 for tool in debootstrap unshare git; do
    command -v "$tool" >/dev/null || end 3 "SKIP: $tool is not installed; on Debian: apt-get install debootstrap util-linux git"
@@ -121,7 +123,7 @@ git -c safe.directory="$root" clone -q --no-hardlinks "file://$root" "$system$ho
 commit=$(git -c safe.directory='*' -C "$system$home/stereo_hls" rev-parse --short HEAD)
 if [ -n "$built" ]; then
    mkdir "$system$home/built"
-   cp -r -- "$built"/stereo_hls "$built"/*.so "$built/cores" "$system$home/built"
+   cp -r -- "$built"/stereo_hls "$built"/*.so "$built/cores" "$system$home/built" || end 4 "the build $built cannot be copied"
    inside+=(STEREO_HLS="$home/built/stereo_hls")
 fi
 [ $as_user = no ] || chroot "$system" chown -R trial:trial "$home"

@@ -9,7 +9,7 @@ namespace stereo::semi_global {
 
 /// What a fresh start costs in each column of the paths along a row where P2 falls, with several clocks a pixel pair:
 /// f of docs/algorithm.md (S2), with the bias of K. The path from the right gets those of the row before, turned
-/// round. Memory: that of the columns, and map width x bits of a relief, and one place more.
+/// round. Memory: that of the columns; with a path from the right map width x bits of a relief, and one place more.
 template <const Config& C>
 struct PhaseRelief : ReliefColumns<C> {
    using Columns = ReliefColumns<C>;
@@ -114,8 +114,8 @@ struct PhaseRelief : ReliefColumns<C> {
    }
 };
 
-/// The cheapest fresh start of the last columns that the definition looks back over, the newest one with them: F of
-/// docs/algorithm.md (S2), found as the smallest of pairs, fours and two or three fours that may overlap.
+/// The cheapest fresh start of the last look_back columns, this one included: F of docs/algorithm.md (S2), found as the
+/// smallest of pairs, fours and two or three fours that may overlap.
 template <const Config& C>
 struct CheapestStart {
    using Start = RowPathValue<C>;

@@ -13,9 +13,10 @@ namespace stereo::semi_global {
 /// costs. Memory: map width x (D x (bits of a sum + bits of a cost) + bits of a cost), and one place more of the
 /// latter.
 ///
-/// No word is read in the clock in which it is written, so the memories need no bypass. The last column of a row is the
-/// first one of it that is read, at any time after it was written: the last costs and sums go on being written until
-/// the next ones come, less than F clocks after the next column's are read. A smallest cost is written once.
+/// No word that counts is read in the clock in which it is written, so the memories need no bypass. The last column of
+/// a row is the first one of it that is read, at any time after it was written: the last costs and sums go on being
+/// written until the next ones come, less than F clocks after the next column's are read. A smallest cost is written
+/// once.
 template <const Config& C>
 struct PhaseTurn {
    using At = Stages<C>;

@@ -23,8 +23,8 @@ def _is_own(suite):
 def test_demo(suite):
     """In the distribution of this machine the demo takes the program that was built here, and the build there is only
     configured."""
-    built = Path(find_stereo_hls()).parent
     if _is_own(suite):
+        built = Path(find_stereo_hls()).parent
         process = call("try_distribution.sh", "--built", built, suite, *CONFIGURES, "scripts/demo.sh")
     else:
         process = call("try_distribution.sh", suite, "scripts/demo.sh")

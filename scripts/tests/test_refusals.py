@@ -169,6 +169,8 @@ def test_an_empty_path_is_not_the_current_folder(command, words):
         ((), "which distribution? For example: try_distribution.sh trixie"),
         (("../..",), "which distribution?"),
         (("--out",), "--out needs a value"),
+        (("--built",), "--built needs a value"),
+        (("--built", "/nowhere", "trixie"), "--built /nowhere: there is no stereo_hls"),
         (("--nonsense", "trixie"), "unknown option '--nonsense'"),
     ],
 )

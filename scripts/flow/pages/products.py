@@ -30,8 +30,10 @@ PRODUCTS = [
     Product("ambrosch2007", "block matching, SAD 3x3, as the 2007 paper", "SAD 3x3, the paper's, left reference"),
     Product("census_450", "block matching, census, 9x9, median, subpixel", "block matching, `census_450`"),
     Product("sgm_450", "semi-global, census, 3x3", "semi-global, `sgm_450`"),
-    Product("sgm_640_64_f8_road", "semi-global, 8 clocks a pixel pair, full width", "P2 the same everywhere"),
-    Product("sgm_1242_f8", "semi-global, 8 clocks a pixel pair, full width", "semi-global, `sgm_450`"),
+    Product(
+        "sgm_640_64_f8_road", "as `sgm_450`, P2 the same everywhere, 8 clocks a pixel pair", "P2 the same everywhere"
+    ),
+    Product("sgm_1242_f8", "as `sgm_450`, 8 clocks a pixel pair", "semi-global, `sgm_450`"),
     Product("trellis_1300", "trellis", "trellis, `trellis_1300`, not of full width"),
 ]
 IN_SOFTWARE = [
