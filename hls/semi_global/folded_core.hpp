@@ -113,6 +113,7 @@ struct Core<C> {
       if constexpr (kWindows.has_transform()) relief.compare(transform);
       else relief.compare(in);
    }
+
    HLS_INLINE void check() {
       const uint8_t other_winner[1] = {other.leaving()};
       leftright.clock(refinement.output(winners, NoTexture()), other_winner, settings);
