@@ -24,7 +24,7 @@ def cocotb():
     return where_reachable(cocotb_runs.environment_folder)
 
 
-IN_FAST = ["tiny_all_p4", "tiny_f4_all", "tiny_size_all"]  # short frames, a pair in several clocks, settings and sizes
+IN_FAST = ["tiny_f4_all", "tiny_size_all"]  # a pair in several clocks, settings and sizes
 SHORT = [
     "tiny",
     "tiny_p2",
@@ -202,11 +202,10 @@ def settings_frames(tmp_path_factory):
 
 
 CASES = [(config, fault) for config in FAULTS_OF for fault in (None, *FAULTS_OF[config])]
-# That all is well with settings and sizes, the short run above shows.
-FAST_CASES = [("tiny_settings", "no limit")]
 
 
-@pytest.mark.parametrize("config, fault", with_slow(CASES, FAST_CASES))
+@pytest.mark.slow  # that all is well with settings and sizes, the frames above show in the fast set
+@pytest.mark.parametrize("config, fault", CASES)
 def test_each_frame_has_its_settings(ghdl, verilator, settings_frames, rng, tmp_path, config, fault):
     parameters = configuration(config)
     files = design.vhdl_files(config)

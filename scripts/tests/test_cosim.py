@@ -75,7 +75,8 @@ def test_tiny_with_ties_extremes_and_noise(ghdl, tmp_path, config, levels, brigh
     passed(cosim(config, pair, tmp_path / "out", "--frames", 2), tmp_path / "out", 2 * OUTPUTS[config])
 
 
-@pytest.mark.parametrize("levels", with_slow([2, 256], [2]))
+@pytest.mark.slow
+@pytest.mark.parametrize("levels", [2, 256])
 def test_ambrosch2007_with_ties_extremes_and_noise(verilator, tmp_path, levels):
     pair = random_pair(tmp_path / "pair", "ambrosch2007", levels)
     process = cosim(

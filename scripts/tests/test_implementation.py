@@ -4,7 +4,6 @@
 import pytest
 
 from conftest import where_reachable
-from cover import with_slow
 from flow.base import committed
 from flow.base.tools import run
 from flow.implementation import figures, nextpnr, record, yosys
@@ -118,7 +117,8 @@ def area(result):
     }
 
 
-@pytest.mark.parametrize("target", with_slow(["cyclonev", "xc7"], ["cyclonev"]))
+@pytest.mark.slow
+@pytest.mark.parametrize("target", ["cyclonev", "xc7"])
 def test_yosys_gives_the_committed_area_of_tiny(ghdl, tmp_path, target):
     check_tiny(tmp_path, target)
 

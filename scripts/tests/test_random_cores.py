@@ -24,9 +24,10 @@ MASKED_SIGNS = (
 )
 
 
-@pytest.mark.parametrize(
-    "family, count", [("block_matching", 2), ("phase_correlation", 1), ("dynamic_range", 1), ("absolute_difference", 1)]
-)
+NEW = [("block_matching", 2), ("phase_correlation", 1), ("dynamic_range", 1), ("absolute_difference", 1)]
+
+
+@pytest.mark.parametrize("family, count", with_slow(NEW, [NEW[0], NEW[1], NEW[3]]))
 def test_new_random_configurations_are_exact(family, count):
     process = call("random_configurations.py", "--family", family, "--count", count)
     assert process.returncode == 0, process.stdout + process.stderr

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from functools import cache
 
 from .devices import netlist_of
 from .window_memories import Memory
@@ -106,11 +107,15 @@ def mapped(memories: Iterable[Memory], family: Family, shows_word_before: bool) 
     total = Mapped()
     for whole in memories:
         for width in _columns(whole.width):
-            memory = Memory(whole.depth, width)
-            choices = [(float(memory.depth * memory.width), Mapped())]
-            if family.lut:
-                choices += _choices(family.lut, memory, False, shows_word_before)
-            for shape in family.blocks:
-                choices += _choices(shape, memory, True, shows_word_before)
-            total += min(choices, key=lambda choice: choice[0])[1]
+            total += _column(Memory(whole.depth, width), family, shows_word_before)
     return total
+
+
+@cache
+def _column(memory: Memory, family: Family, shows_word_before: bool) -> Mapped:
+    choices = [(float(memory.depth * memory.width), Mapped())]
+    if family.lut:
+        choices += _choices(family.lut, memory, False, shows_word_before)
+    for shape in family.blocks:
+        choices += _choices(shape, memory, True, shows_word_before)
+    return min(choices, key=lambda choice: choice[0])[1]

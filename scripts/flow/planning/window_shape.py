@@ -5,6 +5,7 @@ of semi-global matching have the same ones. test_plan.py compares what follows f
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
 CENSUS = {
@@ -22,6 +23,7 @@ def bits_for(largest: int) -> int:
     return max(1, largest.bit_length())
 
 
+@cache
 def census_bits(width_px: int, height_px: int, pattern: str) -> int:
     has_bit = CENSUS[pattern]
     rows, columns = range(-(height_px // 2), height_px // 2 + 1), range(-(width_px // 2), width_px // 2 + 1)
