@@ -24,10 +24,9 @@ STEREO_ROW(sgm_1280, system, sgm_450, width_px = 1280, height_px = 720, window_p
 STEREO_ROW(sgm_640, system, Config(), width_px = 640, height_px = 480, disparities = 128, window_px = 1,
            reference = Reference::left, census_width_px = 9, cost_shift = 2, p1 = 4, p2 = 24, median = true,
            slice_disparities = 16);
-// Several clocks a pixel pair, for a small FPGA behind a camera; the third one checked, in sixteenths.
+// Several clocks a pixel pair, for a small FPGA behind a camera.
 STEREO_ROW(sgm_640_64_f4, system, sgm_640, disparities = 64, clocks_per_pixel = 4);
 STEREO_ROW(sgm_640_64_f8, system, sgm_640_64_f4, clocks_per_pixel = 8, front_clocks = 2);
-STEREO_ROW(sgm_640_64_f8_lr, system, sgm_640_64_f4, clocks_per_pixel = 8, left_right_threshold = 1, subpixel = true);
 STEREO_ROW(sgm_640_f8, system, sgm_640, clocks_per_pixel = 8);
 STEREO_ROW(sgm_640_f16, system, sgm_640, clocks_per_pixel = 16, front_clocks = 2);
 // A road: rows of KITTI, in full width.
@@ -36,6 +35,11 @@ STEREO_ROW(sgm_1242_f8, system, sgm_450, width_px = 1242, disparities = 128, ful
 // For a small FPGA: on a road a P2 that is the same everywhere serves as well.
 STEREO_ROW(sgm_640_64_f8_road, system, sgm_450, width_px = 640, height_px = 480, p2_least = -1, full_width = true,
            clocks_per_pixel = 8, front_clocks = 2);
+// And checked, in sixteenths.
+STEREO_ROW(sgm_640_64_f8_lr, system, sgm_640_64_f8_road, left_right_threshold = 1, subpixel = true);
+// For FPGAs with fewer or smaller block RAMs (docs/performance.md has them by device).
+STEREO_ROW(sgm_512_64_f16, system, sgm_640_64_f8_road, width_px = 512, height_px = 384, clocks_per_pixel = 16);
+STEREO_ROW(sgm_320_64_f32, system, sgm_640_64_f8_road, width_px = 320, height_px = 240, clocks_per_pixel = 32);
 
 // option: one option after the other, alone and together, at a size that a test can afford.
 STEREO_ROW(tiny_sgm_left, option, tiny_sgm, reference = Reference::left);

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, semi global, configuration sgm_640_64_f8_lr: 640x480, 64 disparities, window 1x1, P1 4, P2 24, 1 pixel pair a clock.
--- Options: window_px 1, reference left, census_width_px 9, cost_shift 2, p1 4, p2 24, left_right_threshold 1,
---   subpixel true, median true, slice_disparities 16, clocks_per_pixel 8.
+-- Stereo core, semi global, configuration sgm_640_64_f8_lr: 640x480, 64 disparities, window 3x3, P1 7, P2 60, 1 pixel pair a clock.
+-- Options: reference left, census_width_px 9, census_pattern sparse, cost_shift 3, cost_cap 5, p1 7, p2 60,
+--   above_p1 5, above_p2 31, left_right_threshold 1, subpixel true, median true, full_width true,
+--   slice_disparities 16, clocks_per_pixel 8, front_clocks 2.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config sgm_640_64_f8_lr
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
@@ -18,9 +19,9 @@ entity stereo_core_sgm_640_64_f8_lr is
     disparities : positive := 64;
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 16;
-    output_width_px : positive := 577;
-    latency_clocks : positive := 72;
-    flush_groups : positive := 3268;
+    output_width_px : positive := 638;
+    latency_clocks : positive := 77;
+    flush_groups : positive := 3908;
     gap_groups : natural := 0
   );
   port (
@@ -42,9 +43,9 @@ begin
   assert disparities = 64 report "stereo_core_sgm_640_64_f8_lr: disparities is " & integer'image(disparities) & " but this core has 64" severity failure;
   assert pixels_per_clock = 1 report "stereo_core_sgm_640_64_f8_lr: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 16 report "stereo_core_sgm_640_64_f8_lr: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
-  assert output_width_px = 577 report "stereo_core_sgm_640_64_f8_lr: output_width_px is " & integer'image(output_width_px) & " but this core has 577" severity failure;
-  assert latency_clocks = 72 report "stereo_core_sgm_640_64_f8_lr: latency_clocks is " & integer'image(latency_clocks) & " but this core has 72" severity failure;
-  assert flush_groups = 3268 report "stereo_core_sgm_640_64_f8_lr: flush_groups is " & integer'image(flush_groups) & " but this core has 3268" severity failure;
+  assert output_width_px = 638 report "stereo_core_sgm_640_64_f8_lr: output_width_px is " & integer'image(output_width_px) & " but this core has 638" severity failure;
+  assert latency_clocks = 77 report "stereo_core_sgm_640_64_f8_lr: latency_clocks is " & integer'image(latency_clocks) & " but this core has 77" severity failure;
+  assert flush_groups = 3908 report "stereo_core_sgm_640_64_f8_lr: flush_groups is " & integer'image(flush_groups) & " but this core has 3908" severity failure;
   assert gap_groups = 0 report "stereo_core_sgm_640_64_f8_lr: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
@@ -97,139 +98,200 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   type boolean_1d is array (natural range <>) of boolean;
   type boolean_2d is array (natural range <>, natural range <>) of boolean;
   type natural_1023_1d is array (natural range <>) of natural range 0 to 1023;
-  type natural_126_1d is array (natural range <>) of natural range 0 to 126;
+  type natural_105_1d is array (natural range <>) of natural range 0 to 105;
   type natural_127_1d is array (natural range <>) of natural range 0 to 127;
-  type natural_129_to_510_1d is array (natural range <>) of natural range 129 to 510;
-  type natural_135007244_1d is array (natural range <>) of natural range 0 to 135007244;
-  type natural_13_1d is array (natural range <>) of natural range 0 to 13;
-  type natural_15_1d is array (natural range <>) of natural range 0 to 15;
+  type natural_14_1d is array (natural range <>) of natural range 0 to 14;
+  type natural_14_2d is array (natural range <>, natural range <>) of natural range 0 to 14;
+  type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
+  type natural_16383_2d is array (natural range <>, natural range <>) of natural range 0 to 16383;
+  type natural_169_1d is array (natural range <>) of natural range 0 to 169;
   type natural_190_1d is array (natural range <>) of natural range 0 to 190;
-  type natural_253_1d is array (natural range <>) of natural range 0 to 253;
+  type natural_21_1d is array (natural range <>) of natural range 0 to 21;
+  type natural_254_1d is array (natural range <>) of natural range 0 to 254;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
-  type natural_268435455_1d is array (natural range <>) of natural range 0 to 268435455;
-  type natural_2_1d is array (natural range <>) of natural range 0 to 2;
+  type natural_255_to_256_1d is array (natural range <>) of natural range 255 to 256;
+  type natural_257_to_1022_1d is array (natural range <>) of natural range 257 to 1022;
+  type natural_28_1d is array (natural range <>) of natural range 0 to 28;
+  type natural_2_2d is array (natural range <>, natural range <>) of natural range 0 to 2;
   type natural_31_1d is array (natural range <>) of natural range 0 to 31;
   type natural_32767_1d is array (natural range <>) of natural range 0 to 32767;
-  type natural_3_2d is array (natural range <>, natural range <>) of natural range 0 to 3;
-  type natural_4096_1d is array (natural range <>) of natural range 0 to 4096;
-  type natural_44_1d is array (natural range <>) of natural range 0 to 44;
+  type natural_3_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 3;
+  type natural_42_1d is array (natural range <>) of natural range 0 to 42;
   type natural_511_1d is array (natural range <>) of natural range 0 to 511;
-  type natural_53_1d is array (natural range <>) of natural range 0 to 53;
+  type natural_52_1d is array (natural range <>) of natural range 0 to 52;
   type natural_63_1d is array (natural range <>) of natural range 0 to 63;
-  type natural_65406_1d is array (natural range <>) of natural range 0 to 65406;
-  type natural_65503_1d is array (natural range <>) of natural range 0 to 65503;
-  type natural_65527_1d is array (natural range <>) of natural range 0 to 65527;
   type natural_65535_1d is array (natural range <>) of natural range 0 to 65535;
   type natural_65535_2d is array (natural range <>, natural range <>) of natural range 0 to 65535;
-  type natural_67_1d is array (natural range <>) of natural range 0 to 67;
+  type natural_68_1d is array (natural range <>) of natural range 0 to 68;
+  type natural_7_1d is array (natural range <>) of natural range 0 to 7;
   type natural_8191_1d is array (natural range <>) of natural range 0 to 8191;
+  type unsigned_16_1d is array (natural range <>) of unsigned(15 downto 0);
   type unsigned_16_2d is array (natural range <>, natural range <>) of unsigned(15 downto 0);
+  type unsigned_27_1d is array (natural range <>) of unsigned(26 downto 0);
   type unsigned_28_1d is array (natural range <>) of unsigned(27 downto 0);
-  type unsigned_30_1d is array (natural range <>) of unsigned(29 downto 0);
-  type unsigned_44_1d is array (natural range <>) of unsigned(43 downto 0);
+  type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
   type unsigned_8_1d is array (natural range <>) of unsigned(7 downto 0);
-  signal in_valid, in_start_of_frame : boolean;
+  signal in_start_of_frame, in_valid : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
-  signal transform_left_column : natural_255_1d(0 to 4);
-  signal transform_right_column : natural_255_1d(0 to 4);
-  signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 4);
-  signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 4);
-  signal transform_valid, transform_counter_next_frame : boolean;
-  signal transform_read_row_inside : boolean_1d(0 to 4);
-  signal transform_read_column_inside : boolean_1d(0 to 8);
-  signal transform_read_start_of_frame, transform_read_valid : boolean;
-  signal transform_ready_row_inside : boolean_1d(0 to 4);
-  signal transform_ready_column_inside : boolean_1d(0 to 8);
-  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
-  signal transform_columns_row_inside : boolean_1d(0 to 4);
-  signal transform_columns_column_inside : boolean_1d(0 to 8);
-  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_0_column_inside : boolean_1d(0 to 8);
-  signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- transform_filtering_#_start_of_frame
-  signal transform_filtering_valid : boolean_1d(0 to 1);  -- transform_filtering_#_valid
-  signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 1023;
-  signal transform_write_column : natural range 0 to 1023;
-  signal transform_counter_group : natural range 0 to 511;
+  signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_2 : natural range 0 to 255;
+  signal transform_left_column_4, transform_right_column_0, transform_right_column_2 : natural range 0 to 255;
+  signal transform_right_column_4 : natural range 0 to 255;
+  signal transform_left_filter_column_0 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_0
+  signal transform_left_filter_column_2 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_2
+  signal transform_left_filter_column_4 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_4
+  signal transform_right_filter_column_0 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_0
+  signal transform_right_filter_column_2 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_2
+  signal transform_right_filter_column_4 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_4
+  signal transform_valid, transform_counter_next_frame, transform_counter_last_column : boolean;
+  signal transform_counter_counts, transform_counter_frame_joins, transform_counter_back_to_back : boolean;
+  signal transform_counter_next_frame_after, transform_read_row_inside_0, transform_read_column_inside_0 : boolean;
+  signal transform_read_column_inside_2, transform_read_column_inside_4, transform_read_column_inside_6 : boolean;
+  signal transform_read_column_inside_8, transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside_0, transform_ready_row_inside_2, transform_ready_row_inside_4 : boolean;
+  signal transform_ready_column_inside_0, transform_ready_column_inside_2, transform_ready_column_inside_4 : boolean;
+  signal transform_ready_column_inside_6, transform_ready_column_inside_8, transform_ready_start_of_frame : boolean;
+  signal transform_ready_valid, transform_reached_first_0, transform_reached_first_2 : boolean;
+  signal transform_reached_first_4 : boolean;
+  signal transform_reached_beyond_last : boolean_1d(2 to 3);
+  signal transform_columns_row_inside_0, transform_columns_row_inside_2, transform_columns_row_inside_4 : boolean;
+  signal transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
+  signal transform_columns_column_inside_4, transform_columns_column_inside_6 : boolean;
+  signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_left_filter_low_is_larger_0_0_0, transform_left_filter_low_is_larger_0_0_2 : boolean;
+  signal transform_left_filter_low_is_larger_0_0_4, transform_left_filter_low_is_larger_0_2_0 : boolean;
+  signal transform_left_filter_low_is_larger_0_2_2, transform_left_filter_low_is_larger_0_2_4 : boolean;
+  signal transform_left_filter_low_is_larger_0_4_0, transform_left_filter_low_is_larger_0_4_4 : boolean;
+  signal transform_left_filter_low_is_larger_0_6_0, transform_left_filter_low_is_larger_0_6_2 : boolean;
+  signal transform_left_filter_low_is_larger_0_6_4, transform_left_filter_low_is_larger_0_8_0 : boolean;
+  signal transform_left_filter_low_is_larger_0_8_2, transform_left_filter_low_is_larger_0_8_4 : boolean;
+  signal transform_right_filter_low_is_larger_0_0_0, transform_right_filter_low_is_larger_0_0_2 : boolean;
+  signal transform_right_filter_low_is_larger_0_0_4, transform_right_filter_low_is_larger_0_2_0 : boolean;
+  signal transform_right_filter_low_is_larger_0_2_2, transform_right_filter_low_is_larger_0_2_4 : boolean;
+  signal transform_right_filter_low_is_larger_0_4_0, transform_right_filter_low_is_larger_0_4_4 : boolean;
+  signal transform_right_filter_low_is_larger_0_6_0, transform_right_filter_low_is_larger_0_6_2 : boolean;
+  signal transform_right_filter_low_is_larger_0_6_4, transform_right_filter_low_is_larger_0_8_0 : boolean;
+  signal transform_right_filter_low_is_larger_0_8_2, transform_right_filter_low_is_larger_0_8_4 : boolean;
+  signal transform_filtering_row_inside_4 : boolean_1d(0 to 2);  -- transform_filtering_#_row_inside_4
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
+  signal transform_filtering_column_inside_4 : boolean_1d(0 to 2);  -- transform_filtering_#_column_inside_4
+  signal transform_filtering_0_column_inside_6, transform_filtering_0_column_inside_8 : boolean;
+  signal transform_filtering_start_of_frame : boolean_1d(0 to 2);  -- transform_filtering_#_start_of_frame
+  signal transform_filtering_valid : boolean_1d(0 to 2);  -- transform_filtering_#_valid
+  signal transform_counter_column, transform_counter_column_after, transform_read_column : natural range 0 to 1023;
+  signal transform_ready_column, transform_write_column : natural range 0 to 1023;
+  signal transform_counter_group, transform_counter_group_after : natural range 0 to 511;
   signal transform_left_rows_read_words_0, transform_left_rows_ready_words_0 : unsigned(31 downto 0);
   signal transform_left_rows_write_words_0, transform_right_rows_read_words_0 : unsigned(31 downto 0);
   signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : unsigned(31 downto 0);
-  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : unsigned(43 downto 0);
+  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 16383;
   -- raster
-  signal raster_features_search_0, raster_features_reference_0 : unsigned(43 downto 0);
-  signal raster_features_valid : boolean;
-  signal raster_place_column : natural range 0 to 1023;
-  signal raster_place_group : natural range 0 to 511;
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 16383;
+  signal raster_features_valid, raster_place_next_frame, raster_place_last_column, raster_place_counts : boolean;
+  signal raster_place_frame_joins, raster_place_back_to_back : boolean;
+  signal raster_place_column, raster_place_column_after : natural range 0 to 1023;
+  signal raster_place_group, raster_place_group_after : natural range 0 to 511;
   -- delay
-  signal delay_ahead_0, delay_delayed_0 : unsigned(43 downto 0);
-  signal delay_tag_valid, delay_tag_first_cost, delay_tag_map_column, delay_tag_output_column : boolean;
+  signal delay_ahead_0, delay_delayed_0 : natural range 0 to 16383;
+  signal delay_column : natural range 0 to 1023;
+  signal delay_row_inside : boolean_1d(0 to 2);
+  signal delay_tag_valid, delay_tag_map_column, delay_tag_output_column, delay_tag_first_column : boolean;
   signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
-  signal rows_search_0, rows_reference_0 : unsigned(43 downto 0);
-  signal rows_tag_valid, rows_tag_first_cost, rows_tag_map_column, rows_tag_output_column : boolean;
+  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(27 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 16383;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 16383;
+  signal rows_search : natural_16383_1d(0 to 2);
+  signal rows_reference : natural_16383_1d(0 to 2);
+  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 268435455;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 268435455;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag_valid, rows_read_tag_map_column, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_first_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag_valid, rows_ready_tag_map_column, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_first_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
+  signal rows_tag_valid, rows_tag_map_column, rows_tag_output_column, rows_tag_first_column : boolean;
   signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- line
-  signal line_centre_map_column_0, line_centre_first_column_0, line_centre_start_of_frame_0 : boolean;
-  signal line_centre_end_of_line_0, line_order_falls, line_order_inside, line_order_complete : boolean;
-  signal line_order_output, line_order_first, line_order_held_output, line_order_turned_valid : boolean;
-  signal line_order_turned_output_column, line_order_turned_first_column, line_order_turned_start_of_frame : boolean;
-  signal line_comes : boolean_1d(1 to 31);
-  signal line_starts_phases : boolean_1d(1 to 31);
-  signal line_places_map_column : boolean_1d(0 to 3);  -- line_places_#_map_column
+  signal line_centre_map_column_0, line_centre_output_column_0, line_centre_first_column_0 : boolean;
+  signal line_centre_start_of_frame_0, line_centre_end_of_line_0, line_order_falls, line_order_inside : boolean;
+  signal line_order_complete, line_order_output, line_order_first, line_order_held_output : boolean;
+  signal line_order_turned_valid, line_order_turned_map_column, line_order_turned_output_column : boolean;
+  signal line_order_turned_first_column, line_order_turned_start_of_frame, line_order_turned_end_of_line : boolean;
+  signal line_newest_first_column, line_newest_top : boolean;
+  signal line_comes : boolean_1d(1 to 33);
+  signal line_starts_phases : boolean_1d(1 to 33);
+  signal line_places_map_column : boolean_1d(0 to 4);  -- line_places_#_map_column
   signal line_places_first_column : boolean_1d(0 to 2);  -- line_places_#_first_column
   signal line_places_0_top : boolean;
-  signal line_places_shown_output_column : boolean_1d(0 to 3);  -- line_places_#_shown_output_column
+  signal line_places_shown_output_column : boolean_1d(0 to 4);  -- line_places_#_shown_output_column
   signal line_places_shown_first_column : boolean_1d(0 to 2);  -- line_places_#_shown_first_column
-  signal line_places_shown_start_of_frame : boolean_1d(0 to 3);  -- line_places_#_shown_start_of_frame
-  signal line_places_shown_end_of_line : boolean_1d(0 to 3);  -- line_places_#_shown_end_of_line
+  signal line_places_shown_start_of_frame : boolean_1d(0 to 4);  -- line_places_#_shown_start_of_frame
+  signal line_places_shown_end_of_line : boolean_1d(0 to 4);  -- line_places_#_shown_end_of_line
   signal line_order_address : natural range 0 to 1023;
   signal line_places_address : natural_1023_1d(0 to 2);  -- line_places_#_address
   -- costsshift
-  signal costsshift_newest_0, costsshift_new_reference_0 : unsigned(43 downto 0);
-  signal costsshift_read_words : unsigned_44_1d(0 to 7);
-  signal costsshift_handed_on_0, costsshift_read_reference_0 : unsigned(43 downto 0);
-  signal costsshift_search_0 : unsigned_44_1d(0 to 7);
-  signal costsshift_reference_0 : unsigned(43 downto 0);
+  signal costsshift_newest : natural_16383_1d(0 to 2);
+  signal costsshift_new_reference : natural_16383_1d(0 to 2);
+  signal costsshift_handed_on : natural_16383_1d(0 to 2);
+  signal costsshift_read_reference : natural_16383_1d(0 to 2);
+  signal costsshift_search : natural_16383_2d(0 to 2, 0 to 7);
+  signal costsshift_reference : natural_16383_1d(0 to 2);
   signal costsshift_new_tag_valid, costsshift_read_tag_valid : boolean;
   signal costsshift_count_phase, costsshift_read_count_phase, costsshift_write_phase : natural range 0 to 7;
+  signal costsshift_read_words : unsigned_28_1d(0 to 11);
+  -- costscolumn
+  signal costscolumn_pixels_first_count : natural_3_3d(0 to 2, 0 to 7, 0 to 3);  -- costscolumn_pixels_first_#_#_count_#
+  signal costscolumn_pixels_first_count_4 : natural_2_2d(0 to 2, 0 to 7);  -- costscolumn_pixels_first_#_#_count_4
+  signal costscolumn_pixels_cost : natural_14_2d(0 to 2, 0 to 7);
+  signal costscolumn_single_0 : natural_14_1d(0 to 7);
+  signal costscolumn_pair_0 : natural_28_1d(0 to 7);
+  signal costscolumn_column_0 : natural_42_1d(0 to 7);
   -- costswindow
-  signal costswindow_first_count : natural_3_2d(0 to 7, 0 to 13);  -- costswindow_first_#_count_#
-  signal costswindow_first_count_14 : natural_2_1d(0 to 7);  -- costswindow_first_#_count_14
-  signal costswindow_sum_0 : natural_53_1d(0 to 7);
+  signal costswindow_read_count_phase, costswindow_write_count_phase : natural range 0 to 7;
+  signal costswindow_read_words : unsigned_27_1d(0 to 1);
+  signal costswindow_read_wordss : unsigned_28_1d(2 to 3);  -- costswindow_read_words_#
+  signal costswindow_partial : natural_42_1d(0 to 7);
+  signal costswindow_partials : natural_105_1d(8 to 15);  -- costswindow_partial_#
+  signal costswindow_sum_0 : natural_169_1d(0 to 7);
+  -- costsmask
+  signal costsmask_column : natural range 0 to 1023;
+  signal costsmask_partner : natural range 0 to 4095;
+  signal costsmask_inside : boolean_1d(0 to 7);
   -- costs
-  signal costs_cost : natural_13_1d(0 to 7);
+  signal costs_cost : natural_21_1d(0 to 7);
   -- paths
-  signal paths_tree_smallest : natural_13_1d(0 to 3);
-  signal paths_tree_next_smallest : natural_13_1d(0 to 1);
-  signal paths_tree_next_next_smallest_0 : natural range 0 to 13;
-  signal paths_smallest_cost, paths_cost_delay_ring_read_address : natural range 0 to 15;
-  signal paths_cost_delay_ring_write_address : natural range 0 to 15;
-  signal paths_cost_delay_held_0 : unsigned(31 downto 0);
-  signal paths_sum : natural_190_1d(0 to 7);
+  signal paths_tree_smallest : natural_21_1d(0 to 3);
+  signal paths_tree_next_smallest : natural_21_1d(0 to 1);
+  signal paths_tree_next_next_smallest_0, paths_smallest_cost : natural range 0 to 21;
+  signal paths_cost_delay_ring_read_address, paths_cost_delay_ring_write_address : natural range 0 to 15;
+  signal paths_cost_delay_held_0 : unsigned(23 downto 0);
+  signal paths_sum : natural_254_1d(0 to 7);
   -- pathsleft
   signal pathsleft_low_address, pathsleft_low_write_address : natural range 0 to 15;
-  signal pathsleft_lowest_0, pathsleft_read_words_3, pathsleft_read_neighbour_0 : unsigned(5 downto 0);
+  signal pathsleft_lowest_0, pathsleft_read_neighbour_0 : unsigned(6 downto 0);
   signal pathsleft_lost, pathsleft_short_of, pathsleft_first, pathsleft_is_first, pathsleft_is_last : boolean;
-  signal pathsleft_missing, pathsleft_below, pathsleft_q, pathsleft_room_left, pathsleft_q_now : natural range 0 to 31;
-  signal pathsleft_room : natural range 0 to 31;
-  signal pathsleft_start_cost : natural_31_1d(1 to 8);
-  signal pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour : natural range 0 to 63;
-  signal pathsleft_stay : natural_63_1d(0 to 7);
-  signal pathsleft_step : natural_63_1d(0 to 7);
-  signal pathsleft_stay_change : natural_63_1d(0 to 7);
-  signal pathsleft_step_change : natural_63_1d(0 to 7);
-  signal pathsleft_cost : natural_63_1d(0 to 7);
-  signal pathsleft_arrived : natural_63_1d(0 to 7);
-  signal pathsleft_tree_smallest : natural_63_1d(0 to 3);
-  signal pathsleft_tree_next_smallest : natural_63_1d(0 to 1);
-  signal pathsleft_tree_next_next_smallest_0, pathsleft_low_0 : natural range 0 to 63;
-  signal pathsleft_g : natural range 0 to 46;
+  signal pathsleft_missing, pathsleft_below, pathsleft_q, pathsleft_room_left, pathsleft_q_now : natural range 0 to 63;
+  signal pathsleft_room : natural range 0 to 63;
+  signal pathsleft_start_cost : natural_63_1d(1 to 8);
+  signal pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour : natural range 0 to 127;
+  signal pathsleft_stay : natural_127_1d(0 to 7);
+  signal pathsleft_step : natural_127_1d(0 to 7);
+  signal pathsleft_stay_change : natural_127_1d(0 to 7);
+  signal pathsleft_step_change : natural_127_1d(0 to 7);
+  signal pathsleft_cost : natural_127_1d(0 to 7);
+  signal pathsleft_arrived : natural_127_1d(0 to 7);
+  signal pathsleft_tree_smallest : natural_127_1d(0 to 3);
+  signal pathsleft_tree_next_smallest : natural_127_1d(0 to 1);
+  signal pathsleft_tree_next_next_smallest_0, pathsleft_low_0 : natural range 0 to 127;
+  signal pathsleft_g : natural range 0 to 84;
   signal pathsleft_read_count_phase, pathsleft_ahead_count_phase, pathsleft_write_count_phase : natural range 0 to 7;
-  signal pathsleft_read_words : unsigned_30_1d(0 to 2);
+  signal pathsleft_read_words : unsigned_28_1d(0 to 3);
   -- pathsabove
   signal pathsabove_memory_read_address_0, pathsabove_memory_write_address_0 : natural range 0 to 4095;
   signal pathsabove_memory_read_address_1, pathsabove_memory_write_address_1 : natural range 0 to 1023;
@@ -246,10 +308,10 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsabove_read_address_address, pathsabove_write_address_address : natural range 0 to 8191;
   signal pathsabove_read_address_count_phase, pathsabove_count_phase : natural range 0 to 7;
   signal pathsabove_write_address_count_phase : natural range 0 to 7;
-  signal pathsabove_total : natural_44_1d(0 to 7);
-  signal pathsabove_tree_smallest : natural_44_1d(0 to 3);
-  signal pathsabove_tree_next_smallest : natural_44_1d(0 to 1);
-  signal pathsabove_tree_next_next_smallest_0 : natural range 0 to 44;
+  signal pathsabove_total : natural_52_1d(0 to 7);
+  signal pathsabove_tree_smallest : natural_52_1d(0 to 3);
+  signal pathsabove_tree_next_smallest : natural_52_1d(0 to 1);
+  signal pathsabove_tree_next_next_smallest_0 : natural range 0 to 52;
   signal pathsabove_delay_held_0 : unsigned(29 downto 0);
   signal pathsabove_delay_held_1 : unsigned(17 downto 0);
   signal pathsabove_smallest_total, pathsabove_smallest : natural range 0 to 63;
@@ -258,7 +320,7 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsabove_lower_neighbour : natural range 0 to 63;
   signal pathsabove_beside : natural_63_1d(0 to 7);
   signal pathsabove_own : natural_63_1d(0 to 6);
-  signal pathsabove_step : natural_67_1d(0 to 7);
+  signal pathsabove_step : natural_68_1d(0 to 7);
   signal pathsabove_stay : natural_31_1d(0 to 7);
   -- pathsturn
   signal pathsturn_sum_memory_read_address_0, pathsturn_sum_memory_write_address_0 : natural range 0 to 4095;
@@ -271,110 +333,113 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsturn_write_address_is_here : boolean;
   signal pathsturn_writes_sums : boolean_1d(0 to 1);
   signal pathsturn_sum_memory_read_words : unsigned_16_2d(0 to 1, 0 to 2);
-  signal pathsturn_cost_memory_read_words : unsigned_16_2d(0 to 1, 0 to 1);
+  signal pathsturn_cost_memory_read_words_0 : unsigned_16_1d(0 to 1);  -- pathsturn_cost_memory_read_words_#_0
   signal pathsturn_sum_memory_read_words_3 : unsigned_8_1d(0 to 1);  -- pathsturn_sum_memory_read_words_#_3
+  signal pathsturn_cost_memory_read_words_1 : unsigned_8_1d(0 to 1);  -- pathsturn_cost_memory_read_words_#_1
   signal pathsturn_sum_memory_held_words : natural_65535_2d(0 to 1, 0 to 2);
   signal pathsturn_sum_memory_ready_words : natural_65535_1d(0 to 2);
-  signal pathsturn_cost_memory_held_words : natural_65535_2d(0 to 1, 0 to 1);
-  signal pathsturn_cost_memory_ready_words : natural_65535_1d(0 to 1);
-  signal pathsturn_cost_memory_write_words : natural_65535_2d(0 to 1, 0 to 1);
+  signal pathsturn_sum_memory_write_words : natural_65535_2d(0 to 1, 0 to 2);
+  signal pathsturn_cost_memory_held_words_0 : natural_65535_1d(0 to 1);  -- pathsturn_cost_memory_held_words_#_0
+  signal pathsturn_cost_memory_ready_words_0 : natural range 0 to 65535;
+  signal pathsturn_cost_memory_write_words_0 : natural_65535_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_0
   signal pathsturn_sum_memory_held_words_3 : natural_255_1d(0 to 1);  -- pathsturn_sum_memory_held_words_#_3
   signal pathsturn_sum_memory_ready_words_3 : natural range 0 to 255;
-  signal pathsturn_sum_memory_write_words_0 : natural_65406_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_0
-  signal pathsturn_sum_memory_write_words_1 : natural_65503_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_1
-  signal pathsturn_sum_memory_write_words_2 : natural_65527_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_2
-  signal pathsturn_sum_memory_write_words_3 : natural_253_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_3
-  signal pathsturn_read_smallest_0 : unsigned(3 downto 0);
-  signal pathsturn_ready_smallest_0, pathsturn_write_smallest_0 : natural range 0 to 15;
+  signal pathsturn_sum_memory_write_words_3 : natural_255_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_3
+  signal pathsturn_cost_memory_held_words_1 : natural_255_1d(0 to 1);  -- pathsturn_cost_memory_held_words_#_1
+  signal pathsturn_cost_memory_ready_words_1 : natural range 0 to 255;
+  signal pathsturn_cost_memory_write_words_1 : natural_255_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_1
+  signal pathsturn_read_smallest_0 : unsigned(4 downto 0);
+  signal pathsturn_ready_smallest_0 : natural range 0 to 31;
   signal pathsturn_read_address_address, pathsturn_sum_read_address : natural range 0 to 8191;
   signal pathsturn_write_address_address : natural range 0 to 8191;
   signal pathsturn_sum_write_address : natural_8191_1d(0 to 1);
   signal pathsturn_read_address_count_phase, pathsturn_write_address_count_phase : natural range 0 to 7;
+  signal pathsturn_write_smallest_0 : natural range 0 to 21;
   -- pathsright
-  signal pathsright_lowest_0, pathsright_read_words_3, pathsright_read_neighbour_0 : unsigned(5 downto 0);
+  signal pathsright_lowest_0, pathsright_read_neighbour_0 : unsigned(6 downto 0);
   signal pathsright_lost, pathsright_short_of : boolean;
-  signal pathsright_missing, pathsright_below, pathsright_q, pathsright_room_left : natural range 0 to 31;
-  signal pathsright_q_now, pathsright_room : natural range 0 to 31;
-  signal pathsright_start_cost : natural_31_1d(1 to 8);
-  signal pathsright_q_less, pathsright_g_less, pathsright_lower_neighbour : natural range 0 to 63;
-  signal pathsright_stay : natural_63_1d(0 to 7);
-  signal pathsright_step : natural_63_1d(0 to 7);
-  signal pathsright_stay_change : natural_63_1d(0 to 7);
-  signal pathsright_step_change : natural_63_1d(0 to 7);
-  signal pathsright_cost : natural_63_1d(0 to 7);
-  signal pathsright_arrived : natural_63_1d(0 to 7);
-  signal pathsright_tree_smallest : natural_63_1d(0 to 3);
-  signal pathsright_tree_next_smallest : natural_63_1d(0 to 1);
-  signal pathsright_tree_next_next_smallest_0, pathsright_low_0 : natural range 0 to 63;
-  signal pathsright_g : natural range 0 to 46;
-  signal pathsright_read_words : unsigned_30_1d(0 to 2);
+  signal pathsright_missing, pathsright_below, pathsright_q, pathsright_room_left : natural range 0 to 63;
+  signal pathsright_q_now, pathsright_room : natural range 0 to 63;
+  signal pathsright_start_cost : natural_63_1d(1 to 8);
+  signal pathsright_q_less, pathsright_g_less, pathsright_lower_neighbour : natural range 0 to 127;
+  signal pathsright_stay : natural_127_1d(0 to 7);
+  signal pathsright_step : natural_127_1d(0 to 7);
+  signal pathsright_stay_change : natural_127_1d(0 to 7);
+  signal pathsright_step_change : natural_127_1d(0 to 7);
+  signal pathsright_cost : natural_127_1d(0 to 7);
+  signal pathsright_arrived : natural_127_1d(0 to 7);
+  signal pathsright_tree_smallest : natural_127_1d(0 to 3);
+  signal pathsright_tree_next_smallest : natural_127_1d(0 to 1);
+  signal pathsright_tree_next_next_smallest_0, pathsright_low_0 : natural range 0 to 127;
+  signal pathsright_g : natural range 0 to 94;
+  signal pathsright_read_words : unsigned_28_1d(0 to 3);
+  -- winnersmask
+  signal winnersmask_column : natural range 0 to 1023;
+  signal winnersmask_partner : natural range 0 to 4095;
+  signal winnersmask_inside : boolean_1d(0 to 7);
   -- winnerswinner1
-  signal winnerswinner1_best_cost_0 : natural_190_1d(0 to 3);
-  signal winnerswinner1_best_below_0 : natural_190_1d(0 to 3);
-  signal winnerswinner1_best_above_0 : natural_190_1d(0 to 3);
-  signal winnerswinner1_best_first_0 : natural_190_1d(0 to 3);
-  signal winnerswinner1_best_last_0 : natural_190_1d(0 to 3);
-  signal winnerswinner1_best_index_0_0 : boolean;
+  signal winnerswinner1_best_cost_0 : natural_255_1d(0 to 3);
+  signal winnerswinner1_best_below_0 : natural_255_1d(0 to 3);
+  signal winnerswinner1_best_above_0 : natural_255_1d(0 to 3);
+  signal winnerswinner1_best_first_0 : natural_255_1d(0 to 3);
+  signal winnerswinner1_best_last_0 : natural_255_1d(0 to 3);
+  signal winnerswinner1_best_index_0_0, winnerswinner1_best_place_0 : boolean;
   signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
   signal winnerswinner1_best_index_0_2 : natural range 0 to 5;
   signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
   -- winnerswinner2
-  signal winnerswinner2_best_cost_0 : natural_190_1d(0 to 1);
-  signal winnerswinner2_best_below_0 : natural_190_1d(0 to 1);
-  signal winnerswinner2_best_above_0 : natural_190_1d(0 to 1);
-  signal winnerswinner2_best_first_0 : natural_190_1d(0 to 1);
-  signal winnerswinner2_best_last_0 : natural_190_1d(0 to 1);
+  signal winnerswinner2_best_cost_0 : natural_255_1d(0 to 1);
+  signal winnerswinner2_best_below_0 : natural_255_1d(0 to 1);
+  signal winnerswinner2_best_above_0 : natural_255_1d(0 to 1);
+  signal winnerswinner2_best_first_0 : natural_255_1d(0 to 1);
+  signal winnerswinner2_best_last_0 : natural_255_1d(0 to 1);
   signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
   signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
   -- winnerswinner3
-  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_below_0_0 : natural range 0 to 190;
-  signal winnerswinner3_best_above_0_0, winnerswinner3_best_first_0_0 : natural range 0 to 190;
-  signal winnerswinner3_best_last_0_0 : natural range 0 to 190;
+  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_below_0_0 : natural range 0 to 255;
+  signal winnerswinner3_best_above_0_0, winnerswinner3_best_first_0_0 : natural range 0 to 255;
+  signal winnerswinner3_best_last_0_0 : natural range 0 to 255;
   signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
   -- winners
-  signal winners_best_cost_0_0, winners_best_index_0_0 : natural range 0 to 255;
-  signal winners_best_below_0_0, winners_best_above_0_0, winners_best_last_0_0 : natural range 0 to 190;
+  signal winners_best_cost_0_0, winners_best_index_0_0, winners_best_below_0_0 : natural range 0 to 255;
+  signal winners_best_above_0_0, winners_best_last_0_0 : natural range 0 to 255;
   signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
   signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
   -- other
   signal other_read_count_phase, other_count_phase, other_write_count_phase : natural range 0 to 7;
-  signal other_next_words : unsigned_28_1d(0 to 3);
-  signal other_words : natural_268435455_1d(0 to 3);
-  signal other_base, other_winner_0, other_winner_7, other_left : natural range 0 to 255;
-  signal other_first_column, other_output_column, other_25 : boolean;
-  signal other_cost : natural_190_1d(0 to 7);
-  signal other_winner_1 : natural range 0 to 249;
-  signal other_winner_2 : natural range 0 to 250;
-  signal other_winner_3 : natural range 0 to 251;
-  signal other_winner_4, other_7 : natural range 0 to 252;
-  signal other_winner_5 : natural range 0 to 253;
-  signal other_winner_6, other_6 : natural range 0 to 254;
-  signal other_0, other_2 : unsigned(48 downto 0);
-  signal other_1 : natural range 0 to 8190;
-  signal other_3 : natural range 0 to 67108863;
-  signal other_4 : unsigned(25 downto 0);
-  signal other_5 : natural range 0 to 31;
-  signal other_8 : natural range 0 to 248;
-  signal other_9 : natural range 0 to 240;
-  signal other_10 : natural range 0 to 224;
-  signal other_11 : natural range 0 to 192;
-  signal other_12 : natural range 0 to 128;
-  signal other : natural_4096_1d(13 to 24);
-  signal others_from_26 : natural_135007244_1d(26 to 33);  -- other_#
+  signal other_next_words : unsigned_32_1d(0 to 3);
+  signal other_words : unsigned_32_1d(0 to 3);
+  signal other : unsigned_32_1d(14 to 17);
+  signal other_base, other_left : natural range 0 to 255;
+  signal other_first_column, other_output_column, other_0 : boolean;
+  signal other_1, other_3 : unsigned(48 downto 0);
+  signal other_2 : natural range 0 to 8190;
+  signal other_4 : natural range 0 to 67108863;
+  signal other_5 : unsigned(25 downto 0);
+  signal other_6 : natural range 0 to 31;
+  signal other_7 : natural range 0 to 254;
+  signal other_8 : natural range 0 to 252;
+  signal other_9 : natural range 0 to 248;
+  signal other_10 : natural range 0 to 240;
+  signal other_11 : natural range 0 to 224;
+  signal other_12 : natural range 0 to 192;
+  signal other_13 : natural range 0 to 128;
   -- refinement
   signal refinement_disparity_0 : natural_255_1d(0 to 11);  -- refinement_disparity_#_0
+  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_u_0 : natural range 0 to 255;
+  signal refinement_v_0 : natural range 0 to 255;
+  signal refinement_remainder_0 : natural_255_1d(0 to 7);  -- refinement_remainder_#_0
+  signal refinement_divisor_0 : natural_255_1d(0 to 7);  -- refinement_divisor_#_0
   signal refinement_quotient_8_0 : natural range 0 to 255;
+  signal refinement_passed_0 : boolean_1d(1 to 3);  -- refinement_passed_#_0
+  signal refinement_passed_0s : boolean_1d(6 to 8);  -- refinement_passed_#_0
   signal refinement_tag_valid : boolean_1d(0 to 11);  -- refinement_tag_#_valid
   signal refinement_tag_map_column : boolean_1d(0 to 11);  -- refinement_tag_#_map_column
   signal refinement_tag_output_column : boolean_1d(0 to 11);  -- refinement_tag_#_output_column
   signal refinement_tag_start_of_frame : boolean_1d(0 to 11);  -- refinement_tag_#_start_of_frame
   signal refinement_tag_end_of_line : boolean_1d(0 to 11);  -- refinement_tag_#_end_of_line
   signal refinement_negative_0 : boolean_1d(0 to 8);  -- refinement_negative_#_0
-  signal refinement_cost_0, refinement_u_0, refinement_v_0 : natural range 0 to 127;
-  signal refinement_remainder_0 : natural_127_1d(0 to 7);  -- refinement_remainder_#_0
-  signal refinement_divisor_0 : natural_127_1d(0 to 7);  -- refinement_divisor_#_0
-  signal refinement_below_0, refinement_above_0 : natural range 0 to 190;
-  signal refinement_difference_0 : integer range -190 to 190;
+  signal refinement_difference_0 : integer range -255 to 255;
   -- leftright
   signal leftright_other_0 : natural_255_1d(0 to 14);  -- leftright_other_#_0
   signal leftright_asking_disparity_0, leftright_answered_disparity_0 : natural range 0 to 255;
@@ -443,9 +508,9 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal transform_right_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
   signal transform_right_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal other_4_memory_read_enable : boolean;
-  signal other_4_memory_read_address, other_4_memory_write_address : unsigned(9 downto 0);
-  signal other_4_memory_write_data : unsigned(25 downto 0);
+  signal other_5_memory_read_enable : boolean;
+  signal other_5_memory_read_address, other_5_memory_write_address : unsigned(9 downto 0);
+  signal other_5_memory_write_data : unsigned(25 downto 0);
   signal turn_read_words_0_memory_read_enable : boolean;
   signal turn_read_words_0_memory_read_address, turn_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
@@ -457,43 +522,43 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
   signal other_next_words_3_memory_read_enable : boolean;
   signal other_next_words_3_memory_read_address, other_next_words_3_memory_write_address : unsigned(2 downto 0);
-  signal other_next_words_3_memory_write_data : unsigned(27 downto 0);
+  signal other_next_words_3_memory_write_data : unsigned(31 downto 0);
   signal other_next_words_2_memory_read_enable : boolean;
   signal other_next_words_2_memory_read_address, other_next_words_2_memory_write_address : unsigned(2 downto 0);
-  signal other_next_words_2_memory_write_data : unsigned(27 downto 0);
+  signal other_next_words_2_memory_write_data : unsigned(31 downto 0);
   signal other_next_words_1_memory_read_enable : boolean;
   signal other_next_words_1_memory_read_address, other_next_words_1_memory_write_address : unsigned(2 downto 0);
-  signal other_next_words_1_memory_write_data : unsigned(27 downto 0);
+  signal other_next_words_1_memory_write_data : unsigned(31 downto 0);
   signal other_next_words_0_memory_read_enable : boolean;
   signal other_next_words_0_memory_read_address, other_next_words_0_memory_write_address : unsigned(2 downto 0);
-  signal other_next_words_0_memory_write_data : unsigned(27 downto 0);
+  signal other_next_words_0_memory_write_data : unsigned(31 downto 0);
   signal pathsright_read_words_3_memory_read_enable : boolean;
   signal pathsright_read_words_3_memory_read_address : unsigned(2 downto 0);
   signal pathsright_read_words_3_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_3_memory_write_data : unsigned(5 downto 0);
+  signal pathsright_read_words_3_memory_write_data : unsigned(27 downto 0);
   signal pathsright_read_words_2_memory_read_enable : boolean;
   signal pathsright_read_words_2_memory_read_address : unsigned(2 downto 0);
   signal pathsright_read_words_2_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_2_memory_write_data : unsigned(29 downto 0);
+  signal pathsright_read_words_2_memory_write_data : unsigned(27 downto 0);
   signal pathsright_read_words_1_memory_read_enable : boolean;
   signal pathsright_read_words_1_memory_read_address : unsigned(2 downto 0);
   signal pathsright_read_words_1_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_1_memory_write_data : unsigned(29 downto 0);
+  signal pathsright_read_words_1_memory_write_data : unsigned(27 downto 0);
   signal pathsright_read_words_0_memory_read_enable : boolean;
   signal pathsright_read_words_0_memory_read_address : unsigned(2 downto 0);
   signal pathsright_read_words_0_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal pathsright_read_words_0_memory_write_data : unsigned(27 downto 0);
   signal pathsright_read_neighbour_0_memory_read_enable : boolean;
   signal pathsright_read_neighbour_0_memory_read_address : unsigned(2 downto 0);
   signal pathsright_read_neighbour_0_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_neighbour_0_memory_write_data : unsigned(5 downto 0);
+  signal pathsright_read_neighbour_0_memory_write_data : unsigned(6 downto 0);
   signal pathsright_lowest_0_memory_read_enable : boolean;
   signal pathsright_lowest_0_memory_read_address, pathsright_lowest_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsright_lowest_0_memory_write_data : unsigned(5 downto 0);
+  signal pathsright_lowest_0_memory_write_data : unsigned(6 downto 0);
   signal pathsturn_read_smallest_0_memory_read_enable : boolean;
   signal pathsturn_read_smallest_0_memory_read_address : unsigned(9 downto 0);
   signal pathsturn_read_smallest_0_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_read_smallest_0_memory_write_data : unsigned(3 downto 0);
+  signal pathsturn_read_smallest_0_memory_write_data : unsigned(4 downto 0);
   signal pathsturn_sum_memory_read_words_0_3_memory_read_enable : boolean;
   signal pathsturn_sum_memory_read_words_0_3_memory_read_address : unsigned(11 downto 0);
   signal pathsturn_sum_memory_read_words_0_3_memory_write_address : unsigned(11 downto 0);
@@ -529,7 +594,7 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsturn_cost_memory_read_words_0_1_memory_read_enable : boolean;
   signal pathsturn_cost_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
   signal pathsturn_cost_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_1_memory_write_data : unsigned(15 downto 0);
+  signal pathsturn_cost_memory_read_words_0_1_memory_write_data : unsigned(7 downto 0);
   signal pathsturn_cost_memory_read_words_0_0_memory_read_enable : boolean;
   signal pathsturn_cost_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
   signal pathsturn_cost_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
@@ -537,7 +602,7 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsturn_cost_memory_read_words_1_1_memory_read_enable : boolean;
   signal pathsturn_cost_memory_read_words_1_1_memory_read_address : unsigned(9 downto 0);
   signal pathsturn_cost_memory_read_words_1_1_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_cost_memory_read_words_1_1_memory_write_data : unsigned(15 downto 0);
+  signal pathsturn_cost_memory_read_words_1_1_memory_write_data : unsigned(7 downto 0);
   signal pathsturn_cost_memory_read_words_1_0_memory_read_enable : boolean;
   signal pathsturn_cost_memory_read_words_1_0_memory_read_address : unsigned(9 downto 0);
   signal pathsturn_cost_memory_read_words_1_0_memory_write_address : unsigned(9 downto 0);
@@ -576,63 +641,103 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsabove_memory_read_words_1_0_memory_write_data : unsigned(15 downto 0);
   signal pathsleft_read_words_3_memory_read_enable : boolean;
   signal pathsleft_read_words_3_memory_read_address, pathsleft_read_words_3_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_3_memory_write_data : unsigned(5 downto 0);
+  signal pathsleft_read_words_3_memory_write_data : unsigned(27 downto 0);
   signal pathsleft_read_words_2_memory_read_enable : boolean;
   signal pathsleft_read_words_2_memory_read_address, pathsleft_read_words_2_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_2_memory_write_data : unsigned(29 downto 0);
+  signal pathsleft_read_words_2_memory_write_data : unsigned(27 downto 0);
   signal pathsleft_read_words_1_memory_read_enable : boolean;
   signal pathsleft_read_words_1_memory_read_address, pathsleft_read_words_1_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_1_memory_write_data : unsigned(29 downto 0);
+  signal pathsleft_read_words_1_memory_write_data : unsigned(27 downto 0);
   signal pathsleft_read_words_0_memory_read_enable : boolean;
   signal pathsleft_read_words_0_memory_read_address, pathsleft_read_words_0_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal pathsleft_read_words_0_memory_write_data : unsigned(27 downto 0);
   signal pathsleft_read_neighbour_0_memory_read_enable : boolean;
   signal pathsleft_read_neighbour_0_memory_read_address : unsigned(2 downto 0);
   signal pathsleft_read_neighbour_0_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_neighbour_0_memory_write_data : unsigned(5 downto 0);
+  signal pathsleft_read_neighbour_0_memory_write_data : unsigned(6 downto 0);
   signal pathsleft_lowest_0_memory_read_enable : boolean;
   signal pathsleft_lowest_0_memory_read_address, pathsleft_lowest_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsleft_lowest_0_memory_write_data : unsigned(5 downto 0);
+  signal pathsleft_lowest_0_memory_write_data : unsigned(6 downto 0);
   signal paths_cost_delay_held_0_memory_read_enable : boolean;
   signal paths_cost_delay_held_0_memory_read_address : unsigned(3 downto 0);
   signal paths_cost_delay_held_0_memory_write_address : unsigned(3 downto 0);
-  signal paths_cost_delay_held_0_memory_write_data : unsigned(31 downto 0);
+  signal paths_cost_delay_held_0_memory_write_data : unsigned(23 downto 0);
+  signal costswindow_read_words_3_memory_read_enable : boolean;
+  signal costswindow_read_words_3_memory_read_address : unsigned(2 downto 0);
+  signal costswindow_read_words_3_memory_write_address : unsigned(2 downto 0);
+  signal costswindow_read_words_3_memory_write_data : unsigned(27 downto 0);
+  signal costswindow_read_words_2_memory_read_enable : boolean;
+  signal costswindow_read_words_2_memory_read_address : unsigned(2 downto 0);
+  signal costswindow_read_words_2_memory_write_address : unsigned(2 downto 0);
+  signal costswindow_read_words_2_memory_write_data : unsigned(27 downto 0);
+  signal costswindow_read_words_1_memory_read_enable : boolean;
+  signal costswindow_read_words_1_memory_read_address : unsigned(2 downto 0);
+  signal costswindow_read_words_1_memory_write_address : unsigned(2 downto 0);
+  signal costswindow_read_words_1_memory_write_data : unsigned(26 downto 0);
+  signal costswindow_read_words_0_memory_read_enable : boolean;
+  signal costswindow_read_words_0_memory_read_address : unsigned(2 downto 0);
+  signal costswindow_read_words_0_memory_write_address : unsigned(2 downto 0);
+  signal costswindow_read_words_0_memory_write_data : unsigned(26 downto 0);
+  signal costsshift_read_words_11_memory_read_enable : boolean;
+  signal costsshift_read_words_11_memory_read_address : unsigned(2 downto 0);
+  signal costsshift_read_words_11_memory_write_address : unsigned(2 downto 0);
+  signal costsshift_read_words_11_memory_write_data : unsigned(27 downto 0);
+  signal costsshift_read_words_10_memory_read_enable : boolean;
+  signal costsshift_read_words_10_memory_read_address : unsigned(2 downto 0);
+  signal costsshift_read_words_10_memory_write_address : unsigned(2 downto 0);
+  signal costsshift_read_words_10_memory_write_data : unsigned(27 downto 0);
+  signal costsshift_read_words_9_memory_read_enable : boolean;
+  signal costsshift_read_words_9_memory_read_address : unsigned(2 downto 0);
+  signal costsshift_read_words_9_memory_write_address : unsigned(2 downto 0);
+  signal costsshift_read_words_9_memory_write_data : unsigned(27 downto 0);
+  signal costsshift_read_words_8_memory_read_enable : boolean;
+  signal costsshift_read_words_8_memory_read_address : unsigned(2 downto 0);
+  signal costsshift_read_words_8_memory_write_address : unsigned(2 downto 0);
+  signal costsshift_read_words_8_memory_write_data : unsigned(27 downto 0);
   signal costsshift_read_words_7_memory_read_enable : boolean;
   signal costsshift_read_words_7_memory_read_address : unsigned(2 downto 0);
   signal costsshift_read_words_7_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_7_memory_write_data : unsigned(43 downto 0);
+  signal costsshift_read_words_7_memory_write_data : unsigned(27 downto 0);
   signal costsshift_read_words_6_memory_read_enable : boolean;
   signal costsshift_read_words_6_memory_read_address : unsigned(2 downto 0);
   signal costsshift_read_words_6_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_6_memory_write_data : unsigned(43 downto 0);
+  signal costsshift_read_words_6_memory_write_data : unsigned(27 downto 0);
   signal costsshift_read_words_5_memory_read_enable : boolean;
   signal costsshift_read_words_5_memory_read_address : unsigned(2 downto 0);
   signal costsshift_read_words_5_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_5_memory_write_data : unsigned(43 downto 0);
+  signal costsshift_read_words_5_memory_write_data : unsigned(27 downto 0);
   signal costsshift_read_words_4_memory_read_enable : boolean;
   signal costsshift_read_words_4_memory_read_address : unsigned(2 downto 0);
   signal costsshift_read_words_4_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_4_memory_write_data : unsigned(43 downto 0);
+  signal costsshift_read_words_4_memory_write_data : unsigned(27 downto 0);
   signal costsshift_read_words_3_memory_read_enable : boolean;
   signal costsshift_read_words_3_memory_read_address : unsigned(2 downto 0);
   signal costsshift_read_words_3_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_3_memory_write_data : unsigned(43 downto 0);
+  signal costsshift_read_words_3_memory_write_data : unsigned(27 downto 0);
   signal costsshift_read_words_2_memory_read_enable : boolean;
   signal costsshift_read_words_2_memory_read_address : unsigned(2 downto 0);
   signal costsshift_read_words_2_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_2_memory_write_data : unsigned(43 downto 0);
+  signal costsshift_read_words_2_memory_write_data : unsigned(27 downto 0);
   signal costsshift_read_words_1_memory_read_enable : boolean;
   signal costsshift_read_words_1_memory_read_address : unsigned(2 downto 0);
   signal costsshift_read_words_1_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_1_memory_write_data : unsigned(43 downto 0);
+  signal costsshift_read_words_1_memory_write_data : unsigned(27 downto 0);
   signal costsshift_read_words_0_memory_read_enable : boolean;
   signal costsshift_read_words_0_memory_read_address : unsigned(2 downto 0);
   signal costsshift_read_words_0_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_0_memory_write_data : unsigned(43 downto 0);
+  signal costsshift_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
 
 begin
-  in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
   in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
@@ -663,23 +768,23 @@ begin
       read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
       write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
-  other_4_memory_read_enable <= true;
-  other_4_memory_read_address <= to_unsigned(map_counter_column, 10);
-  other_4_memory_write_address <= to_unsigned(map_at_column, 10);
-  other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  other_4_memory : entity work.line_memory
-    generic map (depth => 577, width => 26, address_bits => 10)
+  other_5_memory_read_enable <= true;
+  other_5_memory_read_address <= to_unsigned(map_counter_column, 10);
+  other_5_memory_write_address <= to_unsigned(map_at_column, 10);
+  other_5_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  other_5_memory : entity work.line_memory
+    generic map (depth => 638, width => 26, address_bits => 10)
     port map (
-      clock => clock, read_enable => other_4_memory_read_enable,
-      read_address => other_4_memory_read_address, read_data => other_4,
-      write_address => other_4_memory_write_address, write_data => other_4_memory_write_data);
+      clock => clock, read_enable => other_5_memory_read_enable,
+      read_address => other_5_memory_read_address, read_data => other_5,
+      write_address => other_5_memory_write_address, write_data => other_5_memory_write_data);
 
   turn_read_words_0_memory_read_enable <= true;
   turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 10);
   turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 10);
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
   turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 578, width => 14, address_bits => 10)
+    generic map (depth => 639, width => 14, address_bits => 10)
     port map (
       clock => clock, read_enable => turn_read_words_0_memory_read_enable,
       read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
@@ -699,7 +804,7 @@ begin
   leftright_held_0_memory_read_enable <= true;
   leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 6);
   leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 6);
-  leftright_held_0_memory_write_data <= to_unsigned(other_5, 5) & to_unsigned((other(13) / 4096), 1) & to_unsigned(refinement_disparity_0(11), 8) & to_unsigned(as_number(refinement_tag_end_of_line(11)), 1) & to_unsigned(as_number(refinement_tag_start_of_frame(11)), 1) & to_unsigned(as_number(refinement_tag_output_column(11)), 1) & to_unsigned(as_number(refinement_tag_map_column(11)), 1);
+  leftright_held_0_memory_write_data <= to_unsigned(other_6, 5) & to_unsigned(as_number(transform_filtering_row_inside_4(2)), 1) & to_unsigned(refinement_disparity_0(11), 8) & to_unsigned(as_number(refinement_tag_end_of_line(11)), 1) & to_unsigned(as_number(refinement_tag_start_of_frame(11)), 1) & to_unsigned(as_number(refinement_tag_output_column(11)), 1) & to_unsigned(as_number(refinement_tag_map_column(11)), 1);
   leftright_held_0_memory : entity work.line_memory
     generic map (depth => 64, width => 18, address_bits => 6)
     port map (
@@ -710,9 +815,9 @@ begin
   other_next_words_3_memory_read_enable <= true;
   other_next_words_3_memory_read_address <= to_unsigned(other_read_count_phase, 3);
   other_next_words_3_memory_write_address <= to_unsigned(other_write_count_phase, 3);
-  other_next_words_3_memory_write_data <= ((((((to_unsigned(other_winner_6, 14) & to_unsigned(0, 14)) or (to_unsigned((other_winner_7 mod 128), 7) & to_unsigned(0, 21)))) or (to_unsigned(other_winner_4, 28)))) or (to_unsigned(other_winner_5, 21) & to_unsigned(0, 7)));
+  other_next_words_3_memory_write_data <= other(14);
   other_next_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
+    generic map (depth => 8, width => 32, address_bits => 3)
     port map (
       clock => clock, read_enable => other_next_words_3_memory_read_enable,
       read_address => other_next_words_3_memory_read_address, read_data => other_next_words(3),
@@ -721,9 +826,9 @@ begin
   other_next_words_2_memory_read_enable <= true;
   other_next_words_2_memory_read_address <= to_unsigned(other_read_count_phase, 3);
   other_next_words_2_memory_write_address <= to_unsigned(other_write_count_phase, 3);
-  other_next_words_2_memory_write_data <= ((((((to_unsigned(other_winner_2, 14) & to_unsigned(0, 14)) or (to_unsigned((other_winner_3 mod 128), 7) & to_unsigned(0, 21)))) or (to_unsigned(other_winner_0, 28)))) or (to_unsigned(other_winner_1, 21) & to_unsigned(0, 7)));
+  other_next_words_2_memory_write_data <= other(15);
   other_next_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
+    generic map (depth => 8, width => 32, address_bits => 3)
     port map (
       clock => clock, read_enable => other_next_words_2_memory_read_enable,
       read_address => other_next_words_2_memory_read_address, read_data => other_next_words(2),
@@ -732,9 +837,9 @@ begin
   other_next_words_1_memory_read_enable <= true;
   other_next_words_1_memory_read_address <= to_unsigned(other_read_count_phase, 3);
   other_next_words_1_memory_write_address <= to_unsigned(other_write_count_phase, 3);
-  other_next_words_1_memory_write_data <= ((((((to_unsigned(other_cost(6), 14) & to_unsigned(0, 14)) or (to_unsigned((other_cost(7) mod 128), 7) & to_unsigned(0, 21)))) or (to_unsigned(other_cost(4), 28)))) or (to_unsigned(other_cost(5), 21) & to_unsigned(0, 7)));
+  other_next_words_1_memory_write_data <= other(16);
   other_next_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
+    generic map (depth => 8, width => 32, address_bits => 3)
     port map (
       clock => clock, read_enable => other_next_words_1_memory_read_enable,
       read_address => other_next_words_1_memory_read_address, read_data => other_next_words(1),
@@ -743,9 +848,9 @@ begin
   other_next_words_0_memory_read_enable <= true;
   other_next_words_0_memory_read_address <= to_unsigned(other_read_count_phase, 3);
   other_next_words_0_memory_write_address <= to_unsigned(other_write_count_phase, 3);
-  other_next_words_0_memory_write_data <= ((((((to_unsigned(other_cost(2), 14) & to_unsigned(0, 14)) or (to_unsigned((other_cost(3) mod 128), 7) & to_unsigned(0, 21)))) or (to_unsigned(other_cost(0), 28)))) or (to_unsigned(other_cost(1), 21) & to_unsigned(0, 7)));
+  other_next_words_0_memory_write_data <= other(17);
   other_next_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
+    generic map (depth => 8, width => 32, address_bits => 3)
     port map (
       clock => clock, read_enable => other_next_words_0_memory_read_enable,
       read_address => other_next_words_0_memory_read_address, read_data => other_next_words(0),
@@ -754,20 +859,20 @@ begin
   pathsright_read_words_3_memory_read_enable <= true;
   pathsright_read_words_3_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
   pathsright_read_words_3_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_3_memory_write_data <= to_unsigned(pathsright_arrived(7), 6);
+  pathsright_read_words_3_memory_write_data <= to_unsigned(pathsright_arrived(7), 7) & to_unsigned(pathsright_arrived(6), 7) & to_unsigned(pathsright_arrived(5), 7) & to_unsigned(pathsright_arrived(4), 7);
   pathsright_read_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 6, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => pathsright_read_words_3_memory_read_enable,
-      read_address => pathsright_read_words_3_memory_read_address, read_data => pathsright_read_words_3,
+      read_address => pathsright_read_words_3_memory_read_address, read_data => pathsright_read_words(3),
       write_address => pathsright_read_words_3_memory_write_address, write_data => pathsright_read_words_3_memory_write_data);
 
   pathsright_read_words_2_memory_read_enable <= true;
   pathsright_read_words_2_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
   pathsright_read_words_2_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_2_memory_write_data <= to_unsigned(pathsright_arrived(6), 6) & to_unsigned(pathsright_arrived(5), 6) & to_unsigned(pathsright_arrived(4), 6) & to_unsigned(pathsright_arrived(3), 6) & to_unsigned(pathsright_arrived(2), 6);
+  pathsright_read_words_2_memory_write_data <= to_unsigned(pathsright_arrived(3), 7) & to_unsigned(pathsright_arrived(2), 7) & to_unsigned(pathsright_arrived(1), 7) & to_unsigned(pathsright_arrived(0), 7);
   pathsright_read_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 30, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => pathsright_read_words_2_memory_read_enable,
       read_address => pathsright_read_words_2_memory_read_address, read_data => pathsright_read_words(2),
@@ -776,9 +881,9 @@ begin
   pathsright_read_words_1_memory_read_enable <= true;
   pathsright_read_words_1_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
   pathsright_read_words_1_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_1_memory_write_data <= to_unsigned(pathsright_arrived(1), 6) & to_unsigned(pathsright_arrived(0), 6) & to_unsigned(pathsright_cost(7), 6) & to_unsigned(pathsright_cost(6), 6) & to_unsigned(pathsright_cost(5), 6);
+  pathsright_read_words_1_memory_write_data <= to_unsigned(pathsright_cost(7), 7) & to_unsigned(pathsright_cost(6), 7) & to_unsigned(pathsright_cost(5), 7) & to_unsigned(pathsright_cost(4), 7);
   pathsright_read_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 30, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => pathsright_read_words_1_memory_read_enable,
       read_address => pathsright_read_words_1_memory_read_address, read_data => pathsright_read_words(1),
@@ -787,9 +892,9 @@ begin
   pathsright_read_words_0_memory_read_enable <= true;
   pathsright_read_words_0_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
   pathsright_read_words_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_0_memory_write_data <= to_unsigned(pathsright_cost(4), 6) & to_unsigned(pathsright_cost(3), 6) & to_unsigned(pathsright_cost(2), 6) & to_unsigned(pathsright_cost(1), 6) & to_unsigned(pathsright_cost(0), 6);
+  pathsright_read_words_0_memory_write_data <= to_unsigned(pathsright_cost(3), 7) & to_unsigned(pathsright_cost(2), 7) & to_unsigned(pathsright_cost(1), 7) & to_unsigned(pathsright_cost(0), 7);
   pathsright_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 30, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => pathsright_read_words_0_memory_read_enable,
       read_address => pathsright_read_words_0_memory_read_address, read_data => pathsright_read_words(0),
@@ -798,9 +903,9 @@ begin
   pathsright_read_neighbour_0_memory_read_enable <= true;
   pathsright_read_neighbour_0_memory_read_address <= to_unsigned(pathsleft_ahead_count_phase, 3);
   pathsright_read_neighbour_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_neighbour_0_memory_write_data <= to_unsigned(pathsright_cost(0), 6);
+  pathsright_read_neighbour_0_memory_write_data <= to_unsigned(pathsright_cost(0), 7);
   pathsright_read_neighbour_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 6, address_bits => 3)
+    generic map (depth => 8, width => 7, address_bits => 3)
     port map (
       clock => clock, read_enable => pathsright_read_neighbour_0_memory_read_enable,
       read_address => pathsright_read_neighbour_0_memory_read_address, read_data => pathsright_read_neighbour_0,
@@ -809,9 +914,9 @@ begin
   pathsright_lowest_0_memory_read_enable <= true;
   pathsright_lowest_0_memory_read_address <= to_unsigned(pathsleft_low_address, 4);
   pathsright_lowest_0_memory_write_address <= to_unsigned(pathsleft_low_write_address, 4);
-  pathsright_lowest_0_memory_write_data <= to_unsigned(pathsright_low_0, 6);
+  pathsright_lowest_0_memory_write_data <= to_unsigned(pathsright_low_0, 7);
   pathsright_lowest_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 6, address_bits => 4)
+    generic map (depth => 16, width => 7, address_bits => 4)
     port map (
       clock => clock, read_enable => pathsright_lowest_0_memory_read_enable,
       read_address => pathsright_lowest_0_memory_read_address, read_data => pathsright_lowest_0,
@@ -820,9 +925,9 @@ begin
   pathsturn_read_smallest_0_memory_read_enable <= true;
   pathsturn_read_smallest_0_memory_read_address <= to_unsigned(pathsturn_smallest_address, 10);
   pathsturn_read_smallest_0_memory_write_address <= to_unsigned(pathsturn_write_smallest_address, 10);
-  pathsturn_read_smallest_0_memory_write_data <= to_unsigned(pathsturn_write_smallest_0, 4);
+  pathsturn_read_smallest_0_memory_write_data <= to_unsigned(pathsturn_write_smallest_0, 5);
   pathsturn_read_smallest_0_memory : entity work.line_memory
-    generic map (depth => 578, width => 4, address_bits => 10)
+    generic map (depth => 639, width => 5, address_bits => 10)
     port map (
       clock => clock, read_enable => pathsturn_read_smallest_0_memory_read_enable,
       read_address => pathsturn_read_smallest_0_memory_read_address, read_data => pathsturn_read_smallest_0,
@@ -842,7 +947,7 @@ begin
   pathsturn_sum_memory_read_words_0_2_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
   pathsturn_sum_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
-  pathsturn_sum_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_2(0), 16);
+  pathsturn_sum_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 2), 16);
   pathsturn_sum_memory_read_words_0_2_memory : entity work.line_memory
     generic map (depth => 4096, width => 16, address_bits => 12)
     port map (
@@ -853,7 +958,7 @@ begin
   pathsturn_sum_memory_read_words_0_1_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
   pathsturn_sum_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
-  pathsturn_sum_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1(0), 16);
+  pathsturn_sum_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 1), 16);
   pathsturn_sum_memory_read_words_0_1_memory : entity work.line_memory
     generic map (depth => 4096, width => 16, address_bits => 12)
     port map (
@@ -864,7 +969,7 @@ begin
   pathsturn_sum_memory_read_words_0_0_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
   pathsturn_sum_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
-  pathsturn_sum_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0(0), 16);
+  pathsturn_sum_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 0), 16);
   pathsturn_sum_memory_read_words_0_0_memory : entity work.line_memory
     generic map (depth => 4096, width => 16, address_bits => 12)
     port map (
@@ -886,7 +991,7 @@ begin
   pathsturn_sum_memory_read_words_1_2_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
   pathsturn_sum_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
-  pathsturn_sum_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_2(1), 16);
+  pathsturn_sum_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 2), 16);
   pathsturn_sum_memory_read_words_1_2_memory : entity work.line_memory
     generic map (depth => 1024, width => 16, address_bits => 10)
     port map (
@@ -897,7 +1002,7 @@ begin
   pathsturn_sum_memory_read_words_1_1_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
   pathsturn_sum_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
-  pathsturn_sum_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1(1), 16);
+  pathsturn_sum_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 1), 16);
   pathsturn_sum_memory_read_words_1_1_memory : entity work.line_memory
     generic map (depth => 1024, width => 16, address_bits => 10)
     port map (
@@ -908,7 +1013,7 @@ begin
   pathsturn_sum_memory_read_words_1_0_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
   pathsturn_sum_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
-  pathsturn_sum_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0(1), 16);
+  pathsturn_sum_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 0), 16);
   pathsturn_sum_memory_read_words_1_0_memory : entity work.line_memory
     generic map (depth => 1024, width => 16, address_bits => 10)
     port map (
@@ -919,45 +1024,45 @@ begin
   pathsturn_cost_memory_read_words_0_1_memory_read_enable <= true;
   pathsturn_cost_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
   pathsturn_cost_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_0, 12);
-  pathsturn_cost_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, 1), 16);
+  pathsturn_cost_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_1(0), 8);
   pathsturn_cost_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 16, address_bits => 12)
+    generic map (depth => 4096, width => 8, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsturn_cost_memory_read_words_0_1_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_1_memory_read_address, read_data => pathsturn_cost_memory_read_words(0, 1),
+      read_address => pathsturn_cost_memory_read_words_0_1_memory_read_address, read_data => pathsturn_cost_memory_read_words_1(0),
       write_address => pathsturn_cost_memory_read_words_0_1_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_1_memory_write_data);
 
   pathsturn_cost_memory_read_words_0_0_memory_read_enable <= true;
   pathsturn_cost_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
   pathsturn_cost_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_0, 12);
-  pathsturn_cost_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, 0), 16);
+  pathsturn_cost_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(0), 16);
   pathsturn_cost_memory_read_words_0_0_memory : entity work.line_memory
     generic map (depth => 4096, width => 16, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsturn_cost_memory_read_words_0_0_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_0_memory_read_address, read_data => pathsturn_cost_memory_read_words(0, 0),
+      read_address => pathsturn_cost_memory_read_words_0_0_memory_read_address, read_data => pathsturn_cost_memory_read_words_0(0),
       write_address => pathsturn_cost_memory_read_words_0_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_0_memory_write_data);
 
   pathsturn_cost_memory_read_words_1_1_memory_read_enable <= true;
   pathsturn_cost_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_1, 10);
   pathsturn_cost_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_1, 10);
-  pathsturn_cost_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, 1), 16);
+  pathsturn_cost_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_1(1), 8);
   pathsturn_cost_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 1024, width => 16, address_bits => 10)
+    generic map (depth => 1024, width => 8, address_bits => 10)
     port map (
       clock => clock, read_enable => pathsturn_cost_memory_read_words_1_1_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_1_memory_read_address, read_data => pathsturn_cost_memory_read_words(1, 1),
+      read_address => pathsturn_cost_memory_read_words_1_1_memory_read_address, read_data => pathsturn_cost_memory_read_words_1(1),
       write_address => pathsturn_cost_memory_read_words_1_1_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_1_memory_write_data);
 
   pathsturn_cost_memory_read_words_1_0_memory_read_enable <= true;
   pathsturn_cost_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_1, 10);
   pathsturn_cost_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_1, 10);
-  pathsturn_cost_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, 0), 16);
+  pathsturn_cost_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(1), 16);
   pathsturn_cost_memory_read_words_1_0_memory : entity work.line_memory
     generic map (depth => 1024, width => 16, address_bits => 10)
     port map (
       clock => clock, read_enable => pathsturn_cost_memory_read_words_1_0_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_0_memory_read_address, read_data => pathsturn_cost_memory_read_words(1, 0),
+      read_address => pathsturn_cost_memory_read_words_1_0_memory_read_address, read_data => pathsturn_cost_memory_read_words_0(1),
       write_address => pathsturn_cost_memory_read_words_1_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_0_memory_write_data);
 
   pathsabove_delay_held_1_memory_read_enable <= true;
@@ -1051,20 +1156,20 @@ begin
   pathsleft_read_words_3_memory_read_enable <= true;
   pathsleft_read_words_3_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
   pathsleft_read_words_3_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_3_memory_write_data <= to_unsigned(pathsleft_arrived(7), 6);
+  pathsleft_read_words_3_memory_write_data <= to_unsigned(pathsleft_arrived(7), 7) & to_unsigned(pathsleft_arrived(6), 7) & to_unsigned(pathsleft_arrived(5), 7) & to_unsigned(pathsleft_arrived(4), 7);
   pathsleft_read_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 6, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => pathsleft_read_words_3_memory_read_enable,
-      read_address => pathsleft_read_words_3_memory_read_address, read_data => pathsleft_read_words_3,
+      read_address => pathsleft_read_words_3_memory_read_address, read_data => pathsleft_read_words(3),
       write_address => pathsleft_read_words_3_memory_write_address, write_data => pathsleft_read_words_3_memory_write_data);
 
   pathsleft_read_words_2_memory_read_enable <= true;
   pathsleft_read_words_2_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
   pathsleft_read_words_2_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_2_memory_write_data <= to_unsigned(pathsleft_arrived(6), 6) & to_unsigned(pathsleft_arrived(5), 6) & to_unsigned(pathsleft_arrived(4), 6) & to_unsigned(pathsleft_arrived(3), 6) & to_unsigned(pathsleft_arrived(2), 6);
+  pathsleft_read_words_2_memory_write_data <= to_unsigned(pathsleft_arrived(3), 7) & to_unsigned(pathsleft_arrived(2), 7) & to_unsigned(pathsleft_arrived(1), 7) & to_unsigned(pathsleft_arrived(0), 7);
   pathsleft_read_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 30, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => pathsleft_read_words_2_memory_read_enable,
       read_address => pathsleft_read_words_2_memory_read_address, read_data => pathsleft_read_words(2),
@@ -1073,9 +1178,9 @@ begin
   pathsleft_read_words_1_memory_read_enable <= true;
   pathsleft_read_words_1_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
   pathsleft_read_words_1_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_1_memory_write_data <= to_unsigned(pathsleft_arrived(1), 6) & to_unsigned(pathsleft_arrived(0), 6) & to_unsigned(pathsleft_cost(7), 6) & to_unsigned(pathsleft_cost(6), 6) & to_unsigned(pathsleft_cost(5), 6);
+  pathsleft_read_words_1_memory_write_data <= to_unsigned(pathsleft_cost(7), 7) & to_unsigned(pathsleft_cost(6), 7) & to_unsigned(pathsleft_cost(5), 7) & to_unsigned(pathsleft_cost(4), 7);
   pathsleft_read_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 30, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => pathsleft_read_words_1_memory_read_enable,
       read_address => pathsleft_read_words_1_memory_read_address, read_data => pathsleft_read_words(1),
@@ -1084,9 +1189,9 @@ begin
   pathsleft_read_words_0_memory_read_enable <= true;
   pathsleft_read_words_0_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
   pathsleft_read_words_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_0_memory_write_data <= to_unsigned(pathsleft_cost(4), 6) & to_unsigned(pathsleft_cost(3), 6) & to_unsigned(pathsleft_cost(2), 6) & to_unsigned(pathsleft_cost(1), 6) & to_unsigned(pathsleft_cost(0), 6);
+  pathsleft_read_words_0_memory_write_data <= to_unsigned(pathsleft_cost(3), 7) & to_unsigned(pathsleft_cost(2), 7) & to_unsigned(pathsleft_cost(1), 7) & to_unsigned(pathsleft_cost(0), 7);
   pathsleft_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 30, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => pathsleft_read_words_0_memory_read_enable,
       read_address => pathsleft_read_words_0_memory_read_address, read_data => pathsleft_read_words(0),
@@ -1095,9 +1200,9 @@ begin
   pathsleft_read_neighbour_0_memory_read_enable <= true;
   pathsleft_read_neighbour_0_memory_read_address <= to_unsigned(pathsleft_ahead_count_phase, 3);
   pathsleft_read_neighbour_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_neighbour_0_memory_write_data <= to_unsigned(pathsleft_cost(0), 6);
+  pathsleft_read_neighbour_0_memory_write_data <= to_unsigned(pathsleft_cost(0), 7);
   pathsleft_read_neighbour_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 6, address_bits => 3)
+    generic map (depth => 8, width => 7, address_bits => 3)
     port map (
       clock => clock, read_enable => pathsleft_read_neighbour_0_memory_read_enable,
       read_address => pathsleft_read_neighbour_0_memory_read_address, read_data => pathsleft_read_neighbour_0,
@@ -1106,9 +1211,9 @@ begin
   pathsleft_lowest_0_memory_read_enable <= true;
   pathsleft_lowest_0_memory_read_address <= to_unsigned(pathsleft_low_address, 4);
   pathsleft_lowest_0_memory_write_address <= to_unsigned(pathsleft_low_write_address, 4);
-  pathsleft_lowest_0_memory_write_data <= to_unsigned(pathsleft_low_0, 6);
+  pathsleft_lowest_0_memory_write_data <= to_unsigned(pathsleft_low_0, 7);
   pathsleft_lowest_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 6, address_bits => 4)
+    generic map (depth => 16, width => 7, address_bits => 4)
     port map (
       clock => clock, read_enable => pathsleft_lowest_0_memory_read_enable,
       read_address => pathsleft_lowest_0_memory_read_address, read_data => pathsleft_lowest_0,
@@ -1117,20 +1222,108 @@ begin
   paths_cost_delay_held_0_memory_read_enable <= true;
   paths_cost_delay_held_0_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
   paths_cost_delay_held_0_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
-  paths_cost_delay_held_0_memory_write_data <= to_unsigned(costs_cost(7), 4) & to_unsigned(costs_cost(6), 4) & to_unsigned(costs_cost(5), 4) & to_unsigned(costs_cost(4), 4) & to_unsigned(costs_cost(3), 4) & to_unsigned(costs_cost(2), 4) & to_unsigned(costs_cost(1), 4) & to_unsigned(costs_cost(0), 4);
+  paths_cost_delay_held_0_memory_write_data <= ((((((((((((((to_unsigned(costs_cost(6), 6) & to_unsigned(0, 18)) or (to_unsigned((costs_cost(7) mod 8), 3) & to_unsigned(0, 21)))) or (to_unsigned(costs_cost(5), 9) & to_unsigned(0, 15)))) or (to_unsigned(costs_cost(4), 12) & to_unsigned(0, 12)))) or (to_unsigned(costs_cost(3), 15) & to_unsigned(0, 9)))) or (to_unsigned(costs_cost(2), 18) & to_unsigned(0, 6)))) or (to_unsigned(costs_cost(0), 24)))) or (to_unsigned(costs_cost(1), 21) & to_unsigned(0, 3)));
   paths_cost_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 32, address_bits => 4)
+    generic map (depth => 12, width => 24, address_bits => 4)
     port map (
       clock => clock, read_enable => paths_cost_delay_held_0_memory_read_enable,
       read_address => paths_cost_delay_held_0_memory_read_address, read_data => paths_cost_delay_held_0,
       write_address => paths_cost_delay_held_0_memory_write_address, write_data => paths_cost_delay_held_0_memory_write_data);
 
+  costswindow_read_words_3_memory_read_enable <= true;
+  costswindow_read_words_3_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
+  costswindow_read_words_3_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
+  costswindow_read_words_3_memory_write_data <= to_unsigned(costswindow_partials(15), 7) & to_unsigned(costswindow_partials(14), 7) & to_unsigned(costswindow_partials(13), 7) & to_unsigned(costswindow_partials(12), 7);
+  costswindow_read_words_3_memory : entity work.line_memory
+    generic map (depth => 8, width => 28, address_bits => 3)
+    port map (
+      clock => clock, read_enable => costswindow_read_words_3_memory_read_enable,
+      read_address => costswindow_read_words_3_memory_read_address, read_data => costswindow_read_wordss(3),
+      write_address => costswindow_read_words_3_memory_write_address, write_data => costswindow_read_words_3_memory_write_data);
+
+  costswindow_read_words_2_memory_read_enable <= true;
+  costswindow_read_words_2_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
+  costswindow_read_words_2_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
+  costswindow_read_words_2_memory_write_data <= to_unsigned(costswindow_partials(11), 7) & to_unsigned(costswindow_partials(10), 7) & to_unsigned(costswindow_partials(9), 7) & to_unsigned(costswindow_partials(8), 7);
+  costswindow_read_words_2_memory : entity work.line_memory
+    generic map (depth => 8, width => 28, address_bits => 3)
+    port map (
+      clock => clock, read_enable => costswindow_read_words_2_memory_read_enable,
+      read_address => costswindow_read_words_2_memory_read_address, read_data => costswindow_read_wordss(2),
+      write_address => costswindow_read_words_2_memory_write_address, write_data => costswindow_read_words_2_memory_write_data);
+
+  costswindow_read_words_1_memory_read_enable <= true;
+  costswindow_read_words_1_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
+  costswindow_read_words_1_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
+  costswindow_read_words_1_memory_write_data <= to_unsigned(costswindow_partial(7), 6) & to_unsigned(costswindow_partial(6), 7) & to_unsigned(costswindow_partial(5), 7) & to_unsigned(costswindow_partial(4), 7);
+  costswindow_read_words_1_memory : entity work.line_memory
+    generic map (depth => 8, width => 27, address_bits => 3)
+    port map (
+      clock => clock, read_enable => costswindow_read_words_1_memory_read_enable,
+      read_address => costswindow_read_words_1_memory_read_address, read_data => costswindow_read_words(1),
+      write_address => costswindow_read_words_1_memory_write_address, write_data => costswindow_read_words_1_memory_write_data);
+
+  costswindow_read_words_0_memory_read_enable <= true;
+  costswindow_read_words_0_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
+  costswindow_read_words_0_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
+  costswindow_read_words_0_memory_write_data <= to_unsigned(costswindow_partial(3), 6) & to_unsigned(costswindow_partial(2), 7) & to_unsigned(costswindow_partial(1), 7) & to_unsigned(costswindow_partial(0), 7);
+  costswindow_read_words_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 27, address_bits => 3)
+    port map (
+      clock => clock, read_enable => costswindow_read_words_0_memory_read_enable,
+      read_address => costswindow_read_words_0_memory_read_address, read_data => costswindow_read_words(0),
+      write_address => costswindow_read_words_0_memory_write_address, write_data => costswindow_read_words_0_memory_write_data);
+
+  costsshift_read_words_11_memory_read_enable <= true;
+  costsshift_read_words_11_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
+  costsshift_read_words_11_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
+  costsshift_read_words_11_memory_write_data <= to_unsigned(costsshift_search(2, 7), 14) & to_unsigned(costsshift_search(2, 6), 14);
+  costsshift_read_words_11_memory : entity work.line_memory
+    generic map (depth => 8, width => 28, address_bits => 3)
+    port map (
+      clock => clock, read_enable => costsshift_read_words_11_memory_read_enable,
+      read_address => costsshift_read_words_11_memory_read_address, read_data => costsshift_read_words(11),
+      write_address => costsshift_read_words_11_memory_write_address, write_data => costsshift_read_words_11_memory_write_data);
+
+  costsshift_read_words_10_memory_read_enable <= true;
+  costsshift_read_words_10_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
+  costsshift_read_words_10_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
+  costsshift_read_words_10_memory_write_data <= to_unsigned(costsshift_search(2, 5), 14) & to_unsigned(costsshift_search(2, 4), 14);
+  costsshift_read_words_10_memory : entity work.line_memory
+    generic map (depth => 8, width => 28, address_bits => 3)
+    port map (
+      clock => clock, read_enable => costsshift_read_words_10_memory_read_enable,
+      read_address => costsshift_read_words_10_memory_read_address, read_data => costsshift_read_words(10),
+      write_address => costsshift_read_words_10_memory_write_address, write_data => costsshift_read_words_10_memory_write_data);
+
+  costsshift_read_words_9_memory_read_enable <= true;
+  costsshift_read_words_9_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
+  costsshift_read_words_9_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
+  costsshift_read_words_9_memory_write_data <= to_unsigned(costsshift_search(2, 3), 14) & to_unsigned(costsshift_search(2, 2), 14);
+  costsshift_read_words_9_memory : entity work.line_memory
+    generic map (depth => 8, width => 28, address_bits => 3)
+    port map (
+      clock => clock, read_enable => costsshift_read_words_9_memory_read_enable,
+      read_address => costsshift_read_words_9_memory_read_address, read_data => costsshift_read_words(9),
+      write_address => costsshift_read_words_9_memory_write_address, write_data => costsshift_read_words_9_memory_write_data);
+
+  costsshift_read_words_8_memory_read_enable <= true;
+  costsshift_read_words_8_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
+  costsshift_read_words_8_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
+  costsshift_read_words_8_memory_write_data <= to_unsigned(costsshift_search(2, 1), 14) & to_unsigned(costsshift_search(2, 0), 14);
+  costsshift_read_words_8_memory : entity work.line_memory
+    generic map (depth => 8, width => 28, address_bits => 3)
+    port map (
+      clock => clock, read_enable => costsshift_read_words_8_memory_read_enable,
+      read_address => costsshift_read_words_8_memory_read_address, read_data => costsshift_read_words(8),
+      write_address => costsshift_read_words_8_memory_write_address, write_data => costsshift_read_words_8_memory_write_data);
+
   costsshift_read_words_7_memory_read_enable <= true;
   costsshift_read_words_7_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
   costsshift_read_words_7_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_7_memory_write_data <= costsshift_search_0(7);
+  costsshift_read_words_7_memory_write_data <= to_unsigned(costsshift_search(1, 7), 14) & to_unsigned(costsshift_search(1, 6), 14);
   costsshift_read_words_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 44, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => costsshift_read_words_7_memory_read_enable,
       read_address => costsshift_read_words_7_memory_read_address, read_data => costsshift_read_words(7),
@@ -1139,9 +1332,9 @@ begin
   costsshift_read_words_6_memory_read_enable <= true;
   costsshift_read_words_6_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
   costsshift_read_words_6_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_6_memory_write_data <= costsshift_search_0(6);
+  costsshift_read_words_6_memory_write_data <= to_unsigned(costsshift_search(1, 5), 14) & to_unsigned(costsshift_search(1, 4), 14);
   costsshift_read_words_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 44, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => costsshift_read_words_6_memory_read_enable,
       read_address => costsshift_read_words_6_memory_read_address, read_data => costsshift_read_words(6),
@@ -1150,9 +1343,9 @@ begin
   costsshift_read_words_5_memory_read_enable <= true;
   costsshift_read_words_5_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
   costsshift_read_words_5_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_5_memory_write_data <= costsshift_search_0(5);
+  costsshift_read_words_5_memory_write_data <= to_unsigned(costsshift_search(1, 3), 14) & to_unsigned(costsshift_search(1, 2), 14);
   costsshift_read_words_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 44, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => costsshift_read_words_5_memory_read_enable,
       read_address => costsshift_read_words_5_memory_read_address, read_data => costsshift_read_words(5),
@@ -1161,9 +1354,9 @@ begin
   costsshift_read_words_4_memory_read_enable <= true;
   costsshift_read_words_4_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
   costsshift_read_words_4_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_4_memory_write_data <= costsshift_search_0(4);
+  costsshift_read_words_4_memory_write_data <= to_unsigned(costsshift_search(1, 1), 14) & to_unsigned(costsshift_search(1, 0), 14);
   costsshift_read_words_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 44, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => costsshift_read_words_4_memory_read_enable,
       read_address => costsshift_read_words_4_memory_read_address, read_data => costsshift_read_words(4),
@@ -1172,9 +1365,9 @@ begin
   costsshift_read_words_3_memory_read_enable <= true;
   costsshift_read_words_3_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
   costsshift_read_words_3_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_3_memory_write_data <= costsshift_search_0(3);
+  costsshift_read_words_3_memory_write_data <= to_unsigned(costsshift_search(0, 7), 14) & to_unsigned(costsshift_search(0, 6), 14);
   costsshift_read_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 44, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => costsshift_read_words_3_memory_read_enable,
       read_address => costsshift_read_words_3_memory_read_address, read_data => costsshift_read_words(3),
@@ -1183,9 +1376,9 @@ begin
   costsshift_read_words_2_memory_read_enable <= true;
   costsshift_read_words_2_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
   costsshift_read_words_2_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_2_memory_write_data <= costsshift_search_0(2);
+  costsshift_read_words_2_memory_write_data <= to_unsigned(costsshift_search(0, 5), 14) & to_unsigned(costsshift_search(0, 4), 14);
   costsshift_read_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 44, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => costsshift_read_words_2_memory_read_enable,
       read_address => costsshift_read_words_2_memory_read_address, read_data => costsshift_read_words(2),
@@ -1194,9 +1387,9 @@ begin
   costsshift_read_words_1_memory_read_enable <= true;
   costsshift_read_words_1_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
   costsshift_read_words_1_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_1_memory_write_data <= costsshift_search_0(1);
+  costsshift_read_words_1_memory_write_data <= to_unsigned(costsshift_search(0, 3), 14) & to_unsigned(costsshift_search(0, 2), 14);
   costsshift_read_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 44, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => costsshift_read_words_1_memory_read_enable,
       read_address => costsshift_read_words_1_memory_read_address, read_data => costsshift_read_words(1),
@@ -1205,44 +1398,155 @@ begin
   costsshift_read_words_0_memory_read_enable <= true;
   costsshift_read_words_0_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
   costsshift_read_words_0_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_0_memory_write_data <= costsshift_search_0(0);
+  costsshift_read_words_0_memory_write_data <= to_unsigned(costsshift_search(0, 1), 14) & to_unsigned(costsshift_search(0, 0), 14);
   costsshift_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 44, address_bits => 3)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
       clock => clock, read_enable => costsshift_read_words_0_memory_read_enable,
       read_address => costsshift_read_words_0_memory_read_address, read_data => costsshift_read_words(0),
       write_address => costsshift_read_words_0_memory_write_address, write_data => costsshift_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 640, width => 28, address_bits => 10)
+    port map (
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 640, width => 28, address_bits => 10)
+    port map (
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
   process (clock)
-    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
-    variable transform_counter_group_all, transform_counter_group_differs : boolean;
-    variable transform_counter_next_frame_choice : boolean;
-    variable transform_counter_next_frame_choices : boolean_1d(2 to 4);  -- transform_counter_next_frame_choice_#
-    variable transform_read_column_inside_0_is_less, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
-    variable transform_left_filter_feature_0_is_equal : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 353);  -- transform_left_filter_feature_0_choice_#
-    variable transform_left_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_left_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 353);  -- transform_right_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_right_filter_feature_0_value_#
-    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
-    variable delay_tag_map_column_is_less, line_order_falls_any, line_order_falls_all : boolean;
-    variable line_order_complete_any, line_order_turned_output_column_choice : boolean;
-    variable costswindow_first_0_count_value : boolean_1d(0 to 14);  -- costswindow_first_0_count_#_value
-    variable costswindow_first_0_count_0_value_2 : boolean;
-    variable costswindow_first_0_count_values : boolean_2d(1 to 13, 2 to 3);  -- costswindow_first_0_count_#_value_#
-    variable pathsleft_read_count_phase_is_equal, pathsleft_cost_0_any, pathsabove_ready_top_choice : boolean;
-    variable pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
+    variable transform_counter_next_frame_is_equal, transform_counter_frame_joins_choice : boolean;
+    variable transform_read_column_inside_0_is_less, transform_left_filter_low_is_larger_0_0_0_value : boolean;
+    variable transform_left_filter_low_is_larger_0_0_0_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_0_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_0_0_choice_#
+    variable transform_left_filter_low_is_larger_0_0_0_values : boolean_1d(2 to 4);  -- transform_left_filter_low_is_larger_0_0_0_value_#
+    variable transform_left_filter_low_is_larger_0_0_2_any, transform_left_filter_low_is_larger_0_0_2_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_0_2_is_equal : boolean;
+    variable transform_left_filter_low_is_larger_0_0_2_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_0_2_choice_#
+    variable transform_left_filter_low_is_larger_0_0_2_value : boolean;
+    variable transform_left_filter_low_is_larger_0_0_4_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_0_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_0_4_choice_#
+    variable transform_left_filter_low_is_larger_0_0_4_value : boolean;
+    variable transform_left_filter_low_is_larger_0_2_0_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_2_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_2_0_choice_#
+    variable transform_left_filter_low_is_larger_0_2_0_value : boolean;
+    variable transform_left_filter_low_is_larger_0_2_2_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_2_2_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_2_2_choice_#
+    variable transform_left_filter_low_is_larger_0_2_2_value : boolean;
+    variable transform_left_filter_low_is_larger_0_2_4_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_2_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_2_4_choice_#
+    variable transform_left_filter_low_is_larger_0_2_4_value : boolean;
+    variable transform_left_filter_low_is_larger_0_4_0_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_4_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_4_0_choice_#
+    variable transform_left_filter_low_is_larger_0_4_0_value : boolean;
+    variable transform_left_filter_low_is_larger_0_4_4_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_4_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_4_4_choice_#
+    variable transform_left_filter_low_is_larger_0_4_4_value : boolean;
+    variable transform_left_filter_low_is_larger_0_6_0_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_6_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_6_0_choice_#
+    variable transform_left_filter_low_is_larger_0_6_0_value : boolean;
+    variable transform_left_filter_low_is_larger_0_6_2_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_6_2_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_6_2_choice_#
+    variable transform_left_filter_low_is_larger_0_6_2_value : boolean;
+    variable transform_left_filter_low_is_larger_0_6_4_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_6_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_6_4_choice_#
+    variable transform_left_filter_low_is_larger_0_6_4_value : boolean;
+    variable transform_left_filter_low_is_larger_0_8_0_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_8_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_8_0_choice_#
+    variable transform_left_filter_low_is_larger_0_8_0_value : boolean;
+    variable transform_left_filter_low_is_larger_0_8_2_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_8_2_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_8_2_choice_#
+    variable transform_left_filter_low_is_larger_0_8_2_value : boolean;
+    variable transform_left_filter_low_is_larger_0_8_4_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_8_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_8_4_choice_#
+    variable transform_left_filter_low_is_larger_0_8_4_value, transform_left_filter_feature_0_value : boolean;
+    variable transform_left_filter_feature_0_choice : boolean;
+    variable transform_left_filter_feature_0_values : boolean_1d(2 to 3);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 65);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_all : boolean;
+    variable transform_left_filter_feature_0_alls : boolean_1d(2 to 4);  -- transform_left_filter_feature_0_all_#
+    variable transform_right_filter_low_is_larger_0_0_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_0_0_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_0_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_0_0_choice_#
+    variable transform_right_filter_low_is_larger_0_0_0_values : boolean_1d(2 to 4);  -- transform_right_filter_low_is_larger_0_0_0_value_#
+    variable transform_right_filter_low_is_larger_0_0_2_any : boolean;
+    variable transform_right_filter_low_is_larger_0_0_2_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_0_2_is_equal : boolean;
+    variable transform_right_filter_low_is_larger_0_0_2_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_0_2_choice_#
+    variable transform_right_filter_low_is_larger_0_0_2_value : boolean;
+    variable transform_right_filter_low_is_larger_0_0_4_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_0_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_0_4_choice_#
+    variable transform_right_filter_low_is_larger_0_0_4_value : boolean;
+    variable transform_right_filter_low_is_larger_0_2_0_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_2_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_2_0_choice_#
+    variable transform_right_filter_low_is_larger_0_2_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_2_2_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_2_2_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_2_2_choice_#
+    variable transform_right_filter_low_is_larger_0_2_2_value : boolean;
+    variable transform_right_filter_low_is_larger_0_2_4_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_2_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_2_4_choice_#
+    variable transform_right_filter_low_is_larger_0_2_4_value : boolean;
+    variable transform_right_filter_low_is_larger_0_4_0_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_4_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_4_0_choice_#
+    variable transform_right_filter_low_is_larger_0_4_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_4_4_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_4_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_4_4_choice_#
+    variable transform_right_filter_low_is_larger_0_4_4_value : boolean;
+    variable transform_right_filter_low_is_larger_0_6_0_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_6_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_6_0_choice_#
+    variable transform_right_filter_low_is_larger_0_6_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_6_2_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_6_2_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_6_2_choice_#
+    variable transform_right_filter_low_is_larger_0_6_2_value : boolean;
+    variable transform_right_filter_low_is_larger_0_6_4_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_6_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_6_4_choice_#
+    variable transform_right_filter_low_is_larger_0_6_4_value : boolean;
+    variable transform_right_filter_low_is_larger_0_8_0_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_8_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_8_0_choice_#
+    variable transform_right_filter_low_is_larger_0_8_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_8_2_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_8_2_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_8_2_choice_#
+    variable transform_right_filter_low_is_larger_0_8_2_value : boolean;
+    variable transform_right_filter_low_is_larger_0_8_4_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_8_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_8_4_choice_#
+    variable transform_right_filter_low_is_larger_0_8_4_value, transform_right_filter_feature_0_value : boolean;
+    variable transform_right_filter_feature_0_choice : boolean;
+    variable transform_right_filter_feature_0_values : boolean_1d(2 to 3);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 70);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_all : boolean;
+    variable transform_right_filter_feature_0_alls : boolean_1d(2 to 5);  -- transform_right_filter_feature_0_all_#
+    variable raster_place_next_frame_is_equal, raster_place_back_to_back_choice : boolean;
+    variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_map_column_is_not_less : boolean;
+    variable delay_tag_map_column_is_less, delay_tag_first_column_is_equal, line_order_address_any : boolean;
+    variable line_order_falls_all, line_order_turned_output_column_choice, costsshift_search_0_0_is_equal : boolean;
+    variable costscolumn_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 4);  -- costscolumn_pixels_first_#_0_count_#_value
+    variable costscolumn_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 3);  -- costscolumn_pixels_first_#_0_count_#_value_2
+    variable costscolumn_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- costscolumn_pixels_first_#_0_count_1_value_3
+    variable costscolumn_pixels_first_0_count_3_value_3 : boolean_1d(0 to 2);  -- costscolumn_pixels_first_#_0_count_3_value_3
+    variable costswindow_partial_0_any, pathsleft_read_count_phase_is_equal, pathsleft_cost_0_any : boolean;
+    variable pathsabove_ready_top_choice, pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
     variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_is_less
     variable pathsabove_memory_write_words_0_0_choice_4 : boolean;
     variable pathsabove_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsabove_memory_write_words_#_0_all
     variable pathsturn_sum_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_0_all
     variable pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_0_all
     variable winnerswinner1_best_index_0_value : boolean_1d(0 to 3);  -- winnerswinner1_best_index_0_#_value
-    variable winnerswinner1_best_index_0_values : boolean_2d(0 to 3, 2 to 7);  -- winnerswinner1_best_index_0_#_value_#
     variable winnerswinner1_best_index_0_choice : boolean_1d(0 to 3);  -- winnerswinner1_best_index_0_#_choice
+    variable winnerswinner1_best_index_0_values : boolean_2d(0 to 3, 2 to 13);  -- winnerswinner1_best_index_0_#_value_#
     variable winnerswinner1_best_index_0_choices : boolean_2d(0 to 3, 2 to 8);  -- winnerswinner1_best_index_0_#_choice_#
     variable winnerswinner2_best_index_0_choice : boolean_1d(0 to 1);  -- winnerswinner2_best_index_0_#_choice
     variable winnerswinner2_best_index_0_choices : boolean_2d(0 to 1, 2 to 8);  -- winnerswinner2_best_index_0_#_choice_#
@@ -1252,1369 +1556,1468 @@ begin
     variable winnerswinner3_best_index_0_0_choices : boolean_1d(2 to 8);  -- winnerswinner3_best_index_0_0_choice_#
     variable winnerswinner3_best_index_0_0_value : boolean;
     variable winnerswinner3_best_index_0_0_values : boolean_1d(2 to 5);  -- winnerswinner3_best_index_0_0_value_#
-    variable winners_best_index_0_0_value, winners_best_index_0_0_choice : boolean;
-    variable winners_best_index_0_0_values : boolean_1d(2 to 6);  -- winners_best_index_0_0_value_#
-    variable winners_best_index_0_0_choices : boolean_1d(2 to 7);  -- winners_best_index_0_0_choice_#
-    variable winners_best_above_0_0_is_equal, other_count_phase_is_equal, other_2_is_equal : boolean;
-    variable other_cost_choice : boolean_1d(0 to 7);  -- other_cost_#_choice
-    variable other_cost_choices : boolean_2d(0 to 6, 2 to 8);  -- other_cost_#_choice_#
-    variable other_cost_value : boolean_1d(0 to 7);  -- other_cost_#_value
-    variable other_cost_values : boolean_2d(0 to 7, 2 to 4);  -- other_cost_#_value_#
-    variable other_cost_value_5 : boolean_1d(0 to 1);  -- other_cost_#_value_5
-    variable other_cost_0_all : boolean;
-    variable other_cost_value_5s : boolean_1d(3 to 5);  -- other_cost_#_value_5
-    variable other_cost_7_choices : boolean_1d(2 to 9);  -- other_cost_7_choice_#
-    variable other_cost_7_value_5, other_cost_0_any, refinement_divisor_0_0_is_less : boolean;
-    variable leftright_holds_winners_choice, turn_order_address_any, turn_order_address_any_2 : boolean;
-    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_differs : boolean;
-    variable turn_ready_tag_row_start_is_equal, turn_ready_tag_row_start_choice : boolean;
+    variable winners_best_index_0_0_is_less, winners_best_above_0_0_is_equal, other_3_is_equal, other_14_any : boolean;
+    variable other_choice : boolean_1d(14 to 15);  -- other_#_choice
+    variable other_14_choices : boolean_1d(2 to 9);  -- other_14_choice_#
+    variable other_value : boolean_1d(14 to 15);  -- other_#_value
+    variable other_14_values : boolean_1d(2 to 5);  -- other_14_value_#
+    variable other_all : boolean_1d(14 to 15);  -- other_#_all
+    variable other_14_choices_from_12 : boolean_1d(12 to 20);  -- other_14_choice_#
+    variable other_14_values_from_7 : boolean_1d(7 to 21);  -- other_14_value_#
+    variable other_14_alls : boolean_1d(2 to 3);  -- other_14_all_#
+    variable other_14_choices_from_23 : boolean_1d(23 to 31);  -- other_14_choice_#
+    variable other_14_choices_from_34 : boolean_1d(34 to 42);  -- other_14_choice_#
+    variable other_14_differs : boolean;
+    variable other_15_choices : boolean_1d(2 to 9);  -- other_15_choice_#
+    variable other_15_values : boolean_1d(2 to 20);  -- other_15_value_#
+    variable other_15_choices_from_12 : boolean_1d(12 to 19);  -- other_15_choice_#
+    variable other_15_alls : boolean_1d(2 to 4);  -- other_15_all_#
+    variable other_15_choices_from_22 : boolean_1d(22 to 30);  -- other_15_choice_#
+    variable other_15_choices_from_33 : boolean_1d(33 to 41);  -- other_15_choice_#
+    variable refinement_below_0_differs, refinement_below_0_differs_2, refinement_below_0_all : boolean;
+    variable refinement_above_0_choice, refinement_divisor_0_0_is_less, leftright_holds_winners_choice : boolean;
+    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
+    variable turn_ready_tag_row_start_differs, turn_ready_tag_row_start_is_equal : boolean;
+    variable turn_ready_tag_row_start_choice : boolean;
     variable turn_ready_tag_row_start_choices : boolean_1d(2 to 3);  -- turn_ready_tag_row_start_choice_#
     variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_all : boolean;
     variable turn_ready_tag_row_start_all_2, map_line_ended_choice, map_at_arrives_value : boolean;
     variable map_window_complete_is_equal, map_window_complete_choice : boolean;
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
-    variable transform_counter_group_choice, paths_smallest_cost_choice : natural range 0 to 15;
-    variable pathsleft_stay_change_value : natural_15_1d(1 to 6);  -- pathsleft_stay_change_#_value
-    variable pathsright_stay_change_value : natural_15_1d(1 to 2);  -- pathsright_stay_change_#_value
-    variable pathsright_stay_change_values : natural_15_1d(5 to 6);  -- pathsright_stay_change_#_value
-    variable map_counter_group_choice : natural range 0 to 15;
-    variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- transform_counter_group_choice_#
+    variable transform_counter_group_after_choice, raster_place_group_after_choice : natural range 0 to 511;
+    variable winners_best_cost_0_0_choice : natural range 0 to 511;
     variable map_counter_group_choices : natural_511_1d(2 to 3);  -- map_counter_group_choice_#
-    variable transform_left_filter_feature_0_choice_354 : natural range 0 to 31;
-    variable transform_right_filter_feature_0_choice_354, pathsleft_q_choice : natural range 0 to 31;
-    variable pathsleft_q_choice_2, pathsleft_room_left_choice : natural range 0 to 31;
+    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 15;
+    variable map_counter_group_choice : natural range 0 to 15;
+    variable line_order_address_choice, turn_order_address_choice : natural range 1 to 1023;
+    variable line_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 637;
+    variable costsshift_count_phase_choice, costswindow_read_count_phase_choice : natural range 0 to 7;
+    variable costswindow_write_count_phase_choice, pathsleft_read_count_phase_choice : natural range 0 to 7;
+    variable pathsleft_ahead_count_phase_choice : natural range 0 to 7;
+    variable pathsleft_stay_change_value : natural_7_1d(1 to 6);  -- pathsleft_stay_change_#_value
+    variable pathsleft_write_count_phase_choice, pathsabove_read_address_count_phase_choice : natural range 0 to 7;
+    variable pathsabove_count_phase_choice, pathsabove_write_address_count_phase_choice : natural range 0 to 7;
+    variable pathsturn_read_address_count_phase_choice : natural range 0 to 7;
+    variable pathsturn_write_address_count_phase_choice : natural range 0 to 7;
+    variable pathsright_stay_change_value : natural_7_1d(1 to 4);  -- pathsright_stay_change_#_value
+    variable pathsright_stay_change_5_sum, pathsright_stay_change_6_value : natural range 0 to 7;
+    variable other_read_count_phase_choice, other_count_phase_choice : natural range 0 to 7;
+    variable other_write_count_phase_choice, other_6_choice_2 : natural range 0 to 7;
+    variable costsmask_column_sum, winnersmask_column_sum : natural range 1 to 1024;
+    variable costsmask_column_choice, pathsabove_memory_read_address_1_choice : natural range 0 to 1023;
+    variable winnersmask_column_choice : natural range 0 to 1023;
+    variable costsmask_partner_choice, winnersmask_partner_choice : natural range 0 to 1024;
+    variable paths_smallest_cost_choice : natural range 0 to 21;
+    variable pathsleft_stay_choice : natural_127_1d(0 to 7);  -- pathsleft_stay_#_choice
+    variable pathsleft_stay_value : natural_127_1d(1 to 2);  -- pathsleft_stay_#_value
+    variable pathsleft_stay_value_2 : natural_127_1d(1 to 2);  -- pathsleft_stay_#_value_2
+    variable pathsleft_stay_values : natural_127_1d(5 to 6);  -- pathsleft_stay_#_value
+    variable pathsleft_stay_value_2s : natural_127_1d(5 to 6);  -- pathsleft_stay_#_value_2
+    variable pathsleft_step_choice : natural_127_1d(0 to 7);  -- pathsleft_step_#_choice
+    variable pathsleft_step_0_choice_2, pathsleft_step_7_choice_2, pathsleft_low_0_choice : natural range 0 to 127;
+    variable pathsright_stay_choice : natural_127_1d(0 to 7);  -- pathsright_stay_#_choice
+    variable pathsright_stay_value : natural_127_1d(1 to 2);  -- pathsright_stay_#_value
+    variable pathsright_stay_value_2 : natural_127_1d(1 to 2);  -- pathsright_stay_#_value_2
+    variable pathsright_stay_values : natural_127_1d(5 to 6);  -- pathsright_stay_#_value
+    variable pathsright_stay_value_2s : natural_127_1d(5 to 6);  -- pathsright_stay_#_value_2
+    variable pathsright_step_choice : natural_127_1d(0 to 7);  -- pathsright_step_#_choice
+    variable pathsright_step_0_choice_2, pathsright_step_7_choice_2, pathsright_low_0_choice : natural range 0 to 127;
+    variable pathsleft_q_choice, pathsleft_q_choice_2, pathsleft_room_left_choice : natural range 0 to 63;
+    variable pathsabove_smallest_total_choice, pathsabove_beside_0_choice : natural range 0 to 63;
+    variable pathsabove_beside_7_choice, pathsright_q_choice, pathsright_q_choice_2 : natural range 0 to 63;
+    variable pathsright_room_left_choice : natural range 0 to 63;
+    variable pathsabove_memory_read_address_0_sum : natural range 1 to 8192;
+    variable pathsabove_memory_read_address_0_choice, map_of_column_0_a_choice : natural range 0 to 4095;
+    variable pathsabove_memory_read_address_0_sum_2, pathsturn_cost_memory_read_address_0_sum : natural range 0 to 8192;
+    variable pathsabove_memory_bank_choice, pathsabove_memory_bank_choice_2 : natural range 0 to 8191;
+    variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
     variable pathsabove_total_choice : natural_31_1d(0 to 7);  -- pathsabove_total_#_choice
     variable pathsabove_memory_write_words_0_choice : natural_31_1d(0 to 2);  -- pathsabove_memory_write_words_0_#_choice
     variable pathsabove_memory_write_words_0_choice_2 : natural_31_1d(0 to 2);  -- pathsabove_memory_write_words_0_#_choice_2
     variable pathsabove_memory_write_words_0_choice_3 : natural_31_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_choice_3
-    variable pathsright_q_choice, pathsright_q_choice_2, pathsright_room_left_choice : natural range 0 to 31;
     variable other_base_choice : natural range 0 to 31;
-    variable transform_left_filter_feature_0_choice_355 : natural range 0 to 1023;
-    variable transform_right_filter_feature_0_choice_355 : natural range 0 to 1023;
-    variable pathsabove_memory_read_address_1_choice : natural range 0 to 1023;
-    variable transform_left_filter_feature_0_choice_356 : natural range 0 to 32767;
-    variable transform_right_filter_feature_0_choice_356, map_of_column_0_c_choice : natural range 0 to 32767;
-    variable map_sorted_low_0_choice, map_sorted_low_0_choice_2, map_sorted_middle_0_choice : natural range 0 to 32767;
-    variable map_sorted_middle_0_choice_2, map_sorted_high_0_choice : natural range 0 to 32767;
-    variable map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
+    variable pathsabove_memory_write_words_0_sum : natural_65535_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_sum
+    variable pathsturn_sum_memory_write_words_0_sum_2 : natural_65535_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum_2
+    variable pathsturn_cost_memory_write_words_0_0_sum : natural range 0 to 65535;
+    variable pathsabove_memory_write_words_0_1_choice_4 : natural range 0 to 3;
+    variable pathsabove_memory_write_words_0_2_sum, pathsturn_sum_memory_write_words_0_3_sum : natural range 0 to 255;
+    variable pathsturn_cost_memory_write_words_0_1_sum : natural range 0 to 255;
+    variable winnerswinner1_best_cost_0_any : natural_255_1d(0 to 3);  -- winnerswinner1_best_cost_0_#_any
+    variable winnerswinner1_best_cost_0_any_2 : natural_255_1d(0 to 3);  -- winnerswinner1_best_cost_0_#_any_2
+    variable winnerswinner2_best_below_0_choice : natural_255_1d(0 to 1);  -- winnerswinner2_best_below_0_#_choice
+    variable winnerswinner2_best_above_0_choice : natural_255_1d(0 to 1);  -- winnerswinner2_best_above_0_#_choice
+    variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 255;
+    variable winners_best_cost_0_0_choice_2, winners_best_below_0_0_choice : natural range 0 to 255;
+    variable winners_best_below_0_0_choice_2, winners_best_above_0_0_choice : natural range 0 to 255;
+    variable winners_best_above_0_0_choice_2, other_6_choice : natural range 0 to 255;
+    variable other_14_choices_from_10 : natural_255_1d(10 to 11);  -- other_14_choice_#
+    variable other_14_choices_from_21 : natural_255_1d(21 to 22);  -- other_14_choice_#
+    variable other_14_choices_from_32 : natural_255_1d(32 to 33);  -- other_14_choice_#
+    variable other_14_choices_from_43 : natural_255_1d(43 to 44);  -- other_14_choice_#
+    variable other_15_choices_from_10 : natural_255_1d(10 to 11);  -- other_15_choice_#
+    variable other_15_choices_from_20 : natural_255_1d(20 to 21);  -- other_15_choice_#
+    variable other_15_choices_from_31 : natural_255_1d(31 to 32);  -- other_15_choice_#
+    variable other_15_choices_from_42 : natural_255_1d(42 to 43);  -- other_15_choice_#
+    variable other_choices : natural_255_1d(16 to 17);  -- other_#_choice
+    variable other_choices_from_16 : natural_255_2d(16 to 17, 2 to 8);  -- other_#_choice_#
+    variable refinement_divisor_0_0_choice : natural range 0 to 255;
+    variable pathsturn_sum_memory_write_words_0_sum : natural_190_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum
+    variable winnerswinner1_best_cost_0_sum : natural_255_to_256_1d(0 to 3);  -- winnerswinner1_best_cost_0_#_sum
+    variable winnerswinner1_best_cost_0_sum_2 : natural_255_to_256_1d(0 to 3);  -- winnerswinner1_best_cost_0_#_sum_2
+    variable other_6_difference : integer range -15 to 0;
+    variable other_6_value : natural range 0 to 16;
+    variable other_difference : natural_257_to_1022_1d(7 to 12);  -- other_#_difference
+    variable other_13_difference : natural range 257 to 767;
+    variable other_14_value_6 : natural range 0 to 248;
+    variable leftright_checked_passed_0_difference : integer range -254 to 256;
+    variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
     variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 32767;
     variable map_median_middle_0_choices : natural_32767_1d(2 to 4);  -- map_median_middle_0_choice_#
     variable map_smallest_high_0_choice, map_smallest_high_0_choice_2 : natural range 0 to 32767;
     variable map_out_disparity_0_choice : natural range 0 to 32767;
     variable map_out_disparity_0_choices : natural_32767_1d(2 to 4);  -- map_out_disparity_0_choice_#
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 32767;
-    variable transform_left_filter_feature_0_choice_357 : natural range 0 to 1048575;
-    variable transform_right_filter_feature_0_choice_357 : natural range 0 to 1048575;
-    variable transform_left_filter_feature_0_choice_358 : natural range 0 to 8388607;
-    variable transform_right_filter_feature_0_choice_358 : natural range 0 to 8388607;
-    variable transform_left_filter_feature_0_choice_359 : natural range 0 to 536870911;
-    variable transform_right_filter_feature_0_choice_359 : natural range 0 to 536870911;
-    variable transform_left_filter_feature_0_choice_360 : unsigned(33 downto 0);
-    variable transform_right_filter_feature_0_choice_360 : unsigned(33 downto 0);
-    variable transform_left_filter_feature_0_choice_361 : unsigned(38 downto 0);
-    variable transform_right_filter_feature_0_choice_361 : unsigned(38 downto 0);
-    variable line_order_address_choice, turn_order_address_choice : natural range 1 to 1023;
-    variable line_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 9;
-    variable costsshift_count_phase_choice, pathsleft_read_count_phase_choice : natural range 0 to 7;
-    variable pathsleft_ahead_count_phase_choice, pathsleft_write_count_phase_choice : natural range 0 to 7;
-    variable pathsabove_read_address_count_phase_choice, pathsabove_count_phase_choice : natural range 0 to 7;
-    variable pathsabove_write_address_count_phase_choice : natural range 0 to 7;
-    variable pathsturn_read_address_count_phase_choice : natural range 0 to 7;
-    variable pathsturn_write_address_count_phase_choice, other_read_count_phase_choice : natural range 0 to 7;
-    variable other_count_phase_choice, other_write_count_phase_choice, other_5_choice_2 : natural range 0 to 7;
-    variable pathsleft_lower_neighbour_value : natural range 0 to 63;
-    variable pathsleft_stay_value : natural_63_1d(0 to 6);  -- pathsleft_stay_#_value
-    variable pathsleft_stay_choice : natural_63_1d(0 to 7);  -- pathsleft_stay_#_choice
-    variable pathsleft_stay_3_value_2 : natural range 0 to 63;
-    variable pathsleft_step_choice : natural_63_1d(0 to 7);  -- pathsleft_step_#_choice
-    variable pathsleft_step_0_choice_2, pathsleft_step_7_choice_2, pathsleft_low_0_choice : natural range 0 to 63;
-    variable pathsabove_smallest_total_choice, pathsabove_beside_0_choice : natural range 0 to 63;
-    variable pathsabove_beside_7_choice, pathsright_lower_neighbour_value : natural range 0 to 63;
-    variable pathsright_stay_value : natural_63_1d(0 to 6);  -- pathsright_stay_#_value
-    variable pathsright_stay_choice : natural_63_1d(0 to 7);  -- pathsright_stay_#_choice
-    variable pathsright_stay_3_value_2 : natural range 0 to 63;
-    variable pathsright_step_choice : natural_63_1d(0 to 7);  -- pathsright_step_#_choice
-    variable pathsright_step_0_choice_2, pathsright_step_7_choice_2, pathsright_low_0_choice : natural range 0 to 63;
-    variable pathsabove_memory_read_address_0_sum : natural range 1 to 8192;
-    variable pathsabove_memory_read_address_0_choice, map_of_column_0_a_choice : natural range 0 to 4095;
-    variable pathsabove_memory_read_address_0_sum_2, pathsturn_cost_memory_read_address_0_sum : natural range 0 to 8192;
-    variable pathsabove_memory_bank_choice, pathsabove_memory_bank_choice_2 : natural range 0 to 8191;
-    variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
-    variable pathsabove_memory_write_words_0_sum : natural_65535_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_sum
-    variable pathsabove_memory_write_words_0_1_choice_4 : natural range 0 to 3;
-    variable pathsabove_memory_write_words_0_2_sum, winners_best_cost_0_0_choice : natural range 0 to 255;
-    variable other_5_choice : natural range 0 to 255;
-    variable pathsturn_sum_memory_write_words_0_sum : natural_126_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum
-    variable pathsturn_sum_memory_write_words_0_0_sum_2 : natural range 0 to 65406;
-    variable pathsturn_sum_memory_write_words_0_1_sum_2 : natural range 0 to 65503;
-    variable pathsturn_sum_memory_write_words_0_2_sum_2 : natural range 0 to 65527;
-    variable pathsturn_sum_memory_write_words_0_3_sum : natural range 0 to 253;
-    variable winnerswinner2_best_below_0_choice : natural_190_1d(0 to 1);  -- winnerswinner2_best_below_0_#_choice
-    variable winnerswinner2_best_above_0_choice : natural_190_1d(0 to 1);  -- winnerswinner2_best_above_0_#_choice
-    variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 190;
-    variable winners_best_below_0_0_choice, winners_best_below_0_0_choice_2 : natural range 0 to 190;
-    variable winners_best_above_0_0_choice, winners_best_above_0_0_choice_2 : natural range 0 to 190;
-    variable other_5_difference : integer range -15 to 0;
-    variable other_5_value : natural range 0 to 16;
-    variable other_difference : natural_129_to_510_1d(6 to 11);  -- other_#_difference
-    variable other_12_difference : natural range 129 to 383;
-    variable other_winner_1_value : natural range 0 to 248;
-    variable refinement_divisor_0_0_choice : natural range 0 to 127;
-    variable leftright_checked_passed_0_difference : integer range -254 to 256;
   begin
     if rising_edge(clock) then
       -- transform
-      transform_counter_group_is_equal := transform_counter_group = 479;
-      transform_counter_group_is_equal_2 := transform_counter_column = 639;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      if transform_counter_group_all then
-        transform_counter_group_choice := 15;
+      transform_counter_next_frame_is_equal := transform_counter_column = 639;
+      if transform_counter_last_column then
+        transform_counter_frame_joins_choice := (not transform_counter_back_to_back) and winnerswinner1_best_place_0;
       else
-        transform_counter_group_choice := 0;
+        transform_counter_frame_joins_choice := winnerswinner1_best_place_0;
       end if;
-      transform_counter_group_differs := transform_counter_group /= 482;
-      if (transform_counter_group = 481) and transform_counter_next_frame then
-        transform_counter_group_choices(2) := 2;
+      if transform_counter_back_to_back then
+        transform_counter_group_after_choice := 2;
       else
-        transform_counter_group_choices(2) := (transform_counter_group + 1) mod 512;
-      end if;
-      if transform_counter_group_differs and in_valid and transform_counter_group_is_equal_2 then
-        transform_counter_group_choices(3) := transform_counter_group_choices(2);
-      else
-        transform_counter_group_choices(3) := transform_counter_group;
-      end if;
-      if transform_counter_group_is_equal_2 then
-        transform_counter_next_frame_choice := (transform_counter_group /= 481) and transform_counter_next_frame;
-      else
-        transform_counter_next_frame_choice := transform_counter_next_frame;
-      end if;
-      if transform_counter_group_differs then
-        transform_counter_next_frame_choices(2) := transform_counter_next_frame_choice;
-      else
-        transform_counter_next_frame_choices(2) := transform_counter_next_frame;
-      end if;
-      if transform_counter_group_all then
-        transform_counter_next_frame_choices(3) := in_valid;
-      else
-        transform_counter_next_frame_choices(3) := in_valid and (not in_start_of_frame);
-      end if;
-      if transform_counter_next_frame_choices(2) then
-        transform_counter_next_frame_choices(4) := transform_counter_next_frame_choices(3);
-      else
-        transform_counter_next_frame_choices(4) := transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2 and in_valid and in_start_of_frame;
+        transform_counter_group_after_choice := (transform_counter_group + 1) mod 512;
       end if;
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_feature_0_value := is_set(transform_left_filter_column(4, 2), 1);
-      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
-        is_set(transform_left_filter_column(4, 2), 0));
-      if is_set(transform_left_filter_column(8, 0), 0) then
-        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
+      transform_left_filter_low_is_larger_0_0_0_value := is_set(transform_left_filter_column_2(4), 1);
+      if is_set(transform_left_filter_column_2(4), 0) then
+        transform_left_filter_low_is_larger_0_0_0_choice := not is_set(transform_left_filter_column_0(0), 1);
       else
-        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
+        transform_left_filter_low_is_larger_0_0_0_choice := (transform_left_filter_column_0(0) mod 4) = 0;
       end if;
-      transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 2) mod 4) = 0;
-      if is_set(transform_left_filter_column(8, 0), 1) then
-        transform_left_filter_feature_0_choices(2) := transform_left_filter_feature_0_choice;
+      if transform_left_filter_low_is_larger_0_0_0_value then
+        transform_left_filter_low_is_larger_0_0_0_choices(2) := is_set(transform_left_filter_column_2(4), 0) or (not
+          is_set(transform_left_filter_column_0(0), 1)) or (not is_set(transform_left_filter_column_0(0), 0));
       else
-        transform_left_filter_feature_0_choices(2) := is_set(transform_left_filter_column(8, 0), 0) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_low_is_larger_0_0_0_choices(2) := transform_left_filter_low_is_larger_0_0_0_choice;
       end if;
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 2), 2);
+      transform_left_filter_low_is_larger_0_0_0_values(2) := is_set(transform_left_filter_column_2(4), 2);
+      transform_left_filter_low_is_larger_0_0_0_values(3) := is_set(transform_left_filter_column_0(0), 2);
+      if transform_left_filter_low_is_larger_0_0_0_choices(2) then
+        transform_left_filter_low_is_larger_0_0_0_choices(3) := (not
+          transform_left_filter_low_is_larger_0_0_0_values(2)) and transform_left_filter_low_is_larger_0_0_0_values(3);
+      else
+        transform_left_filter_low_is_larger_0_0_0_choices(3) := (not
+          transform_left_filter_low_is_larger_0_0_0_values(2)) or transform_left_filter_low_is_larger_0_0_0_values(3);
+      end if;
+      transform_left_filter_low_is_larger_0_0_0_values(4) := is_set(transform_left_filter_column_0(0), 3);
+      transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_0_0_value) or (not
+        is_set(transform_left_filter_column_2(4), 0));
+      if is_set(transform_left_filter_column_2(0), 0) then
+        transform_left_filter_low_is_larger_0_0_2_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_0_2_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      transform_left_filter_low_is_larger_0_0_2_is_equal := (transform_left_filter_column_2(4) mod 4) = 0;
+      if is_set(transform_left_filter_column_2(0), 1) then
+        transform_left_filter_low_is_larger_0_0_2_choices(2) := transform_left_filter_low_is_larger_0_0_2_choice;
+      else
+        transform_left_filter_low_is_larger_0_0_2_choices(2) := is_set(transform_left_filter_column_2(0), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_0_2_choices(2) then
+        transform_left_filter_low_is_larger_0_0_2_choices(3) := (not is_set(transform_left_filter_column_2(0), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_0_2_choices(3) := (not is_set(transform_left_filter_column_2(0), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_0_2_value := is_set(transform_left_filter_column_2(0), 3);
+      if is_set(transform_left_filter_column_4(0), 0) then
+        transform_left_filter_low_is_larger_0_0_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_0_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_left_filter_column_4(0), 1) then
+        transform_left_filter_low_is_larger_0_0_4_choices(2) := transform_left_filter_low_is_larger_0_0_4_choice;
+      else
+        transform_left_filter_low_is_larger_0_0_4_choices(2) := is_set(transform_left_filter_column_4(0), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_0_4_choices(2) then
+        transform_left_filter_low_is_larger_0_0_4_choices(3) := (not is_set(transform_left_filter_column_4(0), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_0_4_choices(3) := (not is_set(transform_left_filter_column_4(0), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_0_4_value := is_set(transform_left_filter_column_4(0), 3);
+      if is_set(transform_left_filter_column_0(2), 0) then
+        transform_left_filter_low_is_larger_0_2_0_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_2_0_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_left_filter_column_0(2), 1) then
+        transform_left_filter_low_is_larger_0_2_0_choices(2) := transform_left_filter_low_is_larger_0_2_0_choice;
+      else
+        transform_left_filter_low_is_larger_0_2_0_choices(2) := is_set(transform_left_filter_column_0(2), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_2_0_choices(2) then
+        transform_left_filter_low_is_larger_0_2_0_choices(3) := (not is_set(transform_left_filter_column_0(2), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_2_0_choices(3) := (not is_set(transform_left_filter_column_0(2), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_2_0_value := is_set(transform_left_filter_column_0(2), 3);
+      if is_set(transform_left_filter_column_2(2), 0) then
+        transform_left_filter_low_is_larger_0_2_2_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_2_2_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_left_filter_column_2(2), 1) then
+        transform_left_filter_low_is_larger_0_2_2_choices(2) := transform_left_filter_low_is_larger_0_2_2_choice;
+      else
+        transform_left_filter_low_is_larger_0_2_2_choices(2) := is_set(transform_left_filter_column_2(2), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_2_2_choices(2) then
+        transform_left_filter_low_is_larger_0_2_2_choices(3) := (not is_set(transform_left_filter_column_2(2), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_2_2_choices(3) := (not is_set(transform_left_filter_column_2(2), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_2_2_value := is_set(transform_left_filter_column_2(2), 3);
+      if is_set(transform_left_filter_column_4(2), 0) then
+        transform_left_filter_low_is_larger_0_2_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_2_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_left_filter_column_4(2), 1) then
+        transform_left_filter_low_is_larger_0_2_4_choices(2) := transform_left_filter_low_is_larger_0_2_4_choice;
+      else
+        transform_left_filter_low_is_larger_0_2_4_choices(2) := is_set(transform_left_filter_column_4(2), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_2_4_choices(2) then
+        transform_left_filter_low_is_larger_0_2_4_choices(3) := (not is_set(transform_left_filter_column_4(2), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_2_4_choices(3) := (not is_set(transform_left_filter_column_4(2), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_2_4_value := is_set(transform_left_filter_column_4(2), 3);
+      if is_set(transform_left_filter_column_0(4), 0) then
+        transform_left_filter_low_is_larger_0_4_0_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_4_0_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_left_filter_column_0(4), 1) then
+        transform_left_filter_low_is_larger_0_4_0_choices(2) := transform_left_filter_low_is_larger_0_4_0_choice;
+      else
+        transform_left_filter_low_is_larger_0_4_0_choices(2) := is_set(transform_left_filter_column_0(4), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_4_0_choices(2) then
+        transform_left_filter_low_is_larger_0_4_0_choices(3) := (not is_set(transform_left_filter_column_0(4), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_4_0_choices(3) := (not is_set(transform_left_filter_column_0(4), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_4_0_value := is_set(transform_left_filter_column_0(4), 3);
+      if is_set(transform_left_filter_column_4(4), 0) then
+        transform_left_filter_low_is_larger_0_4_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_4_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_left_filter_column_4(4), 1) then
+        transform_left_filter_low_is_larger_0_4_4_choices(2) := transform_left_filter_low_is_larger_0_4_4_choice;
+      else
+        transform_left_filter_low_is_larger_0_4_4_choices(2) := is_set(transform_left_filter_column_4(4), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_4_4_choices(2) then
+        transform_left_filter_low_is_larger_0_4_4_choices(3) := (not is_set(transform_left_filter_column_4(4), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_4_4_choices(3) := (not is_set(transform_left_filter_column_4(4), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_4_4_value := is_set(transform_left_filter_column_4(4), 3);
+      if is_set(transform_left_filter_column_0(6), 0) then
+        transform_left_filter_low_is_larger_0_6_0_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_6_0_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_left_filter_column_0(6), 1) then
+        transform_left_filter_low_is_larger_0_6_0_choices(2) := transform_left_filter_low_is_larger_0_6_0_choice;
+      else
+        transform_left_filter_low_is_larger_0_6_0_choices(2) := is_set(transform_left_filter_column_0(6), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_6_0_choices(2) then
+        transform_left_filter_low_is_larger_0_6_0_choices(3) := (not is_set(transform_left_filter_column_0(6), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_6_0_choices(3) := (not is_set(transform_left_filter_column_0(6), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_6_0_value := is_set(transform_left_filter_column_0(6), 3);
+      if is_set(transform_left_filter_column_2(6), 0) then
+        transform_left_filter_low_is_larger_0_6_2_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_6_2_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_left_filter_column_2(6), 1) then
+        transform_left_filter_low_is_larger_0_6_2_choices(2) := transform_left_filter_low_is_larger_0_6_2_choice;
+      else
+        transform_left_filter_low_is_larger_0_6_2_choices(2) := is_set(transform_left_filter_column_2(6), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_6_2_choices(2) then
+        transform_left_filter_low_is_larger_0_6_2_choices(3) := (not is_set(transform_left_filter_column_2(6), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_6_2_choices(3) := (not is_set(transform_left_filter_column_2(6), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_6_2_value := is_set(transform_left_filter_column_2(6), 3);
+      if is_set(transform_left_filter_column_4(6), 0) then
+        transform_left_filter_low_is_larger_0_6_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_6_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_left_filter_column_4(6), 1) then
+        transform_left_filter_low_is_larger_0_6_4_choices(2) := transform_left_filter_low_is_larger_0_6_4_choice;
+      else
+        transform_left_filter_low_is_larger_0_6_4_choices(2) := is_set(transform_left_filter_column_4(6), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_6_4_choices(2) then
+        transform_left_filter_low_is_larger_0_6_4_choices(3) := (not is_set(transform_left_filter_column_4(6), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_6_4_choices(3) := (not is_set(transform_left_filter_column_4(6), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_6_4_value := is_set(transform_left_filter_column_4(6), 3);
+      if is_set(transform_left_filter_column_0(8), 0) then
+        transform_left_filter_low_is_larger_0_8_0_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_8_0_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_left_filter_column_0(8), 1) then
+        transform_left_filter_low_is_larger_0_8_0_choices(2) := transform_left_filter_low_is_larger_0_8_0_choice;
+      else
+        transform_left_filter_low_is_larger_0_8_0_choices(2) := is_set(transform_left_filter_column_0(8), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_8_0_choices(2) then
+        transform_left_filter_low_is_larger_0_8_0_choices(3) := (not is_set(transform_left_filter_column_0(8), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_8_0_choices(3) := (not is_set(transform_left_filter_column_0(8), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_8_0_value := is_set(transform_left_filter_column_0(8), 3);
+      if is_set(transform_left_filter_column_2(8), 0) then
+        transform_left_filter_low_is_larger_0_8_2_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_8_2_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_left_filter_column_2(8), 1) then
+        transform_left_filter_low_is_larger_0_8_2_choices(2) := transform_left_filter_low_is_larger_0_8_2_choice;
+      else
+        transform_left_filter_low_is_larger_0_8_2_choices(2) := is_set(transform_left_filter_column_2(8), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_8_2_choices(2) then
+        transform_left_filter_low_is_larger_0_8_2_choices(3) := (not is_set(transform_left_filter_column_2(8), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_8_2_choices(3) := (not is_set(transform_left_filter_column_2(8), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_8_2_value := is_set(transform_left_filter_column_2(8), 3);
+      if is_set(transform_left_filter_column_4(8), 0) then
+        transform_left_filter_low_is_larger_0_8_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
+      else
+        transform_left_filter_low_is_larger_0_8_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_left_filter_column_4(8), 1) then
+        transform_left_filter_low_is_larger_0_8_4_choices(2) := transform_left_filter_low_is_larger_0_8_4_choice;
+      else
+        transform_left_filter_low_is_larger_0_8_4_choices(2) := is_set(transform_left_filter_column_4(8), 0) and
+          transform_left_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_left_filter_low_is_larger_0_8_4_choices(2) then
+        transform_left_filter_low_is_larger_0_8_4_choices(3) := (not is_set(transform_left_filter_column_4(8), 2)) and
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_left_filter_low_is_larger_0_8_4_choices(3) := (not is_set(transform_left_filter_column_4(8), 2)) or
+          transform_left_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_left_filter_low_is_larger_0_8_4_value := is_set(transform_left_filter_column_4(8), 3);
+      transform_left_filter_feature_0_value := is_set(transform_left_filter_column_2(4), 4);
+      if is_set(transform_left_filter_column_0(0), 4) then
+        transform_left_filter_feature_0_choice := (not transform_left_filter_low_is_larger_0_0_0) and
+          transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_0_choice := (not transform_left_filter_low_is_larger_0_0_0) or
+          transform_left_filter_feature_0_value;
+      end if;
+      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column_2(4), 5);
+      if transform_left_filter_feature_0_choice then
+        transform_left_filter_feature_0_choices(2) := (not is_set(transform_left_filter_column_0(0), 5)) or
+          transform_left_filter_feature_0_values(2);
+      else
+        transform_left_filter_feature_0_choices(2) := (not is_set(transform_left_filter_column_0(0), 5)) and
+          transform_left_filter_feature_0_values(2);
+      end if;
+      transform_left_filter_feature_0_values(3) := is_set(transform_left_filter_column_2(4), 6);
       if transform_left_filter_feature_0_choices(2) then
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(8, 0), 2)) and
-          transform_left_filter_feature_0_values(2);
+        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column_0(0), 6)) or
+          transform_left_filter_feature_0_values(3);
       else
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(8, 0), 2)) or
-          transform_left_filter_feature_0_values(2);
+        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column_0(0), 6)) and
+          transform_left_filter_feature_0_values(3);
       end if;
-      for i in 3 to 6 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 2), i);
+      transform_left_filter_feature_0_all := transform_filtering_0_column_inside_0 and (not
+        is_set(transform_left_filter_column_2(4), 7));
+      if is_set(transform_left_filter_column_0(0), 7) then
+        transform_left_filter_feature_0_choices(4) := transform_filtering_0_column_inside_0;
+      else
+        transform_left_filter_feature_0_choices(4) := transform_left_filter_feature_0_all;
+      end if;
+      if transform_left_filter_feature_0_choices(3) then
+        transform_left_filter_feature_0_choices(5) := is_set(transform_left_filter_column_0(0), 7) and
+          transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7));
+      else
+        transform_left_filter_feature_0_choices(5) := transform_left_filter_feature_0_choices(4);
+      end if;
+      if is_set(transform_left_filter_column_2(0), 4) then
+        transform_left_filter_feature_0_choices(6) := (not transform_left_filter_low_is_larger_0_0_2) and
+          transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_0_choices(6) := (not transform_left_filter_low_is_larger_0_0_2) or
+          transform_left_filter_feature_0_value;
+      end if;
+      for i in 6 to 7 loop
         if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(8, 0), i)) or
-            transform_left_filter_feature_0_values(i);
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(0), i - 1)) or
+            transform_left_filter_feature_0_values(i - 4);
         else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(8, 0), i)) and
-            transform_left_filter_feature_0_values(i);
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(0), i - 1)) and
+            transform_left_filter_feature_0_values(i - 4);
         end if;
       end loop;
-      for i in 0 to 3 loop
-        if transform_left_filter_feature_0_choices(8 * i + 7) then
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(8, i), 7) and (not
-            is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(8, i), 7) or (not
-            is_set(transform_left_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(8, i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 9) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 9) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(8, i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 10) := transform_left_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 10) := is_set(transform_left_filter_column(8, i + 1), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 10) then
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(8, i + 1),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(8, i + 1),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 8) then
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(8, i +
-              1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(8, i +
-              1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      for i in 0 to 2 loop
-        for j in 0 to 1 loop
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 39) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 40) := is_set(transform_left_filter_column(8 - i -
-              j, 4 - 4 * j), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 40) := is_set(transform_left_filter_column(8 - i -
-              j, 4 - 4 * j), 7) or (not is_set(transform_left_filter_column(4, 2), 7));
-          end if;
-          if is_set(transform_left_filter_column(7 - i, j), 0) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 41) := transform_left_filter_feature_0_any;
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 41) := not transform_left_filter_feature_0_value;
-          end if;
-          if is_set(transform_left_filter_column(7 - i, j), 1) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 42) := transform_left_filter_feature_0_choices(40
-              * i + 8 * j + 41);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 42) := is_set(transform_left_filter_column(7 - i,
-              j), 0) and transform_left_filter_feature_0_is_equal;
-          end if;
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 42) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 43) := (not is_set(transform_left_filter_column(7
-              - i, j), 2)) and transform_left_filter_feature_0_values(2);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 43) := (not is_set(transform_left_filter_column(7
-              - i, j), 2)) or transform_left_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 40) then
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 41) := (not
-                is_set(transform_left_filter_column(7 - i, j), k)) or transform_left_filter_feature_0_values(k);
-            else
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 41) := (not
-                is_set(transform_left_filter_column(7 - i, j), k)) and transform_left_filter_feature_0_values(k);
-            end if;
-          end loop;
-        end loop;
-        for j in 1 to 3 loop
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 47) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 48) := is_set(transform_left_filter_column(7 - i,
-              j), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 48) := is_set(transform_left_filter_column(7 - i,
-              j), 7) or (not is_set(transform_left_filter_column(4, 2), 7));
-          end if;
-          if is_set(transform_left_filter_column(7 - i, j + 1), 0) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 49) := transform_left_filter_feature_0_any;
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 49) := not transform_left_filter_feature_0_value;
-          end if;
-          if is_set(transform_left_filter_column(7 - i, j + 1), 1) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 50) := transform_left_filter_feature_0_choices(40
-              * i + 8 * j + 49);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 50) := is_set(transform_left_filter_column(7 - i,
-              j + 1), 0) and transform_left_filter_feature_0_is_equal;
-          end if;
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 50) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 51) := (not is_set(transform_left_filter_column(7
-              - i, j + 1), 2)) and transform_left_filter_feature_0_values(2);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 51) := (not is_set(transform_left_filter_column(7
-              - i, j + 1), 2)) or transform_left_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 48) then
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 49) := (not
-                is_set(transform_left_filter_column(7 - i, j + 1), k)) or transform_left_filter_feature_0_values(k);
-            else
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 49) := (not
-                is_set(transform_left_filter_column(7 - i, j + 1), k)) and transform_left_filter_feature_0_values(k);
-            end if;
-          end loop;
-        end loop;
-      end loop;
-      if transform_left_filter_feature_0_choices(159) then
-        transform_left_filter_feature_0_choices(160) := is_set(transform_left_filter_column(5, 4), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7));
+      if is_set(transform_left_filter_column_2(0), 7) then
+        transform_left_filter_feature_0_choices(9) := transform_filtering_0_column_inside_0;
       else
-        transform_left_filter_feature_0_choices(160) := is_set(transform_left_filter_column(5, 4), 7) or (not
-          is_set(transform_left_filter_column(4, 2), 7));
+        transform_left_filter_feature_0_choices(9) := transform_left_filter_feature_0_all;
       end if;
-      if is_set(transform_left_filter_column(4, 4), 0) then
-        transform_left_filter_feature_0_choices(161) := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choices(8) then
+        transform_left_filter_feature_0_choices(10) := is_set(transform_left_filter_column_2(0), 7) and
+          transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choices(161) := not transform_left_filter_feature_0_value;
+        transform_left_filter_feature_0_choices(10) := transform_left_filter_feature_0_choices(9);
       end if;
-      if is_set(transform_left_filter_column(4, 4), 1) then
-        transform_left_filter_feature_0_choices(162) := transform_left_filter_feature_0_choices(161);
+      if is_set(transform_left_filter_column_4(0), 4) then
+        transform_left_filter_feature_0_choices(11) := (not transform_left_filter_low_is_larger_0_0_4) and
+          transform_left_filter_feature_0_value;
       else
-        transform_left_filter_feature_0_choices(162) := is_set(transform_left_filter_column(4, 4), 0) and
-          transform_left_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choices(11) := (not transform_left_filter_low_is_larger_0_0_4) or
+          transform_left_filter_feature_0_value;
       end if;
-      if transform_left_filter_feature_0_choices(162) then
-        transform_left_filter_feature_0_choices(163) := (not is_set(transform_left_filter_column(4, 4), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(163) := (not is_set(transform_left_filter_column(4, 4), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 163 to 166 loop
+      for i in 11 to 12 loop
         if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 4), i - 160))
-            or transform_left_filter_feature_0_values(i - 160);
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(0), i - 6)) or
+            transform_left_filter_feature_0_values(i - 9);
         else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 4), i - 160))
-            and transform_left_filter_feature_0_values(i - 160);
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(0), i - 6)) and
+            transform_left_filter_feature_0_values(i - 9);
         end if;
       end loop;
-      if is_set(transform_left_filter_column(4, 4), 7) then
-        transform_left_filter_feature_0_choices(168) := transform_filtering_0_column_inside(4);
+      if transform_left_filter_feature_0_choices(13) then
+        transform_left_filter_feature_0_choices(14) := transform_filtering_0_column_inside_0 and
+          is_set(transform_left_filter_column_4(0), 7) and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choices(168) := transform_filtering_0_column_inside(4) and (not
-          is_set(transform_left_filter_column(4, 2), 7));
+        transform_left_filter_feature_0_choices(14) := transform_filtering_0_column_inside_0 and
+          (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
       end if;
-      if transform_left_filter_feature_0_choices(167) then
-        transform_left_filter_feature_0_choices(169) := is_set(transform_left_filter_column(4, 4), 7) and
-          transform_filtering_0_column_inside(4) and (not is_set(transform_left_filter_column(4, 2), 7));
+      if is_set(transform_left_filter_column_2(2), 4) then
+        transform_left_filter_feature_0_choices(15) := (not transform_left_filter_low_is_larger_0_2_2) and
+          transform_left_filter_feature_0_value;
       else
-        transform_left_filter_feature_0_choices(169) := transform_left_filter_feature_0_choices(168);
+        transform_left_filter_feature_0_choices(15) := (not transform_left_filter_low_is_larger_0_2_2) or
+          transform_left_filter_feature_0_value;
       end if;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(4, 2 * i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 170) := transform_left_filter_feature_0_any;
+      for i in 15 to 16 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(2), i - 10)) or
+            transform_left_filter_feature_0_values(i - 13);
         else
-          transform_left_filter_feature_0_choices(8 * i + 170) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(4, 2 * i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 171) := transform_left_filter_feature_0_choices(8 * i + 170);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 171) := is_set(transform_left_filter_column(4, 2 * i + 1), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 171) then
-          transform_left_filter_feature_0_choices(8 * i + 172) := (not is_set(transform_left_filter_column(4, 2 * i +
-            1), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 172) := (not is_set(transform_left_filter_column(4, 2 * i +
-            1), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 169) then
-            transform_left_filter_feature_0_choices(8 * i + j + 170) := (not is_set(transform_left_filter_column(4, 2 *
-              i + 1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 170) := (not is_set(transform_left_filter_column(4, 2 *
-              i + 1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 176) then
-          transform_left_filter_feature_0_choices(8 * i + 177) := is_set(transform_left_filter_column(4, 2 * i + 1), 7)
-            and (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 177) := is_set(transform_left_filter_column(4, 2 * i + 1), 7)
-            or (not is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(2), i - 10)) and
+            transform_left_filter_feature_0_values(i - 13);
         end if;
       end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(4 - i, 3 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 186) := transform_left_filter_feature_0_any;
+      transform_left_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
+        is_set(transform_left_filter_column_2(4), 7));
+      if is_set(transform_left_filter_column_2(2), 7) then
+        transform_left_filter_feature_0_choices(18) := transform_filtering_0_column_inside_2;
+      else
+        transform_left_filter_feature_0_choices(18) := transform_left_filter_feature_0_alls(2);
+      end if;
+      if transform_left_filter_feature_0_choices(17) then
+        transform_left_filter_feature_0_choices(19) := is_set(transform_left_filter_column_2(2), 7) and
+          transform_filtering_0_column_inside_2 and (not is_set(transform_left_filter_column_2(4), 7));
+      else
+        transform_left_filter_feature_0_choices(19) := transform_left_filter_feature_0_choices(18);
+      end if;
+      if is_set(transform_left_filter_column_0(2), 4) then
+        transform_left_filter_feature_0_choices(20) := (not transform_left_filter_low_is_larger_0_2_0) and
+          transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_0_choices(20) := (not transform_left_filter_low_is_larger_0_2_0) or
+          transform_left_filter_feature_0_value;
+      end if;
+      for i in 20 to 21 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(2), i - 15)) or
+            transform_left_filter_feature_0_values(i - 18);
         else
-          transform_left_filter_feature_0_choices(8 * i + 186) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(4 - i, 3 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 187) := transform_left_filter_feature_0_choices(8 * i + 186);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 187) := is_set(transform_left_filter_column(4 - i, 3 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 187) then
-          transform_left_filter_feature_0_choices(8 * i + 188) := (not is_set(transform_left_filter_column(4 - i, 3 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 188) := (not is_set(transform_left_filter_column(4 - i, 3 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 185) then
-            transform_left_filter_feature_0_choices(8 * i + j + 186) := (not is_set(transform_left_filter_column(4 - i,
-              3 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 186) := (not is_set(transform_left_filter_column(4 - i,
-              3 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 192) then
-          transform_left_filter_feature_0_choices(8 * i + 193) := is_set(transform_left_filter_column(4 - i, 3 * i), 7)
-            and (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 193) := is_set(transform_left_filter_column(4 - i, 3 * i), 7)
-            or (not is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(2), i - 15)) and
+            transform_left_filter_feature_0_values(i - 18);
         end if;
       end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(3, 4 - 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 202) := transform_left_filter_feature_0_any;
+      if is_set(transform_left_filter_column_0(2), 7) then
+        transform_left_filter_feature_0_choices(23) := transform_filtering_0_column_inside_2;
+      else
+        transform_left_filter_feature_0_choices(23) := transform_left_filter_feature_0_alls(2);
+      end if;
+      if transform_left_filter_feature_0_choices(22) then
+        transform_left_filter_feature_0_choices(24) := is_set(transform_left_filter_column_0(2), 7) and
+          transform_filtering_0_column_inside_2 and (not is_set(transform_left_filter_column_2(4), 7));
+      else
+        transform_left_filter_feature_0_choices(24) := transform_left_filter_feature_0_choices(23);
+      end if;
+      if is_set(transform_left_filter_column_4(2), 4) then
+        transform_left_filter_feature_0_choices(25) := (not transform_left_filter_low_is_larger_0_2_4) and
+          transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_0_choices(25) := (not transform_left_filter_low_is_larger_0_2_4) or
+          transform_left_filter_feature_0_value;
+      end if;
+      for i in 25 to 26 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(2), i - 20)) or
+            transform_left_filter_feature_0_values(i - 23);
         else
-          transform_left_filter_feature_0_choices(8 * i + 202) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3, 4 - 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 203) := transform_left_filter_feature_0_choices(8 * i + 202);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 203) := is_set(transform_left_filter_column(3, 4 - 2 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 203) then
-          transform_left_filter_feature_0_choices(8 * i + 204) := (not is_set(transform_left_filter_column(3, 4 - 2 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 204) := (not is_set(transform_left_filter_column(3, 4 - 2 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 201) then
-            transform_left_filter_feature_0_choices(8 * i + j + 202) := (not is_set(transform_left_filter_column(3, 4 -
-              2 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 202) := (not is_set(transform_left_filter_column(3, 4 -
-              2 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 208) then
-          transform_left_filter_feature_0_choices(8 * i + 209) := is_set(transform_left_filter_column(3, 4 - 2 * i), 7)
-            and (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 209) := is_set(transform_left_filter_column(3, 4 - 2 * i), 7)
-            or (not is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(2), i - 20)) and
+            transform_left_filter_feature_0_values(i - 23);
         end if;
       end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(3, 1 - i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 218) := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choices(27) then
+        transform_left_filter_feature_0_choices(28) := transform_filtering_0_column_inside_2 and
+          is_set(transform_left_filter_column_4(2), 7) and (not is_set(transform_left_filter_column_2(4), 7));
+      else
+        transform_left_filter_feature_0_choices(28) := transform_filtering_0_column_inside_2 and
+          (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
+      end if;
+      if is_set(transform_left_filter_column_0(4), 4) then
+        transform_left_filter_feature_0_choices(29) := (not transform_left_filter_low_is_larger_0_4_0) and
+          transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_0_choices(29) := (not transform_left_filter_low_is_larger_0_4_0) or
+          transform_left_filter_feature_0_value;
+      end if;
+      for i in 29 to 30 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(4), i - 24)) or
+            transform_left_filter_feature_0_values(i - 27);
         else
-          transform_left_filter_feature_0_choices(8 * i + 218) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3, 1 - i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 219) := transform_left_filter_feature_0_choices(8 * i + 218);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 219) := is_set(transform_left_filter_column(3, 1 - i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 219) then
-          transform_left_filter_feature_0_choices(8 * i + 220) := (not is_set(transform_left_filter_column(3, 1 - i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 220) := (not is_set(transform_left_filter_column(3, 1 - i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 217) then
-            transform_left_filter_feature_0_choices(8 * i + j + 218) := (not is_set(transform_left_filter_column(3, 1 -
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 218) := (not is_set(transform_left_filter_column(3, 1 -
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 224) then
-          transform_left_filter_feature_0_choices(8 * i + 225) := is_set(transform_left_filter_column(3, 1 - i), 7) and
-            (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 225) := is_set(transform_left_filter_column(3, 1 - i), 7) or
-            (not is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(4), i - 24)) and
+            transform_left_filter_feature_0_values(i - 27);
         end if;
       end loop;
-      for i in 0 to 1 loop
-        for j in 3 to 4 loop
-          if is_set(transform_left_filter_column(2 - i, j), 0) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 210) := transform_left_filter_feature_0_any;
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 210) := not transform_left_filter_feature_0_value;
-          end if;
-          if is_set(transform_left_filter_column(2 - i, j), 1) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 211) := transform_left_filter_feature_0_choices(40
-              * i + 8 * j + 210);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 211) := is_set(transform_left_filter_column(2 - i,
-              j), 0) and transform_left_filter_feature_0_is_equal;
-          end if;
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 211) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 212) := (not is_set(transform_left_filter_column(2
-              - i, j), 2)) and transform_left_filter_feature_0_values(2);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 212) := (not is_set(transform_left_filter_column(2
-              - i, j), 2)) or transform_left_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 209) then
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 210) := (not
-                is_set(transform_left_filter_column(2 - i, j), k)) or transform_left_filter_feature_0_values(k);
-            else
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 210) := (not
-                is_set(transform_left_filter_column(2 - i, j), k)) and transform_left_filter_feature_0_values(k);
-            end if;
-          end loop;
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 216) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 217) := is_set(transform_left_filter_column(2 - i,
-              j), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 217) := is_set(transform_left_filter_column(2 - i,
-              j), 7) or (not is_set(transform_left_filter_column(4, 2), 7));
-          end if;
-        end loop;
-        for j in 0 to 2 loop
-          if is_set(transform_left_filter_column(2 - i, 2 - j), 0) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 250) := transform_left_filter_feature_0_any;
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 250) := not transform_left_filter_feature_0_value;
-          end if;
-          if is_set(transform_left_filter_column(2 - i, 2 - j), 1) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 251) := transform_left_filter_feature_0_choices(40
-              * i + 8 * j + 250);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 251) := is_set(transform_left_filter_column(2 - i,
-              2 - j), 0) and transform_left_filter_feature_0_is_equal;
-          end if;
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 251) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 252) := (not is_set(transform_left_filter_column(2
-              - i, 2 - j), 2)) and transform_left_filter_feature_0_values(2);
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 252) := (not is_set(transform_left_filter_column(2
-              - i, 2 - j), 2)) or transform_left_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 249) then
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 250) := (not
-                is_set(transform_left_filter_column(2 - i, 2 - j), k)) or transform_left_filter_feature_0_values(k);
-            else
-              transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 250) := (not
-                is_set(transform_left_filter_column(2 - i, 2 - j), k)) and transform_left_filter_feature_0_values(k);
-            end if;
-          end loop;
-          if transform_left_filter_feature_0_choices(40 * i + 8 * j + 256) then
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 257) := is_set(transform_left_filter_column(2 - i,
-              2 - j), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-          else
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + 257) := is_set(transform_left_filter_column(2 - i,
-              2 - j), 7) or (not is_set(transform_left_filter_column(4, 2), 7));
-          end if;
-        end loop;
-      end loop;
-      for i in 3 to 4 loop
-        if is_set(transform_left_filter_column(0, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 290) := transform_left_filter_feature_0_any;
+      if is_set(transform_left_filter_column_0(4), 7) then
+        transform_left_filter_feature_0_choices(32) := transform_filtering_column_inside_4(0);
+      else
+        transform_left_filter_feature_0_choices(32) := transform_filtering_column_inside_4(0) and (not
+          is_set(transform_left_filter_column_2(4), 7));
+      end if;
+      if transform_left_filter_feature_0_choices(31) then
+        transform_left_filter_feature_0_choices(33) := is_set(transform_left_filter_column_0(4), 7) and
+          transform_filtering_column_inside_4(0) and (not is_set(transform_left_filter_column_2(4), 7));
+      else
+        transform_left_filter_feature_0_choices(33) := transform_left_filter_feature_0_choices(32);
+      end if;
+      if is_set(transform_left_filter_column_4(4), 4) then
+        transform_left_filter_feature_0_choices(34) := (not transform_left_filter_low_is_larger_0_4_4) and
+          transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_0_choices(34) := (not transform_left_filter_low_is_larger_0_4_4) or
+          transform_left_filter_feature_0_value;
+      end if;
+      for i in 34 to 35 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(4), i - 29)) or
+            transform_left_filter_feature_0_values(i - 32);
         else
-          transform_left_filter_feature_0_choices(8 * i + 290) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(0, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 291) := transform_left_filter_feature_0_choices(8 * i + 290);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 291) := is_set(transform_left_filter_column(0, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 291) then
-          transform_left_filter_feature_0_choices(8 * i + 292) := (not is_set(transform_left_filter_column(0, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 292) := (not is_set(transform_left_filter_column(0, i), 2))
-            or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 289) then
-            transform_left_filter_feature_0_choices(8 * i + j + 290) := (not is_set(transform_left_filter_column(0, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 290) := (not is_set(transform_left_filter_column(0, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 296) then
-          transform_left_filter_feature_0_choices(8 * i + 297) := is_set(transform_left_filter_column(0, i), 7) and
-            (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 297) := is_set(transform_left_filter_column(0, i), 7) or (not
-            is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(4), i - 29)) and
+            transform_left_filter_feature_0_values(i - 32);
         end if;
       end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(0, 2 - i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 330) := transform_left_filter_feature_0_any;
+      if transform_left_filter_feature_0_choices(36) then
+        transform_left_filter_feature_0_choices(37) := transform_filtering_column_inside_4(0) and
+          is_set(transform_left_filter_column_4(4), 7) and (not is_set(transform_left_filter_column_2(4), 7));
+      else
+        transform_left_filter_feature_0_choices(37) := transform_filtering_column_inside_4(0) and
+          (is_set(transform_left_filter_column_4(4), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
+      end if;
+      if is_set(transform_left_filter_column_2(6), 4) then
+        transform_left_filter_feature_0_choices(38) := (not transform_left_filter_low_is_larger_0_6_2) and
+          transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_0_choices(38) := (not transform_left_filter_low_is_larger_0_6_2) or
+          transform_left_filter_feature_0_value;
+      end if;
+      for i in 38 to 39 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(6), i - 33)) or
+            transform_left_filter_feature_0_values(i - 36);
         else
-          transform_left_filter_feature_0_choices(8 * i + 330) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(0, 2 - i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 331) := transform_left_filter_feature_0_choices(8 * i + 330);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 331) := is_set(transform_left_filter_column(0, 2 - i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 331) then
-          transform_left_filter_feature_0_choices(8 * i + 332) := (not is_set(transform_left_filter_column(0, 2 - i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 332) := (not is_set(transform_left_filter_column(0, 2 - i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 329) then
-            transform_left_filter_feature_0_choices(8 * i + j + 330) := (not is_set(transform_left_filter_column(0, 2 -
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 330) := (not is_set(transform_left_filter_column(0, 2 -
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 336) then
-          transform_left_filter_feature_0_choices(8 * i + 337) := is_set(transform_left_filter_column(0, 2 - i), 7) and
-            (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 337) := is_set(transform_left_filter_column(0, 2 - i), 7) or
-            (not is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(6), i - 33)) and
+            transform_left_filter_feature_0_values(i - 36);
         end if;
       end loop;
-      if is_set(transform_left_filter_column(4, 2), 0) then
-        transform_left_filter_feature_0_choices(346) := not is_set(transform_left_filter_column(0, 0), 1);
+      transform_left_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
+        is_set(transform_left_filter_column_2(4), 7));
+      if is_set(transform_left_filter_column_2(6), 7) then
+        transform_left_filter_feature_0_choices(41) := transform_filtering_0_column_inside_6;
       else
-        transform_left_filter_feature_0_choices(346) := (transform_left_filter_column(0, 0) mod 4) = 0;
+        transform_left_filter_feature_0_choices(41) := transform_left_filter_feature_0_alls(3);
       end if;
-      if transform_left_filter_feature_0_value then
-        transform_left_filter_feature_0_choices(347) := is_set(transform_left_filter_column(4, 2), 0) or (not
-          is_set(transform_left_filter_column(0, 0), 1)) or (not is_set(transform_left_filter_column(0, 0), 0));
+      if transform_left_filter_feature_0_choices(40) then
+        transform_left_filter_feature_0_choices(42) := is_set(transform_left_filter_column_2(6), 7) and
+          transform_filtering_0_column_inside_6 and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choices(347) := transform_left_filter_feature_0_choices(346);
+        transform_left_filter_feature_0_choices(42) := transform_left_filter_feature_0_choices(41);
       end if;
-      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      if transform_left_filter_feature_0_choices(347) then
-        transform_left_filter_feature_0_choices(348) := (not transform_left_filter_feature_0_values(2)) and
-          transform_left_filter_feature_0_values(7);
+      if is_set(transform_left_filter_column_0(6), 4) then
+        transform_left_filter_feature_0_choices(43) := (not transform_left_filter_low_is_larger_0_6_0) and
+          transform_left_filter_feature_0_value;
       else
-        transform_left_filter_feature_0_choices(348) := (not transform_left_filter_feature_0_values(2)) or
-          transform_left_filter_feature_0_values(7);
+        transform_left_filter_feature_0_choices(43) := (not transform_left_filter_low_is_larger_0_6_0) or
+          transform_left_filter_feature_0_value;
       end if;
-      for i in 8 to 11 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        if transform_left_filter_feature_0_choices(i + 340) then
-          transform_left_filter_feature_0_choices(i + 341) := (not transform_left_filter_feature_0_values(i - 5)) or
-            transform_left_filter_feature_0_values(i);
+      for i in 43 to 44 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(6), i - 38)) or
+            transform_left_filter_feature_0_values(i - 41);
         else
-          transform_left_filter_feature_0_choices(i + 341) := (not transform_left_filter_feature_0_values(i - 5)) and
-            transform_left_filter_feature_0_values(i);
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(6), i - 38)) and
+            transform_left_filter_feature_0_values(i - 41);
         end if;
       end loop;
-      if transform_left_filter_feature_0_choices(352) then
-        transform_left_filter_feature_0_choices(353) := (not is_set(transform_left_filter_column(4, 2), 7)) or
-          is_set(transform_left_filter_column(0, 0), 7);
+      if is_set(transform_left_filter_column_0(6), 7) then
+        transform_left_filter_feature_0_choices(46) := transform_filtering_0_column_inside_6;
       else
-        transform_left_filter_feature_0_choices(353) := (not is_set(transform_left_filter_column(4, 2), 7)) and
-          is_set(transform_left_filter_column(0, 0), 7);
+        transform_left_filter_feature_0_choices(46) := transform_left_filter_feature_0_alls(3);
       end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_left_filter_feature_0_choice_354 := (as_number(transform_left_filter_feature_0_choices(321)) * 8) +
-          (as_number(transform_left_filter_feature_0_choices(329)) * 16) +
-          (as_number(transform_left_filter_feature_0_choices(337)) * 4) +
-          (as_number(transform_left_filter_feature_0_choices(345)) * 2) +
-          as_number(transform_left_filter_feature_0_choices(353));
+      if transform_left_filter_feature_0_choices(45) then
+        transform_left_filter_feature_0_choices(47) := is_set(transform_left_filter_column_0(6), 7) and
+          transform_filtering_0_column_inside_6 and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_354 := 0;
+        transform_left_filter_feature_0_choices(47) := transform_left_filter_feature_0_choices(46);
       end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_left_filter_feature_0_choice_355 := (as_number(transform_left_filter_feature_0_choices(281)) * 256) +
-          (as_number(transform_left_filter_feature_0_choices(289)) * 512) +
-          (as_number(transform_left_filter_feature_0_choices(297)) * 128) +
-          (as_number(transform_left_filter_feature_0_choices(305)) * 64) +
-          (as_number(transform_left_filter_feature_0_choices(313)) * 32) + transform_left_filter_feature_0_choice_354;
+      if is_set(transform_left_filter_column_4(6), 4) then
+        transform_left_filter_feature_0_choices(48) := (not transform_left_filter_low_is_larger_0_6_4) and
+          transform_left_filter_feature_0_value;
       else
-        transform_left_filter_feature_0_choice_355 := transform_left_filter_feature_0_choice_354;
+        transform_left_filter_feature_0_choices(48) := (not transform_left_filter_low_is_larger_0_6_4) or
+          transform_left_filter_feature_0_value;
       end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_left_filter_feature_0_choice_356 := (as_number(transform_left_filter_feature_0_choices(241)) * 8192)
-          + (as_number(transform_left_filter_feature_0_choices(249)) * 16384) +
-          (as_number(transform_left_filter_feature_0_choices(257)) * 4096) +
-          (as_number(transform_left_filter_feature_0_choices(265)) * 2048) +
-          (as_number(transform_left_filter_feature_0_choices(273)) * 1024) + transform_left_filter_feature_0_choice_355;
+      for i in 48 to 49 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(6), i - 43)) or
+            transform_left_filter_feature_0_values(i - 46);
+        else
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(6), i - 43)) and
+            transform_left_filter_feature_0_values(i - 46);
+        end if;
+      end loop;
+      if transform_left_filter_feature_0_choices(50) then
+        transform_left_filter_feature_0_choices(51) := transform_filtering_0_column_inside_6 and
+          is_set(transform_left_filter_column_4(6), 7) and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_356 := transform_left_filter_feature_0_choice_355;
+        transform_left_filter_feature_0_choices(51) := transform_filtering_0_column_inside_6 and
+          (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
       end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_left_filter_feature_0_choice_357 := (as_number(transform_left_filter_feature_0_choices(201)) *
-          262144) + (as_number(transform_left_filter_feature_0_choices(209)) * 524288) +
-          (as_number(transform_left_filter_feature_0_choices(217)) * 131072) +
-          (as_number(transform_left_filter_feature_0_choices(225)) * 65536) +
-          (as_number(transform_left_filter_feature_0_choices(233)) * 32768) +
-          transform_left_filter_feature_0_choice_356;
+      if is_set(transform_left_filter_column_2(8), 4) then
+        transform_left_filter_feature_0_choices(52) := (not transform_left_filter_low_is_larger_0_8_2) and
+          transform_left_filter_feature_0_value;
       else
-        transform_left_filter_feature_0_choice_357 := transform_left_filter_feature_0_choice_356;
+        transform_left_filter_feature_0_choices(52) := (not transform_left_filter_low_is_larger_0_8_2) or
+          transform_left_filter_feature_0_value;
       end if;
-      if transform_filtering_0_column_inside(4) then
-        transform_left_filter_feature_0_choice_358 := (as_number(transform_left_filter_feature_0_choices(177)) *
-          2097152) + (as_number(transform_left_filter_feature_0_choices(185)) * 4194304) +
-          (as_number(transform_left_filter_feature_0_choices(193)) * 1048576) +
-          transform_left_filter_feature_0_choice_357;
+      for i in 52 to 53 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(8), i - 47)) or
+            transform_left_filter_feature_0_values(i - 50);
+        else
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(8), i - 47)) and
+            transform_left_filter_feature_0_values(i - 50);
+        end if;
+      end loop;
+      transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
+        is_set(transform_left_filter_column_2(4), 7));
+      if is_set(transform_left_filter_column_2(8), 7) then
+        transform_left_filter_feature_0_choices(55) := transform_filtering_0_column_inside_8;
       else
-        transform_left_filter_feature_0_choice_358 := transform_left_filter_feature_0_choice_357;
+        transform_left_filter_feature_0_choices(55) := transform_left_filter_feature_0_alls(4);
       end if;
-      if transform_filtering_0_column_inside(5) then
-        transform_left_filter_feature_0_choice_359 := (as_number(transform_left_filter_feature_0_choices(128)) *
-          16777216) + (as_number(transform_left_filter_feature_0_choices(136)) * 33554432) +
-          (as_number(transform_left_filter_feature_0_choices(144)) * 67108864) +
-          (as_number(transform_left_filter_feature_0_choices(152)) * 134217728) +
-          (as_number(transform_left_filter_feature_0_choices(160)) * 268435456) +
-          (as_number(transform_left_filter_feature_0_choices(169)) * 8388608) +
-          transform_left_filter_feature_0_choice_358;
+      if transform_left_filter_feature_0_choices(54) then
+        transform_left_filter_feature_0_choices(56) := is_set(transform_left_filter_column_2(8), 7) and
+          transform_filtering_0_column_inside_8 and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_left_filter_feature_0_choice_359 := (as_number(transform_left_filter_feature_0_choices(169)) *
-          8388608) + transform_left_filter_feature_0_choice_358;
+        transform_left_filter_feature_0_choices(56) := transform_left_filter_feature_0_choices(55);
       end if;
-      if transform_filtering_0_column_inside(6) then
-        transform_left_filter_feature_0_choice_360 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(120)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(112)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(104)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(96)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(88)), 1) &
-          to_unsigned(transform_left_filter_feature_0_choice_359, 29);
+      if is_set(transform_left_filter_column_0(8), 4) then
+        transform_left_filter_feature_0_choices(57) := (not transform_left_filter_low_is_larger_0_8_0) and
+          transform_left_filter_feature_0_value;
       else
-        transform_left_filter_feature_0_choice_360 := to_unsigned(transform_left_filter_feature_0_choice_359, 34);
+        transform_left_filter_feature_0_choices(57) := (not transform_left_filter_low_is_larger_0_8_0) or
+          transform_left_filter_feature_0_value;
       end if;
-      if transform_filtering_0_column_inside(7) then
-        transform_left_filter_feature_0_choice_361 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(80)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(72)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(64)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(56)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(48)), 1) &
-          transform_left_filter_feature_0_choice_360(33 downto 0);
+      for i in 57 to 58 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(8), i - 52)) or
+            transform_left_filter_feature_0_values(i - 55);
+        else
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(8), i - 52)) and
+            transform_left_filter_feature_0_values(i - 55);
+        end if;
+      end loop;
+      if is_set(transform_left_filter_column_0(8), 7) then
+        transform_left_filter_feature_0_choices(60) := transform_filtering_0_column_inside_8;
       else
-        transform_left_filter_feature_0_choice_361 := resize(transform_left_filter_feature_0_choice_360, 39);
+        transform_left_filter_feature_0_choices(60) := transform_left_filter_feature_0_alls(4);
       end if;
-      transform_right_filter_feature_0_value := is_set(transform_right_filter_column(4, 2), 1);
-      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
-        is_set(transform_right_filter_column(4, 2), 0));
-      if is_set(transform_right_filter_column(8, 0), 0) then
-        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
+      if transform_left_filter_feature_0_choices(59) then
+        transform_left_filter_feature_0_choices(61) := is_set(transform_left_filter_column_0(8), 7) and
+          transform_filtering_0_column_inside_8 and (not is_set(transform_left_filter_column_2(4), 7));
       else
-        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
+        transform_left_filter_feature_0_choices(61) := transform_left_filter_feature_0_choices(60);
       end if;
-      transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 2) mod 4) = 0;
-      if is_set(transform_right_filter_column(8, 0), 1) then
-        transform_right_filter_feature_0_choices(2) := transform_right_filter_feature_0_choice;
+      if is_set(transform_left_filter_column_4(8), 4) then
+        transform_left_filter_feature_0_choices(62) := (not transform_left_filter_low_is_larger_0_8_4) and
+          transform_left_filter_feature_0_value;
       else
-        transform_right_filter_feature_0_choices(2) := is_set(transform_right_filter_column(8, 0), 0) and
-          transform_right_filter_feature_0_is_equal;
+        transform_left_filter_feature_0_choices(62) := (not transform_left_filter_low_is_larger_0_8_4) or
+          transform_left_filter_feature_0_value;
       end if;
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 2), 2);
+      for i in 62 to 63 loop
+        if transform_left_filter_feature_0_choices(i) then
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(8), i - 57)) or
+            transform_left_filter_feature_0_values(i - 60);
+        else
+          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(8), i - 57)) and
+            transform_left_filter_feature_0_values(i - 60);
+        end if;
+      end loop;
+      if transform_left_filter_feature_0_choices(64) then
+        transform_left_filter_feature_0_choices(65) := transform_filtering_0_column_inside_8 and
+          is_set(transform_left_filter_column_4(8), 7) and (not is_set(transform_left_filter_column_2(4), 7));
+      else
+        transform_left_filter_feature_0_choices(65) := transform_filtering_0_column_inside_8 and
+          (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
+      end if;
+      transform_right_filter_low_is_larger_0_0_0_value := is_set(transform_right_filter_column_2(4), 1);
+      if is_set(transform_right_filter_column_2(4), 0) then
+        transform_right_filter_low_is_larger_0_0_0_choice := not is_set(transform_right_filter_column_0(0), 1);
+      else
+        transform_right_filter_low_is_larger_0_0_0_choice := (transform_right_filter_column_0(0) mod 4) = 0;
+      end if;
+      if transform_right_filter_low_is_larger_0_0_0_value then
+        transform_right_filter_low_is_larger_0_0_0_choices(2) := is_set(transform_right_filter_column_2(4), 0) or (not
+          is_set(transform_right_filter_column_0(0), 1)) or (not is_set(transform_right_filter_column_0(0), 0));
+      else
+        transform_right_filter_low_is_larger_0_0_0_choices(2) := transform_right_filter_low_is_larger_0_0_0_choice;
+      end if;
+      transform_right_filter_low_is_larger_0_0_0_values(2) := is_set(transform_right_filter_column_2(4), 2);
+      transform_right_filter_low_is_larger_0_0_0_values(3) := is_set(transform_right_filter_column_0(0), 2);
+      if transform_right_filter_low_is_larger_0_0_0_choices(2) then
+        transform_right_filter_low_is_larger_0_0_0_choices(3) := (not
+          transform_right_filter_low_is_larger_0_0_0_values(2)) and
+          transform_right_filter_low_is_larger_0_0_0_values(3);
+      else
+        transform_right_filter_low_is_larger_0_0_0_choices(3) := (not
+          transform_right_filter_low_is_larger_0_0_0_values(2)) or transform_right_filter_low_is_larger_0_0_0_values(3);
+      end if;
+      transform_right_filter_low_is_larger_0_0_0_values(4) := is_set(transform_right_filter_column_0(0), 3);
+      transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_0_0_value) or (not
+        is_set(transform_right_filter_column_2(4), 0));
+      if is_set(transform_right_filter_column_2(0), 0) then
+        transform_right_filter_low_is_larger_0_0_2_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_0_2_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      transform_right_filter_low_is_larger_0_0_2_is_equal := (transform_right_filter_column_2(4) mod 4) = 0;
+      if is_set(transform_right_filter_column_2(0), 1) then
+        transform_right_filter_low_is_larger_0_0_2_choices(2) := transform_right_filter_low_is_larger_0_0_2_choice;
+      else
+        transform_right_filter_low_is_larger_0_0_2_choices(2) := is_set(transform_right_filter_column_2(0), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_0_2_choices(2) then
+        transform_right_filter_low_is_larger_0_0_2_choices(3) := (not is_set(transform_right_filter_column_2(0), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_0_2_choices(3) := (not is_set(transform_right_filter_column_2(0), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_0_2_value := is_set(transform_right_filter_column_2(0), 3);
+      if is_set(transform_right_filter_column_4(0), 0) then
+        transform_right_filter_low_is_larger_0_0_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_0_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_right_filter_column_4(0), 1) then
+        transform_right_filter_low_is_larger_0_0_4_choices(2) := transform_right_filter_low_is_larger_0_0_4_choice;
+      else
+        transform_right_filter_low_is_larger_0_0_4_choices(2) := is_set(transform_right_filter_column_4(0), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_0_4_choices(2) then
+        transform_right_filter_low_is_larger_0_0_4_choices(3) := (not is_set(transform_right_filter_column_4(0), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_0_4_choices(3) := (not is_set(transform_right_filter_column_4(0), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_0_4_value := is_set(transform_right_filter_column_4(0), 3);
+      if is_set(transform_right_filter_column_0(2), 0) then
+        transform_right_filter_low_is_larger_0_2_0_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_2_0_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_right_filter_column_0(2), 1) then
+        transform_right_filter_low_is_larger_0_2_0_choices(2) := transform_right_filter_low_is_larger_0_2_0_choice;
+      else
+        transform_right_filter_low_is_larger_0_2_0_choices(2) := is_set(transform_right_filter_column_0(2), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_2_0_choices(2) then
+        transform_right_filter_low_is_larger_0_2_0_choices(3) := (not is_set(transform_right_filter_column_0(2), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_2_0_choices(3) := (not is_set(transform_right_filter_column_0(2), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_2_0_value := is_set(transform_right_filter_column_0(2), 3);
+      if is_set(transform_right_filter_column_2(2), 0) then
+        transform_right_filter_low_is_larger_0_2_2_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_2_2_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_right_filter_column_2(2), 1) then
+        transform_right_filter_low_is_larger_0_2_2_choices(2) := transform_right_filter_low_is_larger_0_2_2_choice;
+      else
+        transform_right_filter_low_is_larger_0_2_2_choices(2) := is_set(transform_right_filter_column_2(2), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_2_2_choices(2) then
+        transform_right_filter_low_is_larger_0_2_2_choices(3) := (not is_set(transform_right_filter_column_2(2), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_2_2_choices(3) := (not is_set(transform_right_filter_column_2(2), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_2_2_value := is_set(transform_right_filter_column_2(2), 3);
+      if is_set(transform_right_filter_column_4(2), 0) then
+        transform_right_filter_low_is_larger_0_2_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_2_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_right_filter_column_4(2), 1) then
+        transform_right_filter_low_is_larger_0_2_4_choices(2) := transform_right_filter_low_is_larger_0_2_4_choice;
+      else
+        transform_right_filter_low_is_larger_0_2_4_choices(2) := is_set(transform_right_filter_column_4(2), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_2_4_choices(2) then
+        transform_right_filter_low_is_larger_0_2_4_choices(3) := (not is_set(transform_right_filter_column_4(2), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_2_4_choices(3) := (not is_set(transform_right_filter_column_4(2), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_2_4_value := is_set(transform_right_filter_column_4(2), 3);
+      if is_set(transform_right_filter_column_0(4), 0) then
+        transform_right_filter_low_is_larger_0_4_0_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_4_0_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_right_filter_column_0(4), 1) then
+        transform_right_filter_low_is_larger_0_4_0_choices(2) := transform_right_filter_low_is_larger_0_4_0_choice;
+      else
+        transform_right_filter_low_is_larger_0_4_0_choices(2) := is_set(transform_right_filter_column_0(4), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_4_0_choices(2) then
+        transform_right_filter_low_is_larger_0_4_0_choices(3) := (not is_set(transform_right_filter_column_0(4), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_4_0_choices(3) := (not is_set(transform_right_filter_column_0(4), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_4_0_value := is_set(transform_right_filter_column_0(4), 3);
+      if is_set(transform_right_filter_column_4(4), 0) then
+        transform_right_filter_low_is_larger_0_4_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_4_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_right_filter_column_4(4), 1) then
+        transform_right_filter_low_is_larger_0_4_4_choices(2) := transform_right_filter_low_is_larger_0_4_4_choice;
+      else
+        transform_right_filter_low_is_larger_0_4_4_choices(2) := is_set(transform_right_filter_column_4(4), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_4_4_choices(2) then
+        transform_right_filter_low_is_larger_0_4_4_choices(3) := (not is_set(transform_right_filter_column_4(4), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_4_4_choices(3) := (not is_set(transform_right_filter_column_4(4), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_4_4_value := is_set(transform_right_filter_column_4(4), 3);
+      if is_set(transform_right_filter_column_0(6), 0) then
+        transform_right_filter_low_is_larger_0_6_0_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_6_0_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_right_filter_column_0(6), 1) then
+        transform_right_filter_low_is_larger_0_6_0_choices(2) := transform_right_filter_low_is_larger_0_6_0_choice;
+      else
+        transform_right_filter_low_is_larger_0_6_0_choices(2) := is_set(transform_right_filter_column_0(6), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_6_0_choices(2) then
+        transform_right_filter_low_is_larger_0_6_0_choices(3) := (not is_set(transform_right_filter_column_0(6), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_6_0_choices(3) := (not is_set(transform_right_filter_column_0(6), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_6_0_value := is_set(transform_right_filter_column_0(6), 3);
+      if is_set(transform_right_filter_column_2(6), 0) then
+        transform_right_filter_low_is_larger_0_6_2_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_6_2_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_right_filter_column_2(6), 1) then
+        transform_right_filter_low_is_larger_0_6_2_choices(2) := transform_right_filter_low_is_larger_0_6_2_choice;
+      else
+        transform_right_filter_low_is_larger_0_6_2_choices(2) := is_set(transform_right_filter_column_2(6), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_6_2_choices(2) then
+        transform_right_filter_low_is_larger_0_6_2_choices(3) := (not is_set(transform_right_filter_column_2(6), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_6_2_choices(3) := (not is_set(transform_right_filter_column_2(6), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_6_2_value := is_set(transform_right_filter_column_2(6), 3);
+      if is_set(transform_right_filter_column_4(6), 0) then
+        transform_right_filter_low_is_larger_0_6_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_6_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_right_filter_column_4(6), 1) then
+        transform_right_filter_low_is_larger_0_6_4_choices(2) := transform_right_filter_low_is_larger_0_6_4_choice;
+      else
+        transform_right_filter_low_is_larger_0_6_4_choices(2) := is_set(transform_right_filter_column_4(6), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_6_4_choices(2) then
+        transform_right_filter_low_is_larger_0_6_4_choices(3) := (not is_set(transform_right_filter_column_4(6), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_6_4_choices(3) := (not is_set(transform_right_filter_column_4(6), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_6_4_value := is_set(transform_right_filter_column_4(6), 3);
+      if is_set(transform_right_filter_column_0(8), 0) then
+        transform_right_filter_low_is_larger_0_8_0_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_8_0_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_right_filter_column_0(8), 1) then
+        transform_right_filter_low_is_larger_0_8_0_choices(2) := transform_right_filter_low_is_larger_0_8_0_choice;
+      else
+        transform_right_filter_low_is_larger_0_8_0_choices(2) := is_set(transform_right_filter_column_0(8), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_8_0_choices(2) then
+        transform_right_filter_low_is_larger_0_8_0_choices(3) := (not is_set(transform_right_filter_column_0(8), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_8_0_choices(3) := (not is_set(transform_right_filter_column_0(8), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_8_0_value := is_set(transform_right_filter_column_0(8), 3);
+      if is_set(transform_right_filter_column_2(8), 0) then
+        transform_right_filter_low_is_larger_0_8_2_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_8_2_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_right_filter_column_2(8), 1) then
+        transform_right_filter_low_is_larger_0_8_2_choices(2) := transform_right_filter_low_is_larger_0_8_2_choice;
+      else
+        transform_right_filter_low_is_larger_0_8_2_choices(2) := is_set(transform_right_filter_column_2(8), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_8_2_choices(2) then
+        transform_right_filter_low_is_larger_0_8_2_choices(3) := (not is_set(transform_right_filter_column_2(8), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_8_2_choices(3) := (not is_set(transform_right_filter_column_2(8), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_8_2_value := is_set(transform_right_filter_column_2(8), 3);
+      if is_set(transform_right_filter_column_4(8), 0) then
+        transform_right_filter_low_is_larger_0_8_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
+      else
+        transform_right_filter_low_is_larger_0_8_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
+      end if;
+      if is_set(transform_right_filter_column_4(8), 1) then
+        transform_right_filter_low_is_larger_0_8_4_choices(2) := transform_right_filter_low_is_larger_0_8_4_choice;
+      else
+        transform_right_filter_low_is_larger_0_8_4_choices(2) := is_set(transform_right_filter_column_4(8), 0) and
+          transform_right_filter_low_is_larger_0_0_2_is_equal;
+      end if;
+      if transform_right_filter_low_is_larger_0_8_4_choices(2) then
+        transform_right_filter_low_is_larger_0_8_4_choices(3) := (not is_set(transform_right_filter_column_4(8), 2))
+          and transform_right_filter_low_is_larger_0_0_0_values(2);
+      else
+        transform_right_filter_low_is_larger_0_8_4_choices(3) := (not is_set(transform_right_filter_column_4(8), 2)) or
+          transform_right_filter_low_is_larger_0_0_0_values(2);
+      end if;
+      transform_right_filter_low_is_larger_0_8_4_value := is_set(transform_right_filter_column_4(8), 3);
+      transform_right_filter_feature_0_value := is_set(transform_right_filter_column_2(4), 4);
+      if is_set(transform_right_filter_column_0(0), 4) then
+        transform_right_filter_feature_0_choice := (not transform_right_filter_low_is_larger_0_0_0) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choice := (not transform_right_filter_low_is_larger_0_0_0) or
+          transform_right_filter_feature_0_value;
+      end if;
+      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column_2(4), 5);
+      if transform_right_filter_feature_0_choice then
+        transform_right_filter_feature_0_choices(2) := (not is_set(transform_right_filter_column_0(0), 5)) or
+          transform_right_filter_feature_0_values(2);
+      else
+        transform_right_filter_feature_0_choices(2) := (not is_set(transform_right_filter_column_0(0), 5)) and
+          transform_right_filter_feature_0_values(2);
+      end if;
+      transform_right_filter_feature_0_values(3) := is_set(transform_right_filter_column_2(4), 6);
       if transform_right_filter_feature_0_choices(2) then
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(8, 0), 2)) and
-          transform_right_filter_feature_0_values(2);
+        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column_0(0), 6)) or
+          transform_right_filter_feature_0_values(3);
       else
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(8, 0), 2)) or
-          transform_right_filter_feature_0_values(2);
+        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column_0(0), 6)) and
+          transform_right_filter_feature_0_values(3);
       end if;
-      for i in 3 to 6 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 2), i);
+      transform_right_filter_feature_0_all := (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_0;
+      if is_set(transform_right_filter_column_0(0), 7) then
+        transform_right_filter_feature_0_choices(4) := transform_filtering_0_column_inside_0;
+      else
+        transform_right_filter_feature_0_choices(4) := transform_right_filter_feature_0_all;
+      end if;
+      if transform_right_filter_feature_0_choices(3) then
+        transform_right_filter_feature_0_choices(5) := is_set(transform_right_filter_column_0(0), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_0;
+      else
+        transform_right_filter_feature_0_choices(5) := transform_right_filter_feature_0_choices(4);
+      end if;
+      if is_set(transform_right_filter_column_2(0), 4) then
+        transform_right_filter_feature_0_choices(6) := (not transform_right_filter_low_is_larger_0_0_2) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choices(6) := (not transform_right_filter_low_is_larger_0_0_2) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 6 to 7 loop
         if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(8, 0), i)) or
-            transform_right_filter_feature_0_values(i);
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(0), i - 1)) or
+            transform_right_filter_feature_0_values(i - 4);
         else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(8, 0), i)) and
-            transform_right_filter_feature_0_values(i);
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(0), i - 1))
+            and transform_right_filter_feature_0_values(i - 4);
         end if;
       end loop;
-      for i in 0 to 3 loop
-        if transform_right_filter_feature_0_choices(8 * i + 7) then
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(8, i), 7) and
-            (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(8, i), 7) or (not
-            is_set(transform_right_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(8, i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 9) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 9) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(8, i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 10) := transform_right_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 10) := is_set(transform_right_filter_column(8, i + 1), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 10) then
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(8, i + 1),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(8, i + 1),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 8) then
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(8, i +
-              1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(8, i +
-              1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      for i in 0 to 2 loop
-        for j in 0 to 1 loop
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 39) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 40) := is_set(transform_right_filter_column(8 - i
-              - j, 4 - 4 * j), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 40) := is_set(transform_right_filter_column(8 - i
-              - j, 4 - 4 * j), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
-          end if;
-          if is_set(transform_right_filter_column(7 - i, j), 0) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 41) := transform_right_filter_feature_0_any;
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 41) := not transform_right_filter_feature_0_value;
-          end if;
-          if is_set(transform_right_filter_column(7 - i, j), 1) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 42) :=
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + 41);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 42) := is_set(transform_right_filter_column(7 -
-              i, j), 0) and transform_right_filter_feature_0_is_equal;
-          end if;
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 42) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 43) := (not
-              is_set(transform_right_filter_column(7 - i, j), 2)) and transform_right_filter_feature_0_values(2);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 43) := (not
-              is_set(transform_right_filter_column(7 - i, j), 2)) or transform_right_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 40) then
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 41) := (not
-                is_set(transform_right_filter_column(7 - i, j), k)) or transform_right_filter_feature_0_values(k);
-            else
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 41) := (not
-                is_set(transform_right_filter_column(7 - i, j), k)) and transform_right_filter_feature_0_values(k);
-            end if;
-          end loop;
-        end loop;
-        for j in 1 to 3 loop
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 47) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 48) := is_set(transform_right_filter_column(7 -
-              i, j), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 48) := is_set(transform_right_filter_column(7 -
-              i, j), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
-          end if;
-          if is_set(transform_right_filter_column(7 - i, j + 1), 0) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 49) := transform_right_filter_feature_0_any;
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 49) := not transform_right_filter_feature_0_value;
-          end if;
-          if is_set(transform_right_filter_column(7 - i, j + 1), 1) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 50) :=
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + 49);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 50) := is_set(transform_right_filter_column(7 -
-              i, j + 1), 0) and transform_right_filter_feature_0_is_equal;
-          end if;
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 50) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 51) := (not
-              is_set(transform_right_filter_column(7 - i, j + 1), 2)) and transform_right_filter_feature_0_values(2);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 51) := (not
-              is_set(transform_right_filter_column(7 - i, j + 1), 2)) or transform_right_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 48) then
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 49) := (not
-                is_set(transform_right_filter_column(7 - i, j + 1), k)) or transform_right_filter_feature_0_values(k);
-            else
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 49) := (not
-                is_set(transform_right_filter_column(7 - i, j + 1), k)) and transform_right_filter_feature_0_values(k);
-            end if;
-          end loop;
-        end loop;
-      end loop;
-      if transform_right_filter_feature_0_choices(159) then
-        transform_right_filter_feature_0_choices(160) := is_set(transform_right_filter_column(5, 4), 7) and (not
-          is_set(transform_right_filter_column(4, 2), 7));
+      if is_set(transform_right_filter_column_2(0), 7) then
+        transform_right_filter_feature_0_choices(9) := transform_filtering_0_column_inside_0;
       else
-        transform_right_filter_feature_0_choices(160) := is_set(transform_right_filter_column(5, 4), 7) or (not
-          is_set(transform_right_filter_column(4, 2), 7));
+        transform_right_filter_feature_0_choices(9) := transform_right_filter_feature_0_all;
       end if;
-      if is_set(transform_right_filter_column(4, 4), 0) then
-        transform_right_filter_feature_0_choices(161) := transform_right_filter_feature_0_any;
+      if transform_right_filter_feature_0_choices(8) then
+        transform_right_filter_feature_0_choices(10) := is_set(transform_right_filter_column_2(0), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_0;
       else
-        transform_right_filter_feature_0_choices(161) := not transform_right_filter_feature_0_value;
+        transform_right_filter_feature_0_choices(10) := transform_right_filter_feature_0_choices(9);
       end if;
-      if is_set(transform_right_filter_column(4, 4), 1) then
-        transform_right_filter_feature_0_choices(162) := transform_right_filter_feature_0_choices(161);
+      if is_set(transform_right_filter_column_4(0), 4) then
+        transform_right_filter_feature_0_choices(11) := (not transform_right_filter_low_is_larger_0_0_4) and
+          transform_right_filter_feature_0_value;
       else
-        transform_right_filter_feature_0_choices(162) := is_set(transform_right_filter_column(4, 4), 0) and
-          transform_right_filter_feature_0_is_equal;
+        transform_right_filter_feature_0_choices(11) := (not transform_right_filter_low_is_larger_0_0_4) or
+          transform_right_filter_feature_0_value;
       end if;
-      if transform_right_filter_feature_0_choices(162) then
-        transform_right_filter_feature_0_choices(163) := (not is_set(transform_right_filter_column(4, 4), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(163) := (not is_set(transform_right_filter_column(4, 4), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 163 to 166 loop
+      for i in 11 to 12 loop
         if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 4), i - 160))
-            or transform_right_filter_feature_0_values(i - 160);
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(0), i - 6)) or
+            transform_right_filter_feature_0_values(i - 9);
         else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 4), i - 160))
-            and transform_right_filter_feature_0_values(i - 160);
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(0), i - 6))
+            and transform_right_filter_feature_0_values(i - 9);
         end if;
       end loop;
-      if is_set(transform_right_filter_column(4, 4), 7) then
-        transform_right_filter_feature_0_choices(168) := transform_filtering_0_column_inside(4);
+      if is_set(transform_right_filter_column_4(0), 7) then
+        transform_right_filter_feature_0_choices(14) := transform_filtering_0_column_inside_0;
       else
-        transform_right_filter_feature_0_choices(168) := transform_filtering_0_column_inside(4) and (not
-          is_set(transform_right_filter_column(4, 2), 7));
+        transform_right_filter_feature_0_choices(14) := transform_right_filter_feature_0_all;
       end if;
-      if transform_right_filter_feature_0_choices(167) then
-        transform_right_filter_feature_0_choices(169) := is_set(transform_right_filter_column(4, 4), 7) and
-          transform_filtering_0_column_inside(4) and (not is_set(transform_right_filter_column(4, 2), 7));
+      if transform_right_filter_feature_0_choices(13) then
+        transform_right_filter_feature_0_choices(15) := is_set(transform_right_filter_column_4(0), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_0;
       else
-        transform_right_filter_feature_0_choices(169) := transform_right_filter_feature_0_choices(168);
+        transform_right_filter_feature_0_choices(15) := transform_right_filter_feature_0_choices(14);
       end if;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(4, 2 * i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 170) := transform_right_filter_feature_0_any;
+      if is_set(transform_right_filter_column_2(2), 4) then
+        transform_right_filter_feature_0_choices(16) := (not transform_right_filter_low_is_larger_0_2_2) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choices(16) := (not transform_right_filter_low_is_larger_0_2_2) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 16 to 17 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(2), i - 11))
+            or transform_right_filter_feature_0_values(i - 14);
         else
-          transform_right_filter_feature_0_choices(8 * i + 170) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(4, 2 * i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 171) := transform_right_filter_feature_0_choices(8 * i +
-            170);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 171) := is_set(transform_right_filter_column(4, 2 * i + 1),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 171) then
-          transform_right_filter_feature_0_choices(8 * i + 172) := (not is_set(transform_right_filter_column(4, 2 * i +
-            1), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 172) := (not is_set(transform_right_filter_column(4, 2 * i +
-            1), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 169) then
-            transform_right_filter_feature_0_choices(8 * i + j + 170) := (not is_set(transform_right_filter_column(4, 2
-              * i + 1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 170) := (not is_set(transform_right_filter_column(4, 2
-              * i + 1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 176) then
-          transform_right_filter_feature_0_choices(8 * i + 177) := is_set(transform_right_filter_column(4, 2 * i + 1),
-            7) and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 177) := is_set(transform_right_filter_column(4, 2 * i + 1),
-            7) or (not is_set(transform_right_filter_column(4, 2), 7));
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(2), i - 11))
+            and transform_right_filter_feature_0_values(i - 14);
         end if;
       end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(4 - i, 3 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 186) := transform_right_filter_feature_0_any;
+      transform_right_filter_feature_0_alls(2) := (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_2;
+      if is_set(transform_right_filter_column_2(2), 7) then
+        transform_right_filter_feature_0_choices(19) := transform_filtering_0_column_inside_2;
+      else
+        transform_right_filter_feature_0_choices(19) := transform_right_filter_feature_0_alls(2);
+      end if;
+      if transform_right_filter_feature_0_choices(18) then
+        transform_right_filter_feature_0_choices(20) := is_set(transform_right_filter_column_2(2), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_2;
+      else
+        transform_right_filter_feature_0_choices(20) := transform_right_filter_feature_0_choices(19);
+      end if;
+      if is_set(transform_right_filter_column_0(2), 4) then
+        transform_right_filter_feature_0_choices(21) := (not transform_right_filter_low_is_larger_0_2_0) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choices(21) := (not transform_right_filter_low_is_larger_0_2_0) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 21 to 22 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(2), i - 16))
+            or transform_right_filter_feature_0_values(i - 19);
         else
-          transform_right_filter_feature_0_choices(8 * i + 186) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(4 - i, 3 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 187) := transform_right_filter_feature_0_choices(8 * i +
-            186);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 187) := is_set(transform_right_filter_column(4 - i, 3 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 187) then
-          transform_right_filter_feature_0_choices(8 * i + 188) := (not is_set(transform_right_filter_column(4 - i, 3 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 188) := (not is_set(transform_right_filter_column(4 - i, 3 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 185) then
-            transform_right_filter_feature_0_choices(8 * i + j + 186) := (not is_set(transform_right_filter_column(4 -
-              i, 3 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 186) := (not is_set(transform_right_filter_column(4 -
-              i, 3 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 192) then
-          transform_right_filter_feature_0_choices(8 * i + 193) := is_set(transform_right_filter_column(4 - i, 3 * i),
-            7) and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 193) := is_set(transform_right_filter_column(4 - i, 3 * i),
-            7) or (not is_set(transform_right_filter_column(4, 2), 7));
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(2), i - 16))
+            and transform_right_filter_feature_0_values(i - 19);
         end if;
       end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(3, 4 - 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 202) := transform_right_filter_feature_0_any;
+      if is_set(transform_right_filter_column_0(2), 7) then
+        transform_right_filter_feature_0_choices(24) := transform_filtering_0_column_inside_2;
+      else
+        transform_right_filter_feature_0_choices(24) := transform_right_filter_feature_0_alls(2);
+      end if;
+      if transform_right_filter_feature_0_choices(23) then
+        transform_right_filter_feature_0_choices(25) := is_set(transform_right_filter_column_0(2), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_2;
+      else
+        transform_right_filter_feature_0_choices(25) := transform_right_filter_feature_0_choices(24);
+      end if;
+      if is_set(transform_right_filter_column_4(2), 4) then
+        transform_right_filter_feature_0_choices(26) := (not transform_right_filter_low_is_larger_0_2_4) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choices(26) := (not transform_right_filter_low_is_larger_0_2_4) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 26 to 27 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(2), i - 21))
+            or transform_right_filter_feature_0_values(i - 24);
         else
-          transform_right_filter_feature_0_choices(8 * i + 202) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3, 4 - 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 203) := transform_right_filter_feature_0_choices(8 * i +
-            202);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 203) := is_set(transform_right_filter_column(3, 4 - 2 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 203) then
-          transform_right_filter_feature_0_choices(8 * i + 204) := (not is_set(transform_right_filter_column(3, 4 - 2 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 204) := (not is_set(transform_right_filter_column(3, 4 - 2 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 201) then
-            transform_right_filter_feature_0_choices(8 * i + j + 202) := (not is_set(transform_right_filter_column(3, 4
-              - 2 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 202) := (not is_set(transform_right_filter_column(3, 4
-              - 2 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 208) then
-          transform_right_filter_feature_0_choices(8 * i + 209) := is_set(transform_right_filter_column(3, 4 - 2 * i),
-            7) and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 209) := is_set(transform_right_filter_column(3, 4 - 2 * i),
-            7) or (not is_set(transform_right_filter_column(4, 2), 7));
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(2), i - 21))
+            and transform_right_filter_feature_0_values(i - 24);
         end if;
       end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(3, 1 - i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 218) := transform_right_filter_feature_0_any;
+      if is_set(transform_right_filter_column_4(2), 7) then
+        transform_right_filter_feature_0_choices(29) := transform_filtering_0_column_inside_2;
+      else
+        transform_right_filter_feature_0_choices(29) := transform_right_filter_feature_0_alls(2);
+      end if;
+      if transform_right_filter_feature_0_choices(28) then
+        transform_right_filter_feature_0_choices(30) := is_set(transform_right_filter_column_4(2), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_2;
+      else
+        transform_right_filter_feature_0_choices(30) := transform_right_filter_feature_0_choices(29);
+      end if;
+      if is_set(transform_right_filter_column_0(4), 4) then
+        transform_right_filter_feature_0_choices(31) := (not transform_right_filter_low_is_larger_0_4_0) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choices(31) := (not transform_right_filter_low_is_larger_0_4_0) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 31 to 32 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(4), i - 26))
+            or transform_right_filter_feature_0_values(i - 29);
         else
-          transform_right_filter_feature_0_choices(8 * i + 218) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3, 1 - i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 219) := transform_right_filter_feature_0_choices(8 * i +
-            218);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 219) := is_set(transform_right_filter_column(3, 1 - i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 219) then
-          transform_right_filter_feature_0_choices(8 * i + 220) := (not is_set(transform_right_filter_column(3, 1 - i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 220) := (not is_set(transform_right_filter_column(3, 1 - i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 217) then
-            transform_right_filter_feature_0_choices(8 * i + j + 218) := (not is_set(transform_right_filter_column(3, 1
-              - i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 218) := (not is_set(transform_right_filter_column(3, 1
-              - i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 224) then
-          transform_right_filter_feature_0_choices(8 * i + 225) := is_set(transform_right_filter_column(3, 1 - i), 7)
-            and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 225) := is_set(transform_right_filter_column(3, 1 - i), 7)
-            or (not is_set(transform_right_filter_column(4, 2), 7));
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(4), i - 26))
+            and transform_right_filter_feature_0_values(i - 29);
         end if;
       end loop;
-      for i in 0 to 1 loop
-        for j in 3 to 4 loop
-          if is_set(transform_right_filter_column(2 - i, j), 0) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 210) := transform_right_filter_feature_0_any;
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 210) := not
-              transform_right_filter_feature_0_value;
-          end if;
-          if is_set(transform_right_filter_column(2 - i, j), 1) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 211) :=
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + 210);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 211) := is_set(transform_right_filter_column(2 -
-              i, j), 0) and transform_right_filter_feature_0_is_equal;
-          end if;
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 211) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 212) := (not
-              is_set(transform_right_filter_column(2 - i, j), 2)) and transform_right_filter_feature_0_values(2);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 212) := (not
-              is_set(transform_right_filter_column(2 - i, j), 2)) or transform_right_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 209) then
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 210) := (not
-                is_set(transform_right_filter_column(2 - i, j), k)) or transform_right_filter_feature_0_values(k);
-            else
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 210) := (not
-                is_set(transform_right_filter_column(2 - i, j), k)) and transform_right_filter_feature_0_values(k);
-            end if;
-          end loop;
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 216) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 217) := is_set(transform_right_filter_column(2 -
-              i, j), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 217) := is_set(transform_right_filter_column(2 -
-              i, j), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
-          end if;
-        end loop;
-        for j in 0 to 2 loop
-          if is_set(transform_right_filter_column(2 - i, 2 - j), 0) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 250) := transform_right_filter_feature_0_any;
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 250) := not
-              transform_right_filter_feature_0_value;
-          end if;
-          if is_set(transform_right_filter_column(2 - i, 2 - j), 1) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 251) :=
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + 250);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 251) := is_set(transform_right_filter_column(2 -
-              i, 2 - j), 0) and transform_right_filter_feature_0_is_equal;
-          end if;
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 251) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 252) := (not
-              is_set(transform_right_filter_column(2 - i, 2 - j), 2)) and transform_right_filter_feature_0_values(2);
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 252) := (not
-              is_set(transform_right_filter_column(2 - i, 2 - j), 2)) or transform_right_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 249) then
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 250) := (not
-                is_set(transform_right_filter_column(2 - i, 2 - j), k)) or transform_right_filter_feature_0_values(k);
-            else
-              transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 250) := (not
-                is_set(transform_right_filter_column(2 - i, 2 - j), k)) and transform_right_filter_feature_0_values(k);
-            end if;
-          end loop;
-          if transform_right_filter_feature_0_choices(40 * i + 8 * j + 256) then
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 257) := is_set(transform_right_filter_column(2 -
-              i, 2 - j), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-          else
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + 257) := is_set(transform_right_filter_column(2 -
-              i, 2 - j), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
-          end if;
-        end loop;
-      end loop;
-      for i in 3 to 4 loop
-        if is_set(transform_right_filter_column(0, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 290) := transform_right_filter_feature_0_any;
+      transform_right_filter_feature_0_alls(3) := (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_column_inside_4(0);
+      if is_set(transform_right_filter_column_0(4), 7) then
+        transform_right_filter_feature_0_choices(34) := transform_filtering_column_inside_4(0);
+      else
+        transform_right_filter_feature_0_choices(34) := transform_right_filter_feature_0_alls(3);
+      end if;
+      if transform_right_filter_feature_0_choices(33) then
+        transform_right_filter_feature_0_choices(35) := is_set(transform_right_filter_column_0(4), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_column_inside_4(0);
+      else
+        transform_right_filter_feature_0_choices(35) := transform_right_filter_feature_0_choices(34);
+      end if;
+      if is_set(transform_right_filter_column_4(4), 4) then
+        transform_right_filter_feature_0_choices(36) := (not transform_right_filter_low_is_larger_0_4_4) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choices(36) := (not transform_right_filter_low_is_larger_0_4_4) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 36 to 37 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(4), i - 31))
+            or transform_right_filter_feature_0_values(i - 34);
         else
-          transform_right_filter_feature_0_choices(8 * i + 290) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(0, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 291) := transform_right_filter_feature_0_choices(8 * i +
-            290);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 291) := is_set(transform_right_filter_column(0, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 291) then
-          transform_right_filter_feature_0_choices(8 * i + 292) := (not is_set(transform_right_filter_column(0, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 292) := (not is_set(transform_right_filter_column(0, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 289) then
-            transform_right_filter_feature_0_choices(8 * i + j + 290) := (not is_set(transform_right_filter_column(0,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 290) := (not is_set(transform_right_filter_column(0,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 296) then
-          transform_right_filter_feature_0_choices(8 * i + 297) := is_set(transform_right_filter_column(0, i), 7) and
-            (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 297) := is_set(transform_right_filter_column(0, i), 7) or
-            (not is_set(transform_right_filter_column(4, 2), 7));
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(4), i - 31))
+            and transform_right_filter_feature_0_values(i - 34);
         end if;
       end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(0, 2 - i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 330) := transform_right_filter_feature_0_any;
+      if is_set(transform_right_filter_column_4(4), 7) then
+        transform_right_filter_feature_0_choices(39) := transform_filtering_column_inside_4(0);
+      else
+        transform_right_filter_feature_0_choices(39) := transform_right_filter_feature_0_alls(3);
+      end if;
+      if transform_right_filter_feature_0_choices(38) then
+        transform_right_filter_feature_0_choices(40) := is_set(transform_right_filter_column_4(4), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_column_inside_4(0);
+      else
+        transform_right_filter_feature_0_choices(40) := transform_right_filter_feature_0_choices(39);
+      end if;
+      if is_set(transform_right_filter_column_2(6), 4) then
+        transform_right_filter_feature_0_choices(41) := (not transform_right_filter_low_is_larger_0_6_2) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choices(41) := (not transform_right_filter_low_is_larger_0_6_2) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 41 to 42 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(6), i - 36))
+            or transform_right_filter_feature_0_values(i - 39);
         else
-          transform_right_filter_feature_0_choices(8 * i + 330) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(0, 2 - i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 331) := transform_right_filter_feature_0_choices(8 * i +
-            330);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 331) := is_set(transform_right_filter_column(0, 2 - i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 331) then
-          transform_right_filter_feature_0_choices(8 * i + 332) := (not is_set(transform_right_filter_column(0, 2 - i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 332) := (not is_set(transform_right_filter_column(0, 2 - i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 329) then
-            transform_right_filter_feature_0_choices(8 * i + j + 330) := (not is_set(transform_right_filter_column(0, 2
-              - i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 330) := (not is_set(transform_right_filter_column(0, 2
-              - i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 336) then
-          transform_right_filter_feature_0_choices(8 * i + 337) := is_set(transform_right_filter_column(0, 2 - i), 7)
-            and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 337) := is_set(transform_right_filter_column(0, 2 - i), 7)
-            or (not is_set(transform_right_filter_column(4, 2), 7));
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(6), i - 36))
+            and transform_right_filter_feature_0_values(i - 39);
         end if;
       end loop;
-      if is_set(transform_right_filter_column(4, 2), 0) then
-        transform_right_filter_feature_0_choices(346) := not is_set(transform_right_filter_column(0, 0), 1);
+      transform_right_filter_feature_0_alls(4) := (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_6;
+      if is_set(transform_right_filter_column_2(6), 7) then
+        transform_right_filter_feature_0_choices(44) := transform_filtering_0_column_inside_6;
       else
-        transform_right_filter_feature_0_choices(346) := (transform_right_filter_column(0, 0) mod 4) = 0;
+        transform_right_filter_feature_0_choices(44) := transform_right_filter_feature_0_alls(4);
       end if;
-      if transform_right_filter_feature_0_value then
-        transform_right_filter_feature_0_choices(347) := is_set(transform_right_filter_column(4, 2), 0) or (not
-          is_set(transform_right_filter_column(0, 0), 1)) or (not is_set(transform_right_filter_column(0, 0), 0));
+      if transform_right_filter_feature_0_choices(43) then
+        transform_right_filter_feature_0_choices(45) := is_set(transform_right_filter_column_2(6), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_6;
       else
-        transform_right_filter_feature_0_choices(347) := transform_right_filter_feature_0_choices(346);
+        transform_right_filter_feature_0_choices(45) := transform_right_filter_feature_0_choices(44);
       end if;
-      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      if transform_right_filter_feature_0_choices(347) then
-        transform_right_filter_feature_0_choices(348) := (not transform_right_filter_feature_0_values(2)) and
-          transform_right_filter_feature_0_values(7);
+      if is_set(transform_right_filter_column_0(6), 4) then
+        transform_right_filter_feature_0_choices(46) := (not transform_right_filter_low_is_larger_0_6_0) and
+          transform_right_filter_feature_0_value;
       else
-        transform_right_filter_feature_0_choices(348) := (not transform_right_filter_feature_0_values(2)) or
-          transform_right_filter_feature_0_values(7);
+        transform_right_filter_feature_0_choices(46) := (not transform_right_filter_low_is_larger_0_6_0) or
+          transform_right_filter_feature_0_value;
       end if;
-      for i in 8 to 11 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        if transform_right_filter_feature_0_choices(i + 340) then
-          transform_right_filter_feature_0_choices(i + 341) := (not transform_right_filter_feature_0_values(i - 5)) or
-            transform_right_filter_feature_0_values(i);
+      for i in 46 to 47 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(6), i - 41))
+            or transform_right_filter_feature_0_values(i - 44);
         else
-          transform_right_filter_feature_0_choices(i + 341) := (not transform_right_filter_feature_0_values(i - 5)) and
-            transform_right_filter_feature_0_values(i);
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(6), i - 41))
+            and transform_right_filter_feature_0_values(i - 44);
         end if;
       end loop;
-      if transform_right_filter_feature_0_choices(352) then
-        transform_right_filter_feature_0_choices(353) := (not is_set(transform_right_filter_column(4, 2), 7)) or
-          is_set(transform_right_filter_column(0, 0), 7);
+      if is_set(transform_right_filter_column_0(6), 7) then
+        transform_right_filter_feature_0_choices(49) := transform_filtering_0_column_inside_6;
       else
-        transform_right_filter_feature_0_choices(353) := (not is_set(transform_right_filter_column(4, 2), 7)) and
-          is_set(transform_right_filter_column(0, 0), 7);
+        transform_right_filter_feature_0_choices(49) := transform_right_filter_feature_0_alls(4);
       end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_right_filter_feature_0_choice_354 := (as_number(transform_right_filter_feature_0_choices(321)) * 8) +
-          (as_number(transform_right_filter_feature_0_choices(329)) * 16) +
-          (as_number(transform_right_filter_feature_0_choices(337)) * 4) +
-          (as_number(transform_right_filter_feature_0_choices(345)) * 2) +
-          as_number(transform_right_filter_feature_0_choices(353));
+      if transform_right_filter_feature_0_choices(48) then
+        transform_right_filter_feature_0_choices(50) := is_set(transform_right_filter_column_0(6), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_6;
       else
-        transform_right_filter_feature_0_choice_354 := 0;
+        transform_right_filter_feature_0_choices(50) := transform_right_filter_feature_0_choices(49);
       end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_right_filter_feature_0_choice_355 := (as_number(transform_right_filter_feature_0_choices(281)) * 256)
-          + (as_number(transform_right_filter_feature_0_choices(289)) * 512) +
-          (as_number(transform_right_filter_feature_0_choices(297)) * 128) +
-          (as_number(transform_right_filter_feature_0_choices(305)) * 64) +
-          (as_number(transform_right_filter_feature_0_choices(313)) * 32) + transform_right_filter_feature_0_choice_354;
+      if is_set(transform_right_filter_column_4(6), 4) then
+        transform_right_filter_feature_0_choices(51) := (not transform_right_filter_low_is_larger_0_6_4) and
+          transform_right_filter_feature_0_value;
       else
-        transform_right_filter_feature_0_choice_355 := transform_right_filter_feature_0_choice_354;
+        transform_right_filter_feature_0_choices(51) := (not transform_right_filter_low_is_larger_0_6_4) or
+          transform_right_filter_feature_0_value;
       end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_right_filter_feature_0_choice_356 := (as_number(transform_right_filter_feature_0_choices(241)) *
-          8192) + (as_number(transform_right_filter_feature_0_choices(249)) * 16384) +
-          (as_number(transform_right_filter_feature_0_choices(257)) * 4096) +
-          (as_number(transform_right_filter_feature_0_choices(265)) * 2048) +
-          (as_number(transform_right_filter_feature_0_choices(273)) * 1024) +
-          transform_right_filter_feature_0_choice_355;
+      for i in 51 to 52 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(6), i - 46))
+            or transform_right_filter_feature_0_values(i - 49);
+        else
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(6), i - 46))
+            and transform_right_filter_feature_0_values(i - 49);
+        end if;
+      end loop;
+      if is_set(transform_right_filter_column_4(6), 7) then
+        transform_right_filter_feature_0_choices(54) := transform_filtering_0_column_inside_6;
       else
-        transform_right_filter_feature_0_choice_356 := transform_right_filter_feature_0_choice_355;
+        transform_right_filter_feature_0_choices(54) := transform_right_filter_feature_0_alls(4);
       end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_right_filter_feature_0_choice_357 := (as_number(transform_right_filter_feature_0_choices(201)) *
-          262144) + (as_number(transform_right_filter_feature_0_choices(209)) * 524288) +
-          (as_number(transform_right_filter_feature_0_choices(217)) * 131072) +
-          (as_number(transform_right_filter_feature_0_choices(225)) * 65536) +
-          (as_number(transform_right_filter_feature_0_choices(233)) * 32768) +
-          transform_right_filter_feature_0_choice_356;
+      if transform_right_filter_feature_0_choices(53) then
+        transform_right_filter_feature_0_choices(55) := is_set(transform_right_filter_column_4(6), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_6;
       else
-        transform_right_filter_feature_0_choice_357 := transform_right_filter_feature_0_choice_356;
+        transform_right_filter_feature_0_choices(55) := transform_right_filter_feature_0_choices(54);
       end if;
-      if transform_filtering_0_column_inside(4) then
-        transform_right_filter_feature_0_choice_358 := (as_number(transform_right_filter_feature_0_choices(177)) *
-          2097152) + (as_number(transform_right_filter_feature_0_choices(185)) * 4194304) +
-          (as_number(transform_right_filter_feature_0_choices(193)) * 1048576) +
-          transform_right_filter_feature_0_choice_357;
+      if is_set(transform_right_filter_column_2(8), 4) then
+        transform_right_filter_feature_0_choices(56) := (not transform_right_filter_low_is_larger_0_8_2) and
+          transform_right_filter_feature_0_value;
       else
-        transform_right_filter_feature_0_choice_358 := transform_right_filter_feature_0_choice_357;
+        transform_right_filter_feature_0_choices(56) := (not transform_right_filter_low_is_larger_0_8_2) or
+          transform_right_filter_feature_0_value;
       end if;
-      if transform_filtering_0_column_inside(5) then
-        transform_right_filter_feature_0_choice_359 := (as_number(transform_right_filter_feature_0_choices(128)) *
-          16777216) + (as_number(transform_right_filter_feature_0_choices(136)) * 33554432) +
-          (as_number(transform_right_filter_feature_0_choices(144)) * 67108864) +
-          (as_number(transform_right_filter_feature_0_choices(152)) * 134217728) +
-          (as_number(transform_right_filter_feature_0_choices(160)) * 268435456) +
-          (as_number(transform_right_filter_feature_0_choices(169)) * 8388608) +
-          transform_right_filter_feature_0_choice_358;
+      for i in 56 to 57 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(8), i - 51))
+            or transform_right_filter_feature_0_values(i - 54);
+        else
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(8), i - 51))
+            and transform_right_filter_feature_0_values(i - 54);
+        end if;
+      end loop;
+      transform_right_filter_feature_0_alls(5) := (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_8;
+      if is_set(transform_right_filter_column_2(8), 7) then
+        transform_right_filter_feature_0_choices(59) := transform_filtering_0_column_inside_8;
       else
-        transform_right_filter_feature_0_choice_359 := (as_number(transform_right_filter_feature_0_choices(169)) *
-          8388608) + transform_right_filter_feature_0_choice_358;
+        transform_right_filter_feature_0_choices(59) := transform_right_filter_feature_0_alls(5);
       end if;
-      if transform_filtering_0_column_inside(6) then
-        transform_right_filter_feature_0_choice_360 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(120)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(112)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(104)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(96)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(88)), 1) &
-          to_unsigned(transform_right_filter_feature_0_choice_359, 29);
+      if transform_right_filter_feature_0_choices(58) then
+        transform_right_filter_feature_0_choices(60) := is_set(transform_right_filter_column_2(8), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_8;
       else
-        transform_right_filter_feature_0_choice_360 := to_unsigned(transform_right_filter_feature_0_choice_359, 34);
+        transform_right_filter_feature_0_choices(60) := transform_right_filter_feature_0_choices(59);
       end if;
-      if transform_filtering_0_column_inside(7) then
-        transform_right_filter_feature_0_choice_361 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(80)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(72)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(64)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(56)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(48)), 1) &
-          transform_right_filter_feature_0_choice_360(33 downto 0);
+      if is_set(transform_right_filter_column_0(8), 4) then
+        transform_right_filter_feature_0_choices(61) := (not transform_right_filter_low_is_larger_0_8_0) and
+          transform_right_filter_feature_0_value;
       else
-        transform_right_filter_feature_0_choice_361 := resize(transform_right_filter_feature_0_choice_360, 39);
+        transform_right_filter_feature_0_choices(61) := (not transform_right_filter_low_is_larger_0_8_0) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 61 to 62 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(8), i - 56))
+            or transform_right_filter_feature_0_values(i - 59);
+        else
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(8), i - 56))
+            and transform_right_filter_feature_0_values(i - 59);
+        end if;
+      end loop;
+      if is_set(transform_right_filter_column_0(8), 7) then
+        transform_right_filter_feature_0_choices(64) := transform_filtering_0_column_inside_8;
+      else
+        transform_right_filter_feature_0_choices(64) := transform_right_filter_feature_0_alls(5);
+      end if;
+      if transform_right_filter_feature_0_choices(63) then
+        transform_right_filter_feature_0_choices(65) := is_set(transform_right_filter_column_0(8), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_8;
+      else
+        transform_right_filter_feature_0_choices(65) := transform_right_filter_feature_0_choices(64);
+      end if;
+      if is_set(transform_right_filter_column_4(8), 4) then
+        transform_right_filter_feature_0_choices(66) := (not transform_right_filter_low_is_larger_0_8_4) and
+          transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_0_choices(66) := (not transform_right_filter_low_is_larger_0_8_4) or
+          transform_right_filter_feature_0_value;
+      end if;
+      for i in 66 to 67 loop
+        if transform_right_filter_feature_0_choices(i) then
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(8), i - 61))
+            or transform_right_filter_feature_0_values(i - 64);
+        else
+          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(8), i - 61))
+            and transform_right_filter_feature_0_values(i - 64);
+        end if;
+      end loop;
+      if is_set(transform_right_filter_column_4(8), 7) then
+        transform_right_filter_feature_0_choices(69) := transform_filtering_0_column_inside_8;
+      else
+        transform_right_filter_feature_0_choices(69) := transform_right_filter_feature_0_alls(5);
+      end if;
+      if transform_right_filter_feature_0_choices(68) then
+        transform_right_filter_feature_0_choices(70) := is_set(transform_right_filter_column_4(8), 7) and (not
+          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_8;
+      else
+        transform_right_filter_feature_0_choices(70) := transform_right_filter_feature_0_choices(69);
       end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_next_frame <= transform_counter_next_frame_choices(4) or ((not in_valid) and
-        transform_counter_next_frame);
+      transform_counter_next_frame <= transform_counter_next_frame_is_equal and (transform_counter_group = 479);
+      transform_counter_last_column <= transform_counter_next_frame_is_equal;
+      transform_counter_counts <= transform_counter_group /= 482;
+      transform_counter_back_to_back <= (transform_counter_group = 481) and winnerswinner1_best_place_0;
+      transform_counter_next_frame_after <= 483 < transform_counter_group;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -2622,83 +3025,312 @@ begin
       transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
-      transform_read_row_inside(0) <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
-        (transform_counter_group mod 4)) < 480;
-      transform_read_row_inside(1) <= (transform_counter_group >= 3) and (transform_counter_group < 483);
-      transform_read_row_inside(2) <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
-        (transform_counter_group mod 2)) < 480;
-      transform_read_row_inside(3) <= (transform_counter_group >= 1) and (transform_counter_group < 481);
-      transform_read_row_inside(4) <= transform_counter_group < 480;
-      transform_read_column_inside(0) <= transform_read_column_inside_0_is_less;
-      transform_read_column_inside(1) <= (transform_counter_column = 0) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside(2) <= (transform_counter_column < 2) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside(3) <= transform_counter_column /= 3;
-      for i in 4 to 8 loop
-        transform_read_column_inside(i) <= (transform_counter_column < i) /= transform_read_column_inside_0_is_less;
-      end loop;
+      transform_read_column_inside_0 <= transform_read_column_inside_0_is_less;
+      transform_read_column_inside_2 <= (transform_counter_column < 2) /= transform_read_column_inside_0_is_less;
+      transform_read_column_inside_4 <= (transform_counter_column < 4) /= transform_read_column_inside_0_is_less;
+      transform_read_column_inside_6 <= (transform_counter_column < 6) /= transform_read_column_inside_0_is_less;
+      transform_read_column_inside_8 <= (transform_counter_column < 8) /= transform_read_column_inside_0_is_less;
       transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 4);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      for i in 0 to 4 loop
-        transform_ready_row_inside(i) <= transform_read_row_inside(i);
-      end loop;
-      for i in 0 to 8 loop
-        transform_ready_column_inside(i) <= transform_read_column_inside(i);
-      end loop;
+      transform_ready_row_inside_0 <= transform_reached_first_0 and (not transform_counter_next_frame_after);
+      transform_ready_row_inside_2 <= transform_reached_first_2 and (not transform_reached_beyond_last(3));
+      transform_ready_row_inside_4 <= transform_reached_first_4 and (not transform_reached_beyond_last(2));
+      transform_ready_column_inside_0 <= transform_read_column_inside_0;
+      transform_ready_column_inside_2 <= transform_read_column_inside_2;
+      transform_ready_column_inside_4 <= transform_read_column_inside_4;
+      transform_ready_column_inside_6 <= transform_read_column_inside_6;
+      transform_ready_column_inside_8 <= transform_read_column_inside_8;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
-      transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
-      transform_left_column(1) <= to_integer(transform_left_rows_ready_words_0(15 downto 8));
-      transform_left_column(2) <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
-      transform_left_column(3) <= to_integer(transform_left_rows_ready_words_0(31 downto 24));
-      transform_left_column(4) <= transform_left_rows_ready_newest_0;
-      transform_right_column(0) <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
-      transform_right_column(1) <= to_integer(transform_right_rows_ready_words_0(15 downto 8));
-      transform_right_column(2) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
-      transform_right_column(3) <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
-      transform_right_column(4) <= transform_right_rows_ready_newest_0;
-      for i in 0 to 4 loop
-        transform_columns_row_inside(i) <= transform_ready_row_inside(i);
-      end loop;
-      for i in 0 to 8 loop
-        transform_columns_column_inside(i) <= transform_ready_column_inside(i);
-      end loop;
+      transform_reached_first_0 <= 3 < transform_counter_group;
+      transform_reached_first_2 <= 1 < transform_counter_group;
+      transform_reached_first_4 <= true;
+      transform_reached_beyond_last(2) <= 479 < transform_counter_group;
+      transform_reached_beyond_last(3) <= 481 < transform_counter_group;
+      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column_4 <= transform_left_rows_ready_newest_0;
+      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column_4 <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
+      transform_columns_row_inside_2 <= transform_ready_row_inside_2;
+      transform_columns_row_inside_4 <= transform_ready_row_inside_4;
+      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
+      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
+      transform_columns_column_inside_4 <= transform_ready_column_inside_4;
+      transform_columns_column_inside_6 <= transform_ready_column_inside_6;
+      transform_columns_column_inside_8 <= transform_ready_column_inside_8;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      for i in 0 to 8 loop
-        transform_filtering_0_column_inside(i) <= transform_columns_column_inside(i);
-      end loop;
+      transform_left_filter_feature_0 <= as_number(transform_left_filter_feature_0_choices(5)) +
+        (as_number(transform_left_filter_feature_0_choices(10)) * 2) +
+        (as_number(transform_left_filter_feature_0_choices(14)) * 4) +
+        (as_number(transform_left_filter_feature_0_choices(19)) * 16) +
+        (as_number(transform_left_filter_feature_0_choices(24)) * 8) +
+        (as_number(transform_left_filter_feature_0_choices(28)) * 32) +
+        (as_number(transform_left_filter_feature_0_choices(33)) * 64) +
+        (as_number(transform_left_filter_feature_0_choices(37)) * 128) +
+        (as_number(transform_left_filter_feature_0_choices(42)) * 512) +
+        (as_number(transform_left_filter_feature_0_choices(47)) * 256) +
+        (as_number(transform_left_filter_feature_0_choices(51)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choices(56)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choices(61)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choices(65)) * 8192);
+      transform_right_filter_feature_0 <= as_number(transform_right_filter_feature_0_choices(5)) +
+        (as_number(transform_right_filter_feature_0_choices(10)) * 2) +
+        (as_number(transform_right_filter_feature_0_choices(15)) * 4) +
+        (as_number(transform_right_filter_feature_0_choices(20)) * 16) +
+        (as_number(transform_right_filter_feature_0_choices(25)) * 8) +
+        (as_number(transform_right_filter_feature_0_choices(30)) * 32) +
+        (as_number(transform_right_filter_feature_0_choices(35)) * 64) +
+        (as_number(transform_right_filter_feature_0_choices(40)) * 128) +
+        (as_number(transform_right_filter_feature_0_choices(45)) * 512) +
+        (as_number(transform_right_filter_feature_0_choices(50)) * 256) +
+        (as_number(transform_right_filter_feature_0_choices(55)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choices(60)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choices(65)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choices(70)) * 8192);
+      transform_filtering_row_inside_4(0) <= refinement_passed_0s(8);
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_column_inside_4(0) <= transform_columns_column_inside_4;
+      transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
+      transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
+      transform_filtering_row_inside_4(1) <= transform_filtering_row_inside_4(0);
+      transform_filtering_column_inside_4(1) <= refinement_passed_0(3);
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
       transform_filtering_valid(1) <= transform_filtering_valid(0);
-      if in_valid and in_start_of_frame then
-        transform_counter_group <= transform_counter_group_choice * 32;
+      transform_filtering_row_inside_4(2) <= transform_filtering_row_inside_4(1);
+      transform_filtering_column_inside_4(2) <= transform_filtering_column_inside_4(1);
+      transform_filtering_start_of_frame(2) <= transform_filtering_start_of_frame(1);
+      transform_filtering_valid(2) <= transform_filtering_valid(1);
+      if transform_counter_counts then
+        transform_counter_frame_joins <= transform_counter_frame_joins_choice;
       else
-        transform_counter_group <= transform_counter_group_choices(3);
+        transform_counter_frame_joins <= winnerswinner1_best_place_0;
       end if;
-      if transform_filtering_0_column_inside(8) then
-        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choices(40)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(32)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(24)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(16)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(8)), 1) &
-          transform_left_filter_feature_0_choice_361(38 downto 0);
-        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choices(40)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(32)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(24)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(16)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(8)), 1) &
-          transform_right_filter_feature_0_choice_361(38 downto 0);
+      if transform_counter_last_column then
+        transform_counter_column_after <= 0;
       else
-        transform_left_filter_feature_0 <= resize(transform_left_filter_feature_0_choice_361, 44);
-        transform_right_filter_feature_0 <= resize(transform_right_filter_feature_0_choice_361, 44);
+        transform_counter_column_after <= (transform_counter_column + 1) mod 1024;
+      end if;
+      if (not transform_counter_counts) or (not transform_counter_last_column) then
+        transform_counter_group_after <= transform_counter_group;
+      else
+        transform_counter_group_after <= transform_counter_group_after_choice;
+      end if;
+      if transform_left_filter_low_is_larger_0_0_0_choices(3) then
+        transform_left_filter_low_is_larger_0_0_0 <= (not is_set(transform_left_filter_column_2(4), 3)) or
+          transform_left_filter_low_is_larger_0_0_0_values(4);
+      else
+        transform_left_filter_low_is_larger_0_0_0 <= (not is_set(transform_left_filter_column_2(4), 3)) and
+          transform_left_filter_low_is_larger_0_0_0_values(4);
+      end if;
+      if transform_left_filter_low_is_larger_0_0_2_choices(3) then
+        transform_left_filter_low_is_larger_0_0_2 <= transform_left_filter_low_is_larger_0_0_2_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_0_2 <= transform_left_filter_low_is_larger_0_0_2_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_left_filter_low_is_larger_0_0_4_choices(3) then
+        transform_left_filter_low_is_larger_0_0_4 <= transform_left_filter_low_is_larger_0_0_4_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_0_4 <= transform_left_filter_low_is_larger_0_0_4_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_left_filter_low_is_larger_0_2_0_choices(3) then
+        transform_left_filter_low_is_larger_0_2_0 <= transform_left_filter_low_is_larger_0_2_0_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_2_0 <= transform_left_filter_low_is_larger_0_2_0_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_left_filter_low_is_larger_0_2_2_choices(3) then
+        transform_left_filter_low_is_larger_0_2_2 <= transform_left_filter_low_is_larger_0_2_2_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_2_2 <= transform_left_filter_low_is_larger_0_2_2_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_left_filter_low_is_larger_0_2_4_choices(3) then
+        transform_left_filter_low_is_larger_0_2_4 <= transform_left_filter_low_is_larger_0_2_4_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_2_4 <= transform_left_filter_low_is_larger_0_2_4_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_left_filter_low_is_larger_0_4_0_choices(3) then
+        transform_left_filter_low_is_larger_0_4_0 <= transform_left_filter_low_is_larger_0_4_0_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_4_0 <= transform_left_filter_low_is_larger_0_4_0_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_left_filter_low_is_larger_0_4_4_choices(3) then
+        transform_left_filter_low_is_larger_0_4_4 <= transform_left_filter_low_is_larger_0_4_4_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_4_4 <= transform_left_filter_low_is_larger_0_4_4_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_left_filter_low_is_larger_0_6_0_choices(3) then
+        transform_left_filter_low_is_larger_0_6_0 <= transform_left_filter_low_is_larger_0_6_0_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_6_0 <= transform_left_filter_low_is_larger_0_6_0_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_left_filter_low_is_larger_0_6_2_choices(3) then
+        transform_left_filter_low_is_larger_0_6_2 <= transform_left_filter_low_is_larger_0_6_2_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_6_2 <= transform_left_filter_low_is_larger_0_6_2_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_left_filter_low_is_larger_0_6_4_choices(3) then
+        transform_left_filter_low_is_larger_0_6_4 <= transform_left_filter_low_is_larger_0_6_4_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_6_4 <= transform_left_filter_low_is_larger_0_6_4_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_left_filter_low_is_larger_0_8_0_choices(3) then
+        transform_left_filter_low_is_larger_0_8_0 <= transform_left_filter_low_is_larger_0_8_0_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_8_0 <= transform_left_filter_low_is_larger_0_8_0_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_left_filter_low_is_larger_0_8_2_choices(3) then
+        transform_left_filter_low_is_larger_0_8_2 <= transform_left_filter_low_is_larger_0_8_2_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_8_2 <= transform_left_filter_low_is_larger_0_8_2_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_left_filter_low_is_larger_0_8_4_choices(3) then
+        transform_left_filter_low_is_larger_0_8_4 <= transform_left_filter_low_is_larger_0_8_4_value and (not
+          is_set(transform_left_filter_column_2(4), 3));
+      else
+        transform_left_filter_low_is_larger_0_8_4 <= transform_left_filter_low_is_larger_0_8_4_value or (not
+          is_set(transform_left_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_0_0_choices(3) then
+        transform_right_filter_low_is_larger_0_0_0 <= (not is_set(transform_right_filter_column_2(4), 3)) or
+          transform_right_filter_low_is_larger_0_0_0_values(4);
+      else
+        transform_right_filter_low_is_larger_0_0_0 <= (not is_set(transform_right_filter_column_2(4), 3)) and
+          transform_right_filter_low_is_larger_0_0_0_values(4);
+      end if;
+      if transform_right_filter_low_is_larger_0_0_2_choices(3) then
+        transform_right_filter_low_is_larger_0_0_2 <= transform_right_filter_low_is_larger_0_0_2_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_0_2 <= transform_right_filter_low_is_larger_0_0_2_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_0_4_choices(3) then
+        transform_right_filter_low_is_larger_0_0_4 <= transform_right_filter_low_is_larger_0_0_4_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_0_4 <= transform_right_filter_low_is_larger_0_0_4_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_2_0_choices(3) then
+        transform_right_filter_low_is_larger_0_2_0 <= transform_right_filter_low_is_larger_0_2_0_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_2_0 <= transform_right_filter_low_is_larger_0_2_0_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_2_2_choices(3) then
+        transform_right_filter_low_is_larger_0_2_2 <= transform_right_filter_low_is_larger_0_2_2_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_2_2 <= transform_right_filter_low_is_larger_0_2_2_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_2_4_choices(3) then
+        transform_right_filter_low_is_larger_0_2_4 <= transform_right_filter_low_is_larger_0_2_4_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_2_4 <= transform_right_filter_low_is_larger_0_2_4_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_4_0_choices(3) then
+        transform_right_filter_low_is_larger_0_4_0 <= transform_right_filter_low_is_larger_0_4_0_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_4_0 <= transform_right_filter_low_is_larger_0_4_0_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_4_4_choices(3) then
+        transform_right_filter_low_is_larger_0_4_4 <= transform_right_filter_low_is_larger_0_4_4_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_4_4 <= transform_right_filter_low_is_larger_0_4_4_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_6_0_choices(3) then
+        transform_right_filter_low_is_larger_0_6_0 <= transform_right_filter_low_is_larger_0_6_0_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_6_0 <= transform_right_filter_low_is_larger_0_6_0_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_6_2_choices(3) then
+        transform_right_filter_low_is_larger_0_6_2 <= transform_right_filter_low_is_larger_0_6_2_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_6_2 <= transform_right_filter_low_is_larger_0_6_2_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_6_4_choices(3) then
+        transform_right_filter_low_is_larger_0_6_4 <= transform_right_filter_low_is_larger_0_6_4_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_6_4 <= transform_right_filter_low_is_larger_0_6_4_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_8_0_choices(3) then
+        transform_right_filter_low_is_larger_0_8_0 <= transform_right_filter_low_is_larger_0_8_0_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_8_0 <= transform_right_filter_low_is_larger_0_8_0_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_8_2_choices(3) then
+        transform_right_filter_low_is_larger_0_8_2 <= transform_right_filter_low_is_larger_0_8_2_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_8_2 <= transform_right_filter_low_is_larger_0_8_2_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_right_filter_low_is_larger_0_8_4_choices(3) then
+        transform_right_filter_low_is_larger_0_8_4 <= transform_right_filter_low_is_larger_0_8_4_value and (not
+          is_set(transform_right_filter_column_2(4), 3));
+      else
+        transform_right_filter_low_is_larger_0_8_4 <= transform_right_filter_low_is_larger_0_8_4_value or (not
+          is_set(transform_right_filter_column_2(4), 3));
+      end if;
+      if transform_counter_next_frame then
+        transform_counter_group_choice := 15;
+      else
+        transform_counter_group_choice := 0;
       end if;
       if in_valid then
-        if in_start_of_frame or transform_counter_group_is_equal_2 then
+        if in_start_of_frame then
           transform_counter_column <= 0;
+          transform_counter_group <= transform_counter_group_choice * 32;
         else
-          transform_counter_column <= (transform_counter_column + 1) mod 1024;
+          transform_counter_column <= transform_counter_column_after;
+          transform_counter_group <= transform_counter_group_after;
         end if;
       end if;
       if transform_ready_valid then
@@ -2708,117 +3340,186 @@ begin
           transform_right_rows_ready_words_0(31 downto 8);
         transform_write_column <= transform_ready_column;
       end if;
+      if transform_filtering_valid(2) then
+        if transform_filtering_start_of_frame(2) then
+          transform_read_row_inside_0 <= raster_place_next_frame;
+        else
+          transform_read_row_inside_0 <= raster_place_back_to_back;
+        end if;
+      end if;
       if transform_columns_valid then
-        for i in 0 to 3 loop
-          for j in 0 to 4 loop
-            transform_left_filter_column(2 * i + 1, j) <= transform_left_filter_column(2 * i, j);
-          end loop;
-          for j in 0 to 4 loop
-            transform_left_filter_column(2 * i + 2, j) <= transform_left_filter_column(2 * i + 1, j);
-          end loop;
+        for i in 1 to 8 loop
+          transform_left_filter_column_0(i) <= transform_left_filter_column_0(i - 1);
+          transform_left_filter_column_2(i) <= transform_left_filter_column_2(i - 1);
+          transform_left_filter_column_4(i) <= transform_left_filter_column_4(i - 1);
         end loop;
-        for i in 0 to 3 loop
-          for j in 0 to 4 loop
-            transform_right_filter_column(2 * i + 1, j) <= transform_right_filter_column(2 * i, j);
-          end loop;
-          for j in 0 to 4 loop
-            transform_right_filter_column(2 * i + 2, j) <= transform_right_filter_column(2 * i + 1, j);
-          end loop;
+        for i in 1 to 8 loop
+          transform_right_filter_column_0(i) <= transform_right_filter_column_0(i - 1);
+          transform_right_filter_column_2(i) <= transform_right_filter_column_2(i - 1);
+          transform_right_filter_column_4(i) <= transform_right_filter_column_4(i - 1);
         end loop;
-        for i in 0 to 4 loop
-          if transform_columns_row_inside(i) then
-            transform_left_filter_column(0, i) <= transform_left_column(i);
-            transform_right_filter_column(0, i) <= transform_right_column(i);
-          else
-            transform_left_filter_column(0, i) <= 0;
-            transform_right_filter_column(0, i) <= 0;
-          end if;
-        end loop;
+        if transform_columns_row_inside_0 then
+          transform_left_filter_column_0(0) <= transform_left_column_0;
+          transform_right_filter_column_0(0) <= transform_right_column_0;
+        else
+          transform_left_filter_column_0(0) <= 0;
+          transform_right_filter_column_0(0) <= 0;
+        end if;
+        if transform_columns_row_inside_2 then
+          transform_left_filter_column_2(0) <= transform_left_column_2;
+          transform_right_filter_column_2(0) <= transform_right_column_2;
+        else
+          transform_left_filter_column_2(0) <= 0;
+          transform_right_filter_column_2(0) <= 0;
+        end if;
+        if transform_columns_row_inside_4 then
+          transform_left_filter_column_4(0) <= transform_left_column_4;
+          transform_right_filter_column_4(0) <= transform_right_column_4;
+        else
+          transform_left_filter_column_4(0) <= 0;
+          transform_right_filter_column_4(0) <= 0;
+        end if;
       end if;
       -- raster
-      raster_place_group_is_equal := raster_place_column = 639;
+      raster_place_next_frame_is_equal := raster_place_column = 639;
+      if raster_place_last_column then
+        raster_place_back_to_back_choice := (not raster_place_frame_joins) and transform_read_row_inside_0;
+      else
+        raster_place_back_to_back_choice := transform_read_row_inside_0;
+      end if;
+      if raster_place_frame_joins then
+        raster_place_group_after_choice := 1;
+      else
+        raster_place_group_after_choice := (raster_place_group + 1) mod 512;
+      end if;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
-      raster_features_valid <= transform_filtering_valid(1);
-      if transform_filtering_valid(1) and transform_filtering_start_of_frame(1) then
-        raster_place_group <= 0;
+      raster_features_valid <= transform_filtering_valid(2);
+      raster_place_next_frame <= raster_place_next_frame_is_equal and (raster_place_group = 479);
+      raster_place_last_column <= raster_place_next_frame_is_equal;
+      raster_place_counts <= raster_place_group < 480;
+      raster_place_frame_joins <= (raster_place_group = 480) and transform_read_row_inside_0;
+      if delay_row_inside(2) then
+        raster_place_back_to_back <= raster_place_back_to_back_choice;
       else
-        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 480) and
-          transform_filtering_valid(1) and raster_place_group_is_equal))) mod 512;
+        raster_place_back_to_back <= transform_read_row_inside_0;
       end if;
-      if transform_filtering_valid(1) then
-        if raster_place_group_is_equal or transform_filtering_start_of_frame(1) then
+      if raster_place_last_column then
+        raster_place_column_after <= 0;
+      else
+        raster_place_column_after <= (raster_place_column + 1) mod 1024;
+      end if;
+      if (not delay_row_inside(2)) or (not raster_place_last_column) then
+        raster_place_group_after <= raster_place_group;
+      else
+        raster_place_group_after <= raster_place_group_after_choice;
+      end if;
+      if raster_place_next_frame then
+        raster_place_group_choice := 15;
+      else
+        raster_place_group_choice := 0;
+      end if;
+      if transform_filtering_valid(2) then
+        if transform_filtering_start_of_frame(2) then
           raster_place_column <= 0;
+          raster_place_group <= raster_place_group_choice * 32;
         else
-          raster_place_column <= (raster_place_column + 1) mod 1024;
+          raster_place_column <= raster_place_column_after;
+          raster_place_group <= raster_place_group_after;
         end if;
       end if;
       -- delay
-      delay_tag_first_cost_is_equal := raster_place_column = 63;
-      delay_tag_map_column_is_not_less := raster_place_column >= 63;
-      delay_tag_map_column_is_less := raster_place_column < 640;
+      delay_row_inside_1_is_not_less := raster_place_group >= 1;
+      delay_row_inside_1_is_less := raster_place_group < 481;
+      delay_tag_map_column_is_not_less := raster_place_column >= 1;
+      delay_tag_map_column_is_less := raster_place_column < 639;
+      delay_tag_first_column_is_equal := raster_place_column = 1;
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
+      delay_column <= raster_place_column;
+      delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 480;
+      delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+      delay_row_inside(2) <= raster_place_group /= 481;
       delay_tag_valid <= raster_features_valid;
-      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag_output_column <= (raster_place_group < 480) and delay_tag_map_column_is_not_less and
-        delay_tag_map_column_is_less;
-      delay_tag_start_of_frame <= (raster_place_group = 0) and delay_tag_first_cost_is_equal;
-      delay_tag_end_of_line <= raster_place_group_is_equal;
+      delay_tag_output_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less and
+        delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+      delay_tag_first_column <= delay_tag_first_column_is_equal;
+      delay_tag_start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
+      delay_tag_end_of_line <= raster_place_column = 638;
       -- rows
-      rows_search_0 <= delay_delayed_0;
-      rows_reference_0 <= delay_ahead_0;
-      rows_tag_valid <= delay_tag_valid;
-      rows_tag_first_cost <= delay_tag_first_cost;
-      rows_tag_map_column <= delay_tag_map_column;
-      rows_tag_output_column <= delay_tag_output_column;
-      rows_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_tag_end_of_line <= delay_tag_end_of_line;
+      rows_search_rows_read_newest_0 <= delay_delayed_0;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_reference_rows_read_newest_0 <= delay_ahead_0;
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside(0) <= delay_row_inside(0);
+      rows_read_inside(1) <= delay_row_inside(1);
+      rows_read_inside(2) <= raster_place_counts;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_map_column <= delay_tag_map_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_first_column <= delay_tag_first_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside(0) <= rows_read_inside(0);
+      rows_ready_inside(1) <= rows_read_inside(1);
+      rows_ready_inside(2) <= rows_read_inside(2);
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_map_column <= rows_read_tag_map_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_first_column <= rows_read_tag_first_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_map_column <= rows_ready_tag_map_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_first_column <= rows_ready_tag_first_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside(0) then
+        rows_search(0) <= rows_search_rows_ready_words_0 mod 16384;
+        rows_reference(0) <= rows_reference_rows_ready_words_0 mod 16384;
+      else
+        rows_search(0) <= 0;
+        rows_reference(0) <= 0;
+      end if;
+      if rows_ready_inside(1) then
+        rows_search(1) <= rows_search_rows_ready_words_0 / 16384;
+        rows_reference(1) <= rows_reference_rows_ready_words_0 / 16384;
+      else
+        rows_search(1) <= 0;
+        rows_reference(1) <= 0;
+      end if;
+      if rows_ready_inside(2) then
+        rows_search(2) <= rows_search_rows_ready_newest_0;
+        rows_reference(2) <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search(2) <= 0;
+        rows_reference(2) <= 0;
+      end if;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 16384) + (rows_search_rows_ready_newest_0 *
+          16384);
+        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 16384) +
+          (rows_reference_rows_ready_newest_0 * 16384);
+        rows_write_column <= rows_ready_column;
+      end if;
       -- line
       if rows_tag_valid then
         line_centre_map_column_0 <= rows_tag_map_column;
-        line_centre_first_column_0 <= rows_tag_first_cost;
+        line_centre_output_column_0 <= rows_tag_output_column;
+        line_centre_first_column_0 <= rows_tag_first_column;
         line_centre_start_of_frame_0 <= rows_tag_start_of_frame;
+        line_centre_end_of_line_0 <= rows_tag_end_of_line;
+        line_order_inside <= line_centre_map_column_0;
+        line_newest_first_column <= line_centre_first_column_0;
+        line_newest_top <= line_centre_start_of_frame_0;
       end if;
-      line_order_falls_any := (not rows_tag_map_column) or line_centre_map_column_0 or (not rows_tag_valid);
-      line_order_falls_all := rows_tag_map_column and (not line_centre_map_column_0) and rows_tag_valid;
-      line_order_complete_any := (not rows_tag_map_column) or (not rows_tag_valid);
-      if line_order_falls_all then
-        line_order_turned_output_column_choice := line_order_output and line_order_complete;
-      else
-        line_order_turned_output_column_choice := line_order_held_output;
-      end if;
-      line_centre_end_of_line_0 <= rows_tag_end_of_line;
-      line_order_inside <= rows_tag_map_column;
-      line_order_turned_valid <= rows_tag_valid;
-      line_order_turned_output_column <= line_order_turned_output_column_choice and rows_tag_map_column;
-      line_order_turned_first_column <= line_order_falls_all;
-      line_order_turned_start_of_frame <= rows_tag_map_column and (not line_centre_map_column_0) and rows_tag_valid and
-        line_order_first and line_order_output and line_order_complete;
-      line_comes(1) <= line_order_turned_valid;
-      for i in 2 to 31 loop
-        line_comes(i) <= line_comes(i - 1);
-      end loop;
-      line_starts_phases(1) <= line_order_turned_valid and line_centre_map_column_0;
-      for i in 2 to 17 loop
-        line_starts_phases(i) <= line_starts_phases(i - 1);
-      end loop;
-      line_starts_phases(18) <= pathsleft_read_count_phase = 0;
-      line_starts_phases(19) <= pathsleft_is_first;
-      for i in 20 to 31 loop
-        line_starts_phases(i) <= line_starts_phases(i - 1);
-      end loop;
-      if line_order_falls then
-        line_order_falls <= line_order_falls_any;
-      else
-        line_order_falls <= line_order_falls_all;
-      end if;
-      if rows_tag_end_of_line then
-        line_order_complete <= line_order_complete or (rows_tag_map_column and rows_tag_valid);
-      else
-        line_order_complete <= line_order_complete and line_order_complete_any;
-      end if;
+      line_order_address_any := (not line_centre_map_column_0) or line_order_inside or (not rows_tag_valid);
       if line_order_falls then
         line_order_address_choice := 1023;
       else
@@ -2827,29 +3528,60 @@ begin
       if line_order_falls then
         line_order_address_choice_2 := 0;
       else
-        line_order_address_choice_2 := 9;
+        line_order_address_choice_2 := 637;
       end if;
-      if not line_order_complete_any then
-        if line_order_falls_any then
+      if not ((not line_centre_map_column_0) or (not rows_tag_valid)) then
+        if line_order_address_any then
           line_order_address <= (line_order_address_choice + line_order_address) mod 1024;
         else
-          line_order_address <= line_order_address_choice_2 * 64;
+          line_order_address <= line_order_address_choice_2;
         end if;
       end if;
+      line_order_falls_all := line_centre_map_column_0 and (not line_order_inside) and rows_tag_valid;
       if line_order_falls_all then
-        line_order_output <= rows_tag_output_column;
-        line_order_first <= rows_tag_start_of_frame;
+        line_order_turned_output_column_choice := line_order_output and line_order_complete;
+      else
+        line_order_turned_output_column_choice := line_order_held_output;
+      end if;
+      line_order_turned_valid <= rows_tag_valid;
+      line_order_turned_map_column <= line_centre_map_column_0;
+      line_order_turned_output_column <= line_order_turned_output_column_choice and line_centre_map_column_0;
+      line_order_turned_first_column <= line_order_falls_all;
+      line_order_turned_start_of_frame <= line_centre_map_column_0 and (not line_order_inside) and rows_tag_valid and
+        line_order_first and line_order_output and line_order_complete;
+      line_order_turned_end_of_line <= line_centre_end_of_line_0;
+      line_comes(1) <= line_order_turned_valid;
+      for i in 2 to 33 loop
+        line_comes(i) <= line_comes(i - 1);
+      end loop;
+      line_starts_phases(1) <= line_order_inside and line_order_turned_valid;
+      for i in 2 to 33 loop
+        line_starts_phases(i) <= line_starts_phases(i - 1);
+      end loop;
+      if line_order_falls then
+        line_order_falls <= line_order_address_any;
+      else
+        line_order_falls <= line_order_falls_all;
+      end if;
+      if line_order_complete then
+        line_order_complete <= line_centre_end_of_line_0 or (not line_centre_map_column_0) or (not rows_tag_valid);
+      else
+        line_order_complete <= line_centre_end_of_line_0 and line_centre_map_column_0 and rows_tag_valid;
+      end if;
+      if line_order_falls_all then
+        line_order_output <= line_centre_output_column_0;
+        line_order_first <= line_centre_start_of_frame_0;
         line_order_held_output <= line_order_output and line_order_complete;
       end if;
       if line_order_turned_valid then
-        line_places_map_column(0) <= line_order_inside;
+        line_places_map_column(0) <= line_order_turned_map_column;
         line_places_first_column(0) <= line_order_turned_first_column;
-        line_places_0_top <= line_centre_start_of_frame_0;
+        line_places_0_top <= line_newest_top;
         line_places_address(0) <= line_order_address;
         line_places_shown_output_column(0) <= line_order_turned_output_column;
-        line_places_shown_first_column(0) <= line_centre_first_column_0;
+        line_places_shown_first_column(0) <= line_newest_first_column;
         line_places_shown_start_of_frame(0) <= line_order_turned_start_of_frame;
-        line_places_shown_end_of_line(0) <= line_centre_end_of_line_0;
+        line_places_shown_end_of_line(0) <= line_order_turned_end_of_line;
       end if;
       for i in 1 to 2 loop
         if line_comes(8 * i) then
@@ -2862,16 +3594,22 @@ begin
           line_places_shown_end_of_line(i) <= line_places_shown_end_of_line(i - 1);
         end if;
       end loop;
-      if line_comes(24) then
-        line_places_map_column(3) <= line_places_map_column(2);
-        line_places_shown_output_column(3) <= line_places_shown_output_column(2);
-        line_places_shown_start_of_frame(3) <= line_places_shown_start_of_frame(2);
-        line_places_shown_end_of_line(3) <= line_places_shown_end_of_line(2);
-      end if;
+      for i in 3 to 4 loop
+        if line_comes(8 * i) then
+          line_places_map_column(i) <= line_places_map_column(i - 1);
+          line_places_shown_output_column(i) <= line_places_shown_output_column(i - 1);
+          line_places_shown_start_of_frame(i) <= line_places_shown_start_of_frame(i - 1);
+          line_places_shown_end_of_line(i) <= line_places_shown_end_of_line(i - 1);
+        end if;
+      end loop;
       -- costsshift
       if rows_tag_valid then
-        costsshift_newest_0 <= rows_search_0;
-        costsshift_new_reference_0 <= rows_reference_0;
+        costsshift_newest(0) <= rows_search(0);
+        costsshift_newest(1) <= rows_search(1);
+        costsshift_newest(2) <= rows_search(2);
+        costsshift_new_reference(0) <= rows_reference(0);
+        costsshift_new_reference(1) <= rows_reference(1);
+        costsshift_new_reference(2) <= rows_reference(2);
       end if;
       if costsshift_count_phase = 7 then
         costsshift_count_phase_choice := 7;
@@ -2880,100 +3618,194 @@ begin
       end if;
       costsshift_new_tag_valid <= rows_tag_valid or (not is_set(costsshift_count_phase, 2)) or (not
         is_set(costsshift_count_phase, 1)) or (not is_set(costsshift_count_phase, 0));
-      costsshift_handed_on_0 <= costsshift_read_words(7);
-      costsshift_read_reference_0 <= costsshift_new_reference_0;
+      costsshift_handed_on(0) <= to_integer(costsshift_read_words(3)(27 downto 14));
+      costsshift_handed_on(1) <= to_integer(costsshift_read_words(7)(27 downto 14));
+      costsshift_handed_on(2) <= to_integer(costsshift_read_words(11)(27 downto 14));
+      costsshift_read_reference(0) <= costsshift_new_reference(0);
+      costsshift_read_reference(1) <= costsshift_new_reference(1);
+      costsshift_read_reference(2) <= costsshift_new_reference(2);
       costsshift_read_tag_valid <= costsshift_new_tag_valid;
       costsshift_read_count_phase <= costsshift_count_phase;
-      costsshift_reference_0 <= costsshift_read_reference_0;
+      costsshift_reference(0) <= costsshift_read_reference(0);
+      costsshift_reference(1) <= costsshift_read_reference(1);
+      costsshift_reference(2) <= costsshift_read_reference(2);
       costsshift_write_phase <= costsshift_read_count_phase;
       if rows_tag_valid then
         costsshift_count_phase <= 0;
       else
         costsshift_count_phase <= costsshift_count_phase_choice;
       end if;
+      costsshift_search_0_0_is_equal := costsshift_read_count_phase = 0;
       if costsshift_read_tag_valid then
-        for i in 1 to 7 loop
-          costsshift_search_0(i) <= costsshift_read_words(i - 1);
+        for i in 0 to 2 loop
+          for j in 0 to 2 loop
+            costsshift_search(i, 2 * j + 1) <= to_integer(costsshift_read_words(4 * i + j)(13 downto 0));
+            costsshift_search(i, 2 * j + 2) <= to_integer(costsshift_read_words(4 * i + j)(27 downto 14));
+          end loop;
+          costsshift_search(i, 7) <= to_integer(costsshift_read_words(4 * i + 3)(13 downto 0));
         end loop;
-        if costsshift_read_count_phase = 0 then
-          costsshift_search_0(0) <= costsshift_newest_0;
+        if costsshift_search_0_0_is_equal then
+          costsshift_search(0, 0) <= costsshift_newest(0);
+          costsshift_search(1, 0) <= costsshift_newest(1);
+          costsshift_search(2, 0) <= costsshift_newest(2);
         else
-          costsshift_search_0(0) <= costsshift_handed_on_0;
+          costsshift_search(0, 0) <= costsshift_handed_on(0);
+          costsshift_search(1, 0) <= costsshift_handed_on(1);
+          costsshift_search(2, 0) <= costsshift_handed_on(2);
         end if;
       end if;
-      -- costswindow
-      costswindow_first_0_count_value(0) := costsshift_reference_0(2) = '1';
-      costswindow_first_0_count_0_value_2 := costsshift_reference_0(1) = '1';
-      for i in 1 to 7 loop
-        costswindow_first_0_count_value(i) := costsshift_reference_0(3 * i) = '1';
-        costswindow_first_0_count_values(i, 2) := costsshift_reference_0(3 * i + 1) = '1';
-        costswindow_first_0_count_values(i, 3) := costsshift_reference_0(3 * i + 2) = '1';
+      -- costscolumn
+      for i in 0 to 2 loop
+        costscolumn_pixels_first_0_count_value(i, 0) := is_set(costsshift_reference(i), 2);
+        costscolumn_pixels_first_0_count_value_2(i, 0) := is_set(costsshift_reference(i), 1);
+        costscolumn_pixels_first_0_count_value(i, 1) := is_set(costsshift_reference(i), 3);
+        costscolumn_pixels_first_0_count_value_2(i, 1) := is_set(costsshift_reference(i), 5);
+        costscolumn_pixels_first_0_count_1_value_3(i) := is_set(costsshift_reference(i), 4);
+        costscolumn_pixels_first_0_count_value(i, 2) := is_set(costsshift_reference(i), 8);
+        costscolumn_pixels_first_0_count_value_2(i, 2) := is_set(costsshift_reference(i), 6);
+        costscolumn_pixels_first_0_count_value(i, 3) := is_set(costsshift_reference(i), 9);
+        costscolumn_pixels_first_0_count_value_2(i, 3) := is_set(costsshift_reference(i), 11);
+        costscolumn_pixels_first_0_count_3_value_3(i) := is_set(costsshift_reference(i), 10);
+        costscolumn_pixels_first_0_count_value(i, 4) := is_set(costsshift_reference(i), 12);
       end loop;
-      costswindow_first_0_count_value(8) := costsshift_reference_0(24) = '1';
-      costswindow_first_0_count_values(8, 2) := costsshift_reference_0(26) = '1';
-      costswindow_first_0_count_values(8, 3) := costsshift_reference_0(25) = '1';
-      for i in 9 to 13 loop
-        costswindow_first_0_count_value(i) := costsshift_reference_0(3 * i) = '1';
-        costswindow_first_0_count_values(i, 2) := costsshift_reference_0(3 * i + 1) = '1';
-        costswindow_first_0_count_values(i, 3) := costsshift_reference_0(3 * i + 2) = '1';
-      end loop;
-      costswindow_first_0_count_value(14) := costsshift_reference_0(42) = '1';
-      costswindow_first_count(0, 0) <= as_number(((costsshift_reference_0(0) = '1') /= (costsshift_search_0(0)(0) =
-        '1'))) + as_number((costswindow_first_0_count_value(0) /= (costsshift_search_0(0)(2) = '1'))) +
-        as_number((costswindow_first_0_count_0_value_2 /= (costsshift_search_0(0)(1) = '1')));
-      for i in 1 to 7 loop
-        costswindow_first_count(0, i) <= as_number((costswindow_first_0_count_value(i) /= (costsshift_search_0(0)(3 *
-          i) = '1'))) + as_number((costswindow_first_0_count_values(i, 2) /= (costsshift_search_0(0)(3 * i + 1) =
-          '1'))) + as_number((costswindow_first_0_count_values(i, 3) /= (costsshift_search_0(0)(3 * i + 2) = '1')));
-      end loop;
-      for i in 8 to 9 loop
-        costswindow_first_count(0, i) <= as_number((costswindow_first_0_count_value(i) /= (costsshift_search_0(0)(3 *
-          i) = '1'))) + as_number((costswindow_first_0_count_values(i, 2) /= (costsshift_search_0(0)(2 * i + 10) =
-          '1'))) + as_number((costswindow_first_0_count_values(i, 3) /= (costsshift_search_0(0)(4 * i - 7) = '1')));
-      end loop;
-      for i in 10 to 13 loop
-        costswindow_first_count(0, i) <= as_number((costswindow_first_0_count_value(i) /= (costsshift_search_0(0)(3 *
-          i) = '1'))) + as_number((costswindow_first_0_count_values(i, 2) /= (costsshift_search_0(0)(3 * i + 1) =
-          '1'))) + as_number((costswindow_first_0_count_values(i, 3) /= (costsshift_search_0(0)(3 * i + 2) = '1')));
-      end loop;
-      costswindow_first_count_14(0) <= as_number(((costsshift_reference_0(43) = '1') /= (costsshift_search_0(0)(43) =
-        '1'))) + as_number((costswindow_first_0_count_value(14) /= (costsshift_search_0(0)(42) = '1')));
-      for i in 1 to 7 loop
-        costswindow_first_count(i, 0) <= as_number(((costsshift_search_0(i)(0) = '1') /= (costsshift_reference_0(0) =
-          '1'))) + as_number(((costsshift_search_0(i)(2) = '1') /= costswindow_first_0_count_value(0))) +
-          as_number(((costsshift_search_0(i)(1) = '1') /= costswindow_first_0_count_0_value_2));
+      for i in 0 to 2 loop
+        costscolumn_pixels_first_count(i, 0, 0) <= as_number((is_set(costsshift_search(i, 0), 0) /=
+          is_set(costsshift_reference(i), 0))) + as_number((costscolumn_pixels_first_0_count_value(i, 0) /=
+          is_set(costsshift_search(i, 0), 2))) + as_number((costscolumn_pixels_first_0_count_value_2(i, 0) /=
+          is_set(costsshift_search(i, 0), 1)));
+        costscolumn_pixels_first_count(i, 0, 1) <= as_number((costscolumn_pixels_first_0_count_value(i, 1) /=
+          is_set(costsshift_search(i, 0), 3))) + as_number((costscolumn_pixels_first_0_count_value_2(i, 1) /=
+          is_set(costsshift_search(i, 0), 5))) + as_number((costscolumn_pixels_first_0_count_1_value_3(i) /=
+          is_set(costsshift_search(i, 0), 4)));
+        costscolumn_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((costsshift_search(i, 0) mod 256), 8)) xor
+          (to_unsigned((costsshift_reference(i) mod 256), 8)))) / 128) +
+          as_number((costscolumn_pixels_first_0_count_value(i, 2) /= is_set(costsshift_search(i, 0), 8))) +
+          as_number((costscolumn_pixels_first_0_count_value_2(i, 2) /= is_set(costsshift_search(i, 0), 6)));
+        costscolumn_pixels_first_count(i, 0, 3) <= as_number((costscolumn_pixels_first_0_count_value(i, 3) /=
+          is_set(costsshift_search(i, 0), 9))) + as_number((costscolumn_pixels_first_0_count_value_2(i, 3) /=
+          is_set(costsshift_search(i, 0), 11))) + as_number((costscolumn_pixels_first_0_count_3_value_3(i) /=
+          is_set(costsshift_search(i, 0), 10)));
+        costscolumn_pixels_first_count_4(i, 0) <= as_number((is_set(costsshift_reference(i), 13) /=
+          is_set(costsshift_search(i, 0), 13))) + as_number((costscolumn_pixels_first_0_count_value(i, 4) /=
+          is_set(costsshift_search(i, 0), 12)));
         for j in 1 to 7 loop
-          costswindow_first_count(i, j) <= as_number(((costsshift_search_0(i)(3 * j) = '1') /=
-            costswindow_first_0_count_value(j))) + as_number(((costsshift_search_0(i)(3 * j + 1) = '1') /=
-            costswindow_first_0_count_values(j, 2))) + as_number(((costsshift_search_0(i)(3 * j + 2) = '1') /=
-            costswindow_first_0_count_values(j, 3)));
+          costscolumn_pixels_first_count(i, j, 0) <= as_number((is_set(costsshift_search(i, j), 0) /=
+            is_set(costsshift_reference(i), 0))) + as_number((is_set(costsshift_search(i, j), 2) /=
+            costscolumn_pixels_first_0_count_value(i, 0))) + as_number((is_set(costsshift_search(i, j), 1) /=
+            costscolumn_pixels_first_0_count_value_2(i, 0)));
+          costscolumn_pixels_first_count(i, j, 1) <= as_number((is_set(costsshift_search(i, j), 3) /=
+            costscolumn_pixels_first_0_count_value(i, 1))) + as_number((is_set(costsshift_search(i, j), 5) /=
+            costscolumn_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(costsshift_search(i, j), 4) /=
+            costscolumn_pixels_first_0_count_1_value_3(i)));
+          costscolumn_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((costsshift_search(i, j) mod 256), 8))
+            xor (to_unsigned((costsshift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(costsshift_search(i,
+            j), 8) /= costscolumn_pixels_first_0_count_value(i, 2))) + as_number((is_set(costsshift_search(i, j), 6) /=
+            costscolumn_pixels_first_0_count_value_2(i, 2)));
+          costscolumn_pixels_first_count(i, j, 3) <= as_number((is_set(costsshift_search(i, j), 9) /=
+            costscolumn_pixels_first_0_count_value(i, 3))) + as_number((is_set(costsshift_search(i, j), 11) /=
+            costscolumn_pixels_first_0_count_value_2(i, 3))) + as_number((is_set(costsshift_search(i, j), 10) /=
+            costscolumn_pixels_first_0_count_3_value_3(i)));
+          costscolumn_pixels_first_count_4(i, j) <= as_number((is_set(costsshift_search(i, j), 13) /=
+            is_set(costsshift_reference(i), 13))) + as_number((is_set(costsshift_search(i, j), 12) /=
+            costscolumn_pixels_first_0_count_value(i, 4)));
         end loop;
-        for j in 8 to 9 loop
-          costswindow_first_count(i, j) <= as_number(((costsshift_search_0(i)(3 * j) = '1') /=
-            costswindow_first_0_count_value(j))) + as_number(((costsshift_search_0(i)(2 * j + 10) = '1') /=
-            costswindow_first_0_count_values(j, 2))) + as_number(((costsshift_search_0(i)(4 * j - 7) = '1') /=
-            costswindow_first_0_count_values(j, 3)));
+      end loop;
+      for i in 0 to 2 loop
+        for j in 0 to 7 loop
+          costscolumn_pixels_cost(i, j) <= costscolumn_pixels_first_count(i, j, 3) + costscolumn_pixels_first_count(i,
+            j, 0) + costscolumn_pixels_first_count(i, j, 1) + costscolumn_pixels_first_count_4(i, j) +
+            costscolumn_pixels_first_count(i, j, 2);
         end loop;
-        for j in 10 to 13 loop
-          costswindow_first_count(i, j) <= as_number(((costsshift_search_0(i)(3 * j) = '1') /=
-            costswindow_first_0_count_value(j))) + as_number(((costsshift_search_0(i)(3 * j + 1) = '1') /=
-            costswindow_first_0_count_values(j, 2))) + as_number(((costsshift_search_0(i)(3 * j + 2) = '1') /=
-            costswindow_first_0_count_values(j, 3)));
-        end loop;
-        costswindow_first_count_14(i) <= as_number(((costsshift_search_0(i)(43) = '1') /= (costsshift_reference_0(43) =
-          '1'))) + as_number(((costsshift_search_0(i)(42) = '1') /= costswindow_first_0_count_value(14)));
       end loop;
       for i in 0 to 7 loop
-        costswindow_sum_0(i) <= ((others_from_26(33 - i) / 65536) mod 16) + ((others_from_26(33 - i) / 256) mod 16) +
-          (others_from_26(33 - i) / 16777216) + (others_from_26(33 - i) mod 16);
+        costscolumn_pair_0(i) <= costscolumn_pixels_cost(1, i) + costscolumn_pixels_cost(2, i);
       end loop;
+      for i in 0 to 7 loop
+        costscolumn_single_0(i) <= costscolumn_pixels_cost(0, i);
+      end loop;
+      for i in 0 to 7 loop
+        costscolumn_column_0(i) <= costscolumn_pair_0(i) + costscolumn_single_0(i);
+      end loop;
+      -- costswindow
+      if costswindow_read_count_phase = 7 then
+        costswindow_read_count_phase_choice := 7;
+      else
+        costswindow_read_count_phase_choice := (costswindow_read_count_phase + 1) mod 8;
+      end if;
+      if costswindow_write_count_phase = 7 then
+        costswindow_write_count_phase_choice := 7;
+      else
+        costswindow_write_count_phase_choice := (costswindow_write_count_phase + 1) mod 8;
+      end if;
+      for i in 2 to 3 loop
+        for j in 0 to 3 loop
+          costswindow_sum_0(4 * i + j - 8) <= costscolumn_column_0(4 * i + j - 8) +
+            to_integer(costswindow_read_wordss(i)(7 * j + 6 downto 7 * j));
+        end loop;
+      end loop;
+      if line_comes(4) then
+        costswindow_read_count_phase <= 0;
+      else
+        costswindow_read_count_phase <= costswindow_read_count_phase_choice;
+      end if;
+      if line_comes(6) then
+        costswindow_write_count_phase <= 0;
+      else
+        costswindow_write_count_phase <= costswindow_write_count_phase_choice;
+      end if;
+      costswindow_partial_0_any := (not is_set(costswindow_write_count_phase, 2)) or (not
+        is_set(costswindow_write_count_phase, 1)) or (not is_set(costswindow_write_count_phase, 0)) or line_comes(6);
+      if costswindow_partial_0_any then
+        for i in 0 to 7 loop
+          costswindow_partial(i) <= costscolumn_column_0(i);
+        end loop;
+        for i in 0 to 1 loop
+          for j in 8 to 11 loop
+            costswindow_partials(4 * i + j) <= costscolumn_column_0(4 * i + j - 8) +
+              to_integer(costswindow_read_words(i)(7 * j - 51 downto 7 * j - 56));
+          end loop;
+        end loop;
+      end if;
+      -- costsmask
+      costsmask_column_sum := costsmask_column + 1;
+      if line_places_shown_first_column(0) then
+        costsmask_column_choice := 0;
+      else
+        costsmask_column_choice := costsmask_column_sum mod 1024;
+      end if;
+      if line_comes(5) then
+        costsmask_column <= costsmask_column_choice;
+      end if;
+      if line_places_shown_first_column(0) then
+        costsmask_partner_choice := 0;
+      else
+        costsmask_partner_choice := costsmask_column_sum;
+      end if;
+      costsmask_inside(0) <= (((((costsmask_partner / 1024) + 63) mod 64) * 1024) + (costsmask_partner mod 1024)) < 638;
+      costsmask_inside(1) <= (costsmask_partner >= 1025) and (costsmask_partner < 1663);
+      costsmask_inside(2) <= (((((costsmask_partner / 2) + 32255) mod 32768) * 2) + (costsmask_partner mod 2)) < 638;
+      costsmask_inside(3) <= (costsmask_partner >= 1027) and (costsmask_partner < 1665);
+      costsmask_inside(4) <= (((((costsmask_partner / 4) + 16127) mod 16384) * 4) + (costsmask_partner mod 4)) < 638;
+      costsmask_inside(5) <= (costsmask_partner >= 1029) and (costsmask_partner < 1667);
+      costsmask_inside(6) <= (((((costsmask_partner / 2) + 32253) mod 32768) * 2) + (costsmask_partner mod 2)) < 638;
+      costsmask_inside(7) <= (costsmask_partner >= 1031) and (costsmask_partner < 1669);
+      if line_comes(5) then
+        costsmask_partner <= (((costsmask_partner_choice / 1024) + 1) * 1024) + costsmask_column_choice;
+      else
+        costsmask_partner <= ((((costsmask_partner / 8) + 511) mod 512) * 8) + (costsmask_partner mod 8);
+      end if;
       -- costs
       for i in 0 to 7 loop
-        costs_cost(i) <= costswindow_sum_0(i) / 4;
+        if (not (((not is_set(costswindow_sum_0(i), 5)) or (not is_set(costswindow_sum_0(i), 4))) and
+          ((costswindow_sum_0(i) / 64) = 0))) or (not costsmask_inside(i)) then
+          costs_cost(i) <= 5;
+        else
+          costs_cost(i) <= costswindow_sum_0(i) / 8;
+        end if;
       end loop;
       -- paths
-      if line_comes(9) then
-        paths_smallest_cost_choice := 15;
+      if line_comes(11) then
+        paths_smallest_cost_choice := 7;
       else
         paths_smallest_cost_choice := paths_smallest_cost;
       end if;
@@ -3019,7 +3851,7 @@ begin
         paths_cost_delay_ring_read_address <= (paths_cost_delay_ring_read_address + 1) mod 16;
       end if;
       -- pathsleft
-      if line_starts_phases(12) then
+      if line_starts_phases(14) then
         pathsleft_low_address <= (pathsleft_low_address + 1) mod 16;
       end if;
       pathsleft_read_count_phase_is_equal := pathsleft_read_count_phase = 7;
@@ -3033,149 +3865,140 @@ begin
       else
         pathsleft_ahead_count_phase_choice := (pathsleft_ahead_count_phase + 1) mod 8;
       end if;
-      pathsleft_lower_neighbour_value := to_integer(pathsleft_read_words(1)(17 downto 12));
-      pathsleft_stay_value(0) := to_integer(pathsleft_read_words(1)(23 downto 18));
-      if (pathsleft_stay_value(0) - to_integer(pathsleft_read_words(0)(5 downto 0))) < 0 then
-        pathsleft_stay_choice(0) := pathsleft_stay_value(0);
+      if (to_integer(pathsleft_read_words(2)(6 downto 0)) - to_integer(pathsleft_read_words(0)(6 downto 0))) < 0 then
+        pathsleft_stay_choice(0) := to_integer(pathsleft_read_words(2)(6 downto 0));
       else
-        pathsleft_stay_choice(0) := to_integer(pathsleft_read_words(0)(5 downto 0));
+        pathsleft_stay_choice(0) := to_integer(pathsleft_read_words(0)(6 downto 0));
       end if;
       for i in 1 to 2 loop
-        pathsleft_stay_value(i) := to_integer(pathsleft_read_words(0)(6 * i + 5 downto 6 * i));
-        if (to_integer(pathsleft_read_words(i)(53 - 24 * i downto 48 - 24 * i)) - pathsleft_stay_value(i)) < 0 then
-          pathsleft_stay_choice(i) := to_integer(pathsleft_read_words(i)(53 - 24 * i downto 48 - 24 * i));
-        else
-          pathsleft_stay_choice(i) := pathsleft_stay_value(i);
-        end if;
-      end loop;
-      pathsleft_stay_value(3) := to_integer(pathsleft_read_words(2)(11 downto 6));
-      pathsleft_stay_3_value_2 := to_integer(pathsleft_read_words(0)(23 downto 18));
-      if (pathsleft_stay_value(3) - pathsleft_stay_3_value_2) < 0 then
-        pathsleft_stay_choice(3) := pathsleft_stay_value(3);
-      else
-        pathsleft_stay_choice(3) := pathsleft_stay_3_value_2;
-      end if;
-      for i in 4 to 5 loop
-        pathsleft_stay_value(i) := to_integer(pathsleft_read_words(2)(6 * i - 7 downto 6 * i - 12));
-        if (pathsleft_stay_value(i) - to_integer(pathsleft_read_words(i - 4)(125 - 24 * i downto 120 - 24 * i))) < 0
-          then
+        pathsleft_stay_value(i) := to_integer(pathsleft_read_words(2)(7 * i + 6 downto 7 * i));
+        pathsleft_stay_value_2(i) := to_integer(pathsleft_read_words(0)(7 * i + 6 downto 7 * i));
+        if (pathsleft_stay_value(i) - pathsleft_stay_value_2(i)) < 0 then
           pathsleft_stay_choice(i) := pathsleft_stay_value(i);
         else
-          pathsleft_stay_choice(i) := to_integer(pathsleft_read_words(i - 4)(125 - 24 * i downto 120 - 24 * i));
+          pathsleft_stay_choice(i) := pathsleft_stay_value_2(i);
         end if;
       end loop;
-      pathsleft_stay_value(6) := to_integer(pathsleft_read_words(1)(11 downto 6));
-      if (to_integer(pathsleft_read_words(2)(29 downto 24)) - pathsleft_stay_value(6)) < 0 then
-        pathsleft_stay_choice(6) := to_integer(pathsleft_read_words(2)(29 downto 24));
+      for i in 2 to 3 loop
+        if (to_integer(pathsleft_read_words(i)(69 - 21 * i downto 63 - 21 * i)) - to_integer(pathsleft_read_words(i -
+          2)(69 - 21 * i downto 63 - 21 * i))) < 0 then
+          pathsleft_stay_choice(i + 1) := to_integer(pathsleft_read_words(i)(69 - 21 * i downto 63 - 21 * i));
+        else
+          pathsleft_stay_choice(i + 1) := to_integer(pathsleft_read_words(i - 2)(69 - 21 * i downto 63 - 21 * i));
+        end if;
+      end loop;
+      for i in 5 to 6 loop
+        pathsleft_stay_values(i) := to_integer(pathsleft_read_words(3)(7 * i - 22 downto 7 * i - 28));
+        pathsleft_stay_value_2s(i) := to_integer(pathsleft_read_words(1)(7 * i - 22 downto 7 * i - 28));
+        if (pathsleft_stay_values(i) - pathsleft_stay_value_2s(i)) < 0 then
+          pathsleft_stay_choice(i) := pathsleft_stay_values(i);
+        else
+          pathsleft_stay_choice(i) := pathsleft_stay_value_2s(i);
+        end if;
+      end loop;
+      if (to_integer(pathsleft_read_words(3)(27 downto 21)) - to_integer(pathsleft_read_words(1)(27 downto 21))) < 0
+        then
+        pathsleft_stay_choice(7) := to_integer(pathsleft_read_words(3)(27 downto 21));
       else
-        pathsleft_stay_choice(6) := pathsleft_stay_value(6);
+        pathsleft_stay_choice(7) := to_integer(pathsleft_read_words(1)(27 downto 21));
       end if;
-      if (to_integer(pathsleft_read_words_3) - pathsleft_lower_neighbour_value) < 0 then
-        pathsleft_stay_choice(7) := to_integer(pathsleft_read_words_3);
-      else
-        pathsleft_stay_choice(7) := pathsleft_lower_neighbour_value;
-      end if;
-      if line_starts_phases(18) then
-        pathsleft_step_choice(0) := pathsleft_stay_value(1);
+      if pathsleft_is_first then
+        pathsleft_step_choice(0) := pathsleft_stay_value_2(1);
       else
         pathsleft_step_choice(0) := pathsleft_lower_neighbour;
       end if;
-      if (pathsleft_stay_value(1) - pathsleft_step_choice(0)) < 0 then
-        pathsleft_step_0_choice_2 := pathsleft_stay_value(1);
+      if (pathsleft_stay_value_2(1) - pathsleft_step_choice(0)) < 0 then
+        pathsleft_step_0_choice_2 := pathsleft_stay_value_2(1);
       else
         pathsleft_step_0_choice_2 := pathsleft_step_choice(0);
       end if;
-      if (pathsleft_stay_value(2) - to_integer(pathsleft_read_words(0)(5 downto 0))) < 0 then
-        pathsleft_step_choice(1) := pathsleft_stay_value(2);
+      if (pathsleft_stay_value_2(2) - to_integer(pathsleft_read_words(0)(6 downto 0))) < 0 then
+        pathsleft_step_choice(1) := pathsleft_stay_value_2(2);
       else
-        pathsleft_step_choice(1) := to_integer(pathsleft_read_words(0)(5 downto 0));
+        pathsleft_step_choice(1) := to_integer(pathsleft_read_words(0)(6 downto 0));
       end if;
-      if (pathsleft_stay_3_value_2 - pathsleft_stay_value(1)) < 0 then
-        pathsleft_step_choice(2) := pathsleft_stay_3_value_2;
+      for i in 0 to 1 loop
+        if (to_integer(pathsleft_read_words(i)(27 - 21 * i downto 21 - 21 * i)) - pathsleft_stay_value_2(i + 1)) < 0
+          then
+          pathsleft_step_choice(i + 2) := to_integer(pathsleft_read_words(i)(27 - 21 * i downto 21 - 21 * i));
+        else
+          pathsleft_step_choice(i + 2) := pathsleft_stay_value_2(i + 1);
+        end if;
+      end loop;
+      for i in 5 to 6 loop
+        if (pathsleft_stay_value_2s(i) - to_integer(pathsleft_read_words(i - 5)(132 - 21 * i downto 126 - 21 * i))) < 0
+          then
+          pathsleft_step_choice(i - 1) := pathsleft_stay_value_2s(i);
+        else
+          pathsleft_step_choice(i - 1) := to_integer(pathsleft_read_words(i - 5)(132 - 21 * i downto 126 - 21 * i));
+        end if;
+      end loop;
+      if (to_integer(pathsleft_read_words(1)(27 downto 21)) - pathsleft_stay_value_2s(5)) < 0 then
+        pathsleft_step_choice(6) := to_integer(pathsleft_read_words(1)(27 downto 21));
       else
-        pathsleft_step_choice(2) := pathsleft_stay_value(1);
-      end if;
-      if (to_integer(pathsleft_read_words(0)(29 downto 24)) - pathsleft_stay_value(2)) < 0 then
-        pathsleft_step_choice(3) := to_integer(pathsleft_read_words(0)(29 downto 24));
-      else
-        pathsleft_step_choice(3) := pathsleft_stay_value(2);
-      end if;
-      if (to_integer(pathsleft_read_words(1)(5 downto 0)) - pathsleft_stay_3_value_2) < 0 then
-        pathsleft_step_choice(4) := to_integer(pathsleft_read_words(1)(5 downto 0));
-      else
-        pathsleft_step_choice(4) := pathsleft_stay_3_value_2;
-      end if;
-      if (pathsleft_stay_value(6) - to_integer(pathsleft_read_words(0)(29 downto 24))) < 0 then
-        pathsleft_step_choice(5) := pathsleft_stay_value(6);
-      else
-        pathsleft_step_choice(5) := to_integer(pathsleft_read_words(0)(29 downto 24));
-      end if;
-      if (pathsleft_lower_neighbour_value - to_integer(pathsleft_read_words(1)(5 downto 0))) < 0 then
-        pathsleft_step_choice(6) := pathsleft_lower_neighbour_value;
-      else
-        pathsleft_step_choice(6) := to_integer(pathsleft_read_words(1)(5 downto 0));
+        pathsleft_step_choice(6) := pathsleft_stay_value_2s(5);
       end if;
       if pathsleft_is_last then
-        pathsleft_step_choice(7) := pathsleft_stay_value(6);
+        pathsleft_step_choice(7) := pathsleft_stay_value_2s(6);
       else
         pathsleft_step_choice(7) := to_integer(pathsleft_read_neighbour_0);
       end if;
-      if (pathsleft_step_choice(7) - pathsleft_stay_value(6)) < 0 then
+      if (pathsleft_step_choice(7) - pathsleft_stay_value_2s(6)) < 0 then
         pathsleft_step_7_choice_2 := pathsleft_step_choice(7);
       else
-        pathsleft_step_7_choice_2 := pathsleft_stay_value(6);
+        pathsleft_step_7_choice_2 := pathsleft_stay_value_2s(6);
       end if;
-      pathsleft_stay_change_value(1) := to_integer(paths_cost_delay_held_0(7 downto 0)) / 16;
+      pathsleft_stay_change_value(1) := to_integer(paths_cost_delay_held_0(5 downto 0)) / 8;
       for i in 2 to 6 loop
-        pathsleft_stay_change_value(i) := to_integer(paths_cost_delay_held_0(4 * i + 3 downto 4 * i));
+        pathsleft_stay_change_value(i) := to_integer(paths_cost_delay_held_0(3 * i + 2 downto 3 * i));
       end loop;
       if pathsleft_write_count_phase = 7 then
         pathsleft_write_count_phase_choice := 7;
       else
         pathsleft_write_count_phase_choice := (pathsleft_write_count_phase + 1) mod 8;
       end if;
-      if line_comes(23) then
-        pathsleft_low_0_choice := 63;
+      if line_comes(25) then
+        pathsleft_low_0_choice := 127;
       else
         pathsleft_low_0_choice := pathsleft_low_0;
       end if;
-      pathsleft_lost <= pathsleft_lowest_0(5) = '1';
-      pathsleft_short_of <= ((to_integer(pathsleft_lowest_0(4 downto 0)) + pathsleft_room) / 32) = 1;
-      pathsleft_missing <= (to_integer(pathsleft_lowest_0) + pathsleft_room) mod 32;
-      pathsleft_below <= (0 - to_integer(pathsleft_lowest_0)) mod 32;
-      pathsleft_is_first <= line_starts_phases(17);
+      pathsleft_lost <= pathsleft_lowest_0(6) = '1';
+      pathsleft_short_of <= ((to_integer(pathsright_lowest_0(5 downto 0)) + pathsright_room) / 64) = 1;
+      pathsleft_missing <= (to_integer(pathsleft_lowest_0) + pathsleft_room) mod 64;
+      pathsleft_below <= (0 - to_integer(pathsleft_lowest_0)) mod 64;
+      pathsleft_is_first <= pathsleft_read_count_phase = 0;
       pathsleft_is_last <= pathsleft_read_count_phase_is_equal;
-      pathsleft_lower_neighbour <= pathsleft_lower_neighbour_value;
-      pathsleft_stay_change(0) <= (to_integer(paths_cost_delay_held_0(3 downto 0)) - pathsleft_g) mod 64;
+      pathsleft_lower_neighbour <= to_integer(pathsleft_read_words(1)(27 downto 21));
+      pathsleft_stay_change(0) <= (to_integer(paths_cost_delay_held_0(2 downto 0)) - pathsleft_g) mod 128;
       for i in 1 to 6 loop
-        pathsleft_stay_change(i) <= (pathsleft_stay_change_value(i) - pathsleft_g) mod 64;
+        pathsleft_stay_change(i) <= (pathsleft_stay_change_value(i) - pathsleft_g) mod 128;
       end loop;
-      pathsleft_stay_change(7) <= (to_integer(paths_cost_delay_held_0(31 downto 28)) - pathsleft_g) mod 64;
-      pathsleft_step_change(0) <= (to_integer(paths_cost_delay_held_0(3 downto 0)) - pathsleft_g_less) mod 64;
+      pathsleft_stay_change(7) <= (to_integer(paths_cost_delay_held_0(23 downto 21)) - pathsleft_g) mod 128;
+      pathsleft_step_change(0) <= (to_integer(paths_cost_delay_held_0(2 downto 0)) - pathsleft_g_less) mod 128;
       for i in 1 to 6 loop
-        pathsleft_step_change(i) <= (pathsleft_stay_change_value(i) - pathsleft_g_less) mod 64;
+        pathsleft_step_change(i) <= (pathsleft_stay_change_value(i) - pathsleft_g_less) mod 128;
       end loop;
-      pathsleft_step_change(7) <= (to_integer(paths_cost_delay_held_0(31 downto 28)) - pathsleft_g_less) mod 64;
-      if line_starts_phases(16) then
+      pathsleft_step_change(7) <= (to_integer(paths_cost_delay_held_0(23 downto 21)) - pathsleft_g_less) mod 128;
+      if line_starts_phases(18) then
         pathsleft_read_count_phase <= 0;
       else
         pathsleft_read_count_phase <= pathsleft_read_count_phase_choice;
       end if;
-      if line_starts_phases(15) then
+      if line_starts_phases(17) then
         pathsleft_ahead_count_phase <= 0;
       else
         pathsleft_ahead_count_phase <= pathsleft_ahead_count_phase_choice;
       end if;
       for i in 0 to 7 loop
-        if (not is_set(pathsleft_stay_choice(i), 5)) and (not pathsleft_first) then
+        if (not is_set(pathsleft_stay_choice(i), 6)) and (not pathsleft_first) then
           pathsleft_stay(i) <= pathsleft_stay_choice(i);
         else
-          pathsleft_stay(i) <= 32;
+          pathsleft_stay(i) <= 64;
         end if;
       end loop;
       if pathsleft_first then
         for i in 0 to 7 loop
-          pathsleft_step(i) <= 32;
+          pathsleft_step(i) <= 64;
         end loop;
       else
         pathsleft_step(0) <= pathsleft_step_0_choice_2;
@@ -3184,7 +4007,7 @@ begin
         end loop;
         pathsleft_step(7) <= pathsleft_step_7_choice_2;
       end if;
-      if line_starts_phases(19) then
+      if line_starts_phases(21) then
         pathsleft_write_count_phase <= 0;
       else
         pathsleft_write_count_phase <= pathsleft_write_count_phase_choice;
@@ -3213,7 +4036,7 @@ begin
       else
         pathsleft_low_0 <= pathsleft_low_0_choice;
       end if;
-      if pathsleft_short_of then
+      if pathsright_short_of then
         pathsleft_q_choice := pathsleft_missing;
       else
         pathsleft_q_choice := 0;
@@ -3223,14 +4046,14 @@ begin
       else
         pathsleft_q_choice_2 := pathsleft_q_choice;
       end if;
-      if pathsleft_short_of then
+      if pathsright_short_of then
         pathsleft_room_left_choice := pathsleft_below;
       else
         pathsleft_room_left_choice := pathsleft_room;
       end if;
-      if line_starts_phases(15) then
-        if line_places_shown_first_column(1) then
-          pathsleft_q <= 24;
+      if line_starts_phases(17) then
+        if line_places_shown_first_column(2) then
+          pathsleft_q <= 60;
         else
           pathsleft_q <= pathsleft_q_choice_2;
         end if;
@@ -3240,38 +4063,38 @@ begin
           pathsleft_room_left <= pathsleft_room_left_choice;
         end if;
       end if;
-      if line_starts_phases(16) then
+      if line_starts_phases(18) then
         pathsleft_q_now <= pathsleft_q;
-        pathsleft_q_less <= ((((pathsleft_q / 4) + 15) mod 16) * 4) + (pathsleft_q mod 4);
-        if line_places_shown_first_column(1) then
+        pathsleft_q_less <= (pathsleft_q + 121) mod 128;
+        if line_places_shown_first_column(2) then
           pathsleft_room <= 0;
           for i in 1 to 8 loop
             pathsleft_start_cost(i) <= 0;
           end loop;
         else
-          pathsleft_room <= (pathsleft_room_left + pathsleft_start_cost(8)) mod 32;
+          pathsleft_room <= (pathsleft_room_left + pathsleft_start_cost(8)) mod 64;
           pathsleft_start_cost(1) <= pathsleft_q_now;
           for i in 2 to 8 loop
             pathsleft_start_cost(i) <= pathsleft_start_cost(i - 1);
           end loop;
         end if;
       end if;
-      if line_starts_phases(17) then
+      if line_starts_phases(19) then
         pathsleft_first <= line_places_shown_first_column(2);
         pathsleft_g <= paths_smallest_cost + pathsleft_q_now;
-        pathsleft_g_less <= (paths_smallest_cost + pathsleft_q_less) mod 64;
+        pathsleft_g_less <= (paths_smallest_cost + pathsleft_q_less) mod 128;
       end if;
       pathsleft_cost_0_any := (not is_set(pathsleft_write_count_phase, 2)) or (not is_set(pathsleft_write_count_phase,
-        1)) or (not is_set(pathsleft_write_count_phase, 0)) or line_starts_phases(19);
+        1)) or (not is_set(pathsleft_write_count_phase, 0)) or line_starts_phases(21);
       if pathsleft_cost_0_any then
         for i in 0 to 7 loop
-          pathsleft_cost(i) <= (pathsleft_stay(i) + pathsleft_stay_change(i)) mod 64;
+          pathsleft_cost(i) <= (pathsleft_stay(i) + pathsleft_stay_change(i)) mod 128;
         end loop;
         for i in 0 to 7 loop
-          pathsleft_arrived(i) <= (pathsleft_step(i) + pathsleft_step_change(i)) mod 64;
+          pathsleft_arrived(i) <= (pathsleft_step(i) + pathsleft_step_change(i)) mod 128;
         end loop;
       end if;
-      if line_starts_phases(31) then
+      if line_starts_phases(33) then
         pathsleft_low_write_address <= (pathsleft_low_write_address + 1) mod 16;
       end if;
       -- pathsabove
@@ -3294,7 +4117,7 @@ begin
       else
         pathsabove_memory_bank_choice := pathsabove_memory_read_address_0_sum mod 8192;
       end if;
-      if line_starts_phases(2) then
+      if line_starts_phases(4) then
         pathsabove_memory_bank_choice_2 := pathsabove_memory_bank_choice;
       else
         pathsabove_memory_bank_choice_2 := pathsabove_memory_read_address_0_sum_2 mod 8192;
@@ -3304,59 +4127,59 @@ begin
       else
         pathsabove_read_address_count_phase_choice := (pathsabove_read_address_count_phase + 1) mod 8;
       end if;
-      if line_starts_phases(5) then
+      if line_starts_phases(7) then
         pathsabove_ready_top_choice := line_places_shown_first_column(0) or pathsabove_ready_top;
       else
         pathsabove_ready_top_choice := pathsabove_ready_top;
       end if;
-      if line_starts_phases(5) then
+      if line_starts_phases(7) then
         pathsabove_ready_top_choice_2 := (not line_places_shown_first_column(0)) and pathsabove_ready_top;
       else
         pathsabove_ready_top_choice_2 := pathsabove_ready_top;
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(0) := 24;
+        pathsabove_total_choice(0) := 31;
       else
         pathsabove_total_choice(0) := pathsabove_memory_ready_words(0) mod 32;
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(1) := 24;
+        pathsabove_total_choice(1) := 31;
       else
         pathsabove_total_choice(1) := (pathsabove_memory_ready_words(0) / 32) mod 32;
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(2) := 24;
+        pathsabove_total_choice(2) := 31;
       else
         pathsabove_total_choice(2) := (pathsabove_memory_ready_words(0) / 1024) mod 32;
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(3) := 24;
+        pathsabove_total_choice(3) := 31;
       else
         pathsabove_total_choice(3) := ((pathsabove_memory_ready_words(1) mod 16) * 2) +
           (pathsabove_memory_ready_words(0) / 32768);
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(4) := 24;
+        pathsabove_total_choice(4) := 31;
       else
         pathsabove_total_choice(4) := (pathsabove_memory_ready_words(1) / 16) mod 32;
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(5) := 24;
+        pathsabove_total_choice(5) := 31;
       else
         pathsabove_total_choice(5) := (pathsabove_memory_ready_words(1) / 512) mod 32;
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(6) := 24;
+        pathsabove_total_choice(6) := 31;
       else
         pathsabove_total_choice(6) := ((pathsabove_memory_ready_words_2 mod 8) * 4) + (pathsabove_memory_ready_words(1)
           / 16384);
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(7) := 24;
+        pathsabove_total_choice(7) := 31;
       else
         pathsabove_total_choice(7) := pathsabove_memory_ready_words_2 / 8;
       end if;
-      if line_comes(10) then
+      if line_comes(12) then
         pathsabove_smallest_total_choice := 63;
       else
         pathsabove_smallest_total_choice := pathsabove_smallest_total;
@@ -3416,12 +4239,12 @@ begin
         pathsabove_own(i) <= pathsabove_held(i);
       end loop;
       for i in 0 to 7 loop
-        pathsabove_step(i) <= (((pathsabove_beside(i) / 4) + 1) * 4) + (pathsabove_beside(i) mod 4);
+        pathsabove_step(i) <= pathsabove_beside(i) + 5;
       end loop;
-      pathsabove_write_address_is_here <= line_starts_phases(22) or (not is_set(pathsabove_write_address_count_phase,
+      pathsabove_write_address_is_here <= line_starts_phases(24) or (not is_set(pathsabove_write_address_count_phase,
         2)) or (not is_set(pathsabove_write_address_count_phase, 1)) or (not
         is_set(pathsabove_write_address_count_phase, 0));
-      if line_starts_phases(2) then
+      if line_starts_phases(4) then
         pathsabove_memory_read_address_0 <= pathsabove_memory_read_address_0_choice;
         pathsabove_memory_read_address_1 <= pathsabove_memory_read_address_1_choice;
         pathsabove_read_address_count_phase <= 0;
@@ -3468,7 +4291,7 @@ begin
       else
         pathsabove_smallest_total <= pathsabove_smallest_total_choice;
       end if;
-      if line_starts_phases(20) then
+      if line_starts_phases(22) then
         pathsabove_count_phase <= 0;
       else
         pathsabove_count_phase <= pathsabove_count_phase_choice;
@@ -3491,18 +4314,18 @@ begin
         pathsabove_beside(7) <= pathsabove_held(6);
       end if;
       for i in 0 to 6 loop
-        if pathsabove_own(i) < 24 then
+        if pathsabove_own(i) < 31 then
           pathsabove_stay(i) <= pathsabove_own(i) mod 32;
         else
-          pathsabove_stay(i) <= 24;
+          pathsabove_stay(i) <= 31;
         end if;
       end loop;
-      if pathsabove_lower_neighbour < 24 then
+      if pathsabove_lower_neighbour < 31 then
         pathsabove_stay(7) <= pathsabove_lower_neighbour mod 32;
       else
-        pathsabove_stay(7) <= 24;
+        pathsabove_stay(7) <= 31;
       end if;
-      if line_starts_phases(22) then
+      if line_starts_phases(24) then
         pathsabove_write_address_address <= pathsabove_write_address_address_choice;
         pathsabove_write_address_count_phase <= 0;
       else
@@ -3587,14 +4410,14 @@ begin
         pathsabove_memory_write_words_2(1) <= pathsabove_memory_write_words_0_2_sum;
         pathsabove_memory_write_address_1 <= pathsabove_write_address_address mod 1024;
       end if;
-      if line_comes(18) then
+      if line_comes(20) then
         pathsabove_smallest <= pathsabove_smallest_total;
       end if;
       -- pathsturn
       pathsturn_cost_memory_read_address_0_sum := pathsturn_read_address_address + as_number(((not
         is_set(pathsturn_read_address_count_phase, 2)) or (not is_set(pathsturn_read_address_count_phase, 1)) or (not
         is_set(pathsturn_read_address_count_phase, 0))));
-      if line_starts_phases(14) then
+      if line_starts_phases(16) then
         pathsturn_cost_memory_bank_choice := line_places_address(1) * 8;
       else
         pathsturn_cost_memory_bank_choice := pathsturn_cost_memory_read_address_0_sum mod 8192;
@@ -3622,16 +4445,16 @@ begin
       pathsturn_sum_memory_held_bank <= pathsturn_sum_memory_read_bank;
       pathsturn_cost_memory_bank <= is_set(pathsturn_cost_memory_bank_choice, 12);
       pathsturn_cost_memory_read_bank <= pathsturn_cost_memory_bank;
-      pathsturn_cost_memory_held_words(0, 0) <= to_integer(pathsturn_cost_memory_read_words(0, 0));
-      pathsturn_cost_memory_held_words(0, 1) <= to_integer(pathsturn_cost_memory_read_words(0, 1));
-      pathsturn_cost_memory_held_words(1, 0) <= to_integer(pathsturn_cost_memory_read_words(1, 0));
-      pathsturn_cost_memory_held_words(1, 1) <= to_integer(pathsturn_cost_memory_read_words(1, 1));
+      pathsturn_cost_memory_held_words_0(0) <= to_integer(pathsturn_cost_memory_read_words_0(0));
+      pathsturn_cost_memory_held_words_1(0) <= to_integer(pathsturn_cost_memory_read_words_1(0));
+      pathsturn_cost_memory_held_words_0(1) <= to_integer(pathsturn_cost_memory_read_words_0(1));
+      pathsturn_cost_memory_held_words_1(1) <= to_integer(pathsturn_cost_memory_read_words_1(1));
       pathsturn_cost_memory_held_bank <= is_set(pathsturn_sum_read_address, 12);
       pathsturn_ready_smallest_0 <= to_integer(pathsturn_read_smallest_0);
       pathsturn_read_address_address <= pathsturn_cost_memory_bank_choice;
       pathsturn_sum_read_address <= pathsturn_read_address_address;
       pathsturn_write_smallest_0 <= paths_smallest_cost;
-      pathsturn_write_address_is_here <= line_starts_phases(17) or (not is_set(pathsturn_write_address_count_phase, 2))
+      pathsturn_write_address_is_here <= line_starts_phases(19) or (not is_set(pathsturn_write_address_count_phase, 2))
         or (not is_set(pathsturn_write_address_count_phase, 1)) or (not is_set(pathsturn_write_address_count_phase, 0));
       pathsturn_sum_write_address(0) <= pathsturn_write_address_address;
       pathsturn_sum_write_address(1) <= pathsturn_sum_write_address(0);
@@ -3648,7 +4471,7 @@ begin
         pathsturn_sum_memory_ready_words(2) <= pathsturn_sum_memory_held_words(0, 2);
         pathsturn_sum_memory_ready_words_3 <= pathsturn_sum_memory_held_words_3(0);
       end if;
-      if line_starts_phases(14) then
+      if line_starts_phases(16) then
         pathsturn_cost_memory_read_address_0 <= (line_places_address(1) mod 512) * 8;
         pathsturn_cost_memory_read_address_1 <= (line_places_address(1) mod 128) * 8;
         pathsturn_read_address_count_phase <= 0;
@@ -3658,206 +4481,207 @@ begin
         pathsturn_read_address_count_phase <= pathsturn_read_address_count_phase_choice;
       end if;
       if pathsturn_sum_memory_bank then
-        pathsturn_cost_memory_ready_words(0) <= pathsturn_cost_memory_held_words(1, 0);
-        pathsturn_cost_memory_ready_words(1) <= pathsturn_cost_memory_held_words(1, 1);
+        pathsturn_cost_memory_ready_words_0 <= pathsturn_cost_memory_held_words_0(1);
+        pathsturn_cost_memory_ready_words_1 <= pathsturn_cost_memory_held_words_1(1);
       else
-        pathsturn_cost_memory_ready_words(0) <= pathsturn_cost_memory_held_words(0, 0);
-        pathsturn_cost_memory_ready_words(1) <= pathsturn_cost_memory_held_words(0, 1);
+        pathsturn_cost_memory_ready_words_0 <= pathsturn_cost_memory_held_words_0(0);
+        pathsturn_cost_memory_ready_words_1 <= pathsturn_cost_memory_held_words_1(0);
       end if;
-      if line_starts_phases(17) then
+      if line_starts_phases(19) then
         pathsturn_write_smallest_address <= line_places_address(2);
         pathsturn_write_address_address <= line_places_address(2) * 8;
         pathsturn_write_address_count_phase <= 0;
       else
-        pathsturn_write_smallest_address <= 577;
+        pathsturn_write_smallest_address <= 638;
         pathsturn_write_address_address <= (pathsturn_write_address_address + as_number(((not
           is_set(pathsturn_write_address_count_phase, 2)) or (not is_set(pathsturn_write_address_count_phase, 1)) or
           (not is_set(pathsturn_write_address_count_phase, 0))))) mod 8192;
         pathsturn_write_address_count_phase <= pathsturn_write_address_count_phase_choice;
       end if;
       pathsturn_sum_memory_write_words_0_sum(0) := pathsleft_cost(2) + pathsabove_cost(2);
-      pathsturn_sum_memory_write_words_0_0_sum_2 := ((pathsleft_cost(1) + pathsabove_cost(1)) * 128) +
-        pathsleft_cost(0) + pathsabove_cost(0) + ((pathsturn_sum_memory_write_words_0_sum(0) mod 4) * 16384);
+      pathsturn_sum_memory_write_words_0_sum_2(0) := (((pathsleft_cost(1) + pathsabove_cost(1)) mod 128) * 128) +
+        ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) + ((pathsturn_sum_memory_write_words_0_sum(0) mod 4) *
+        16384);
       pathsturn_sum_memory_write_words_0_sum(1) := pathsleft_cost(4) + pathsabove_cost(4);
-      pathsturn_sum_memory_write_words_0_1_sum_2 := ((pathsleft_cost(3) + pathsabove_cost(3)) * 32) +
-        (pathsturn_sum_memory_write_words_0_sum(0) / 4) + ((pathsturn_sum_memory_write_words_0_sum(1) mod 16) * 4096);
+      pathsturn_sum_memory_write_words_0_sum_2(1) := (((pathsleft_cost(3) + pathsabove_cost(3)) mod 128) * 32) +
+        ((pathsturn_sum_memory_write_words_0_sum(0) mod 128) / 4) + ((pathsturn_sum_memory_write_words_0_sum(1) mod 16)
+        * 4096);
       pathsturn_sum_memory_write_words_0_sum(2) := pathsleft_cost(6) + pathsabove_cost(6);
-      pathsturn_sum_memory_write_words_0_2_sum_2 := ((pathsleft_cost(5) + pathsabove_cost(5)) * 8) +
-        (pathsturn_sum_memory_write_words_0_sum(1) / 16) + ((pathsturn_sum_memory_write_words_0_sum(2) mod 64) * 1024);
-      pathsturn_sum_memory_write_words_0_3_sum := (pathsturn_sum_memory_write_words_0_sum(2) / 64) +
-        ((pathsleft_cost(7) + pathsabove_cost(7)) * 2);
+      pathsturn_sum_memory_write_words_0_sum_2(2) := (((pathsleft_cost(5) + pathsabove_cost(5)) mod 128) * 8) +
+        ((pathsturn_sum_memory_write_words_0_sum(1) mod 128) / 16) + ((pathsturn_sum_memory_write_words_0_sum(2) mod
+        64) * 1024);
+      pathsturn_sum_memory_write_words_0_3_sum := ((pathsturn_sum_memory_write_words_0_sum(2) mod 128) / 64) +
+        (((pathsleft_cost(7) + pathsabove_cost(7)) mod 128) * 2);
       pathsturn_sum_memory_write_words_0_all(0) := (pathsturn_sum_write_address(1) < 4096) and pathsturn_writes_sums(1);
       if pathsturn_sum_memory_write_words_0_all(0) then
-        pathsturn_sum_memory_write_words_0(0) <= pathsturn_sum_memory_write_words_0_0_sum_2;
-        pathsturn_sum_memory_write_words_1(0) <= pathsturn_sum_memory_write_words_0_1_sum_2;
-        pathsturn_sum_memory_write_words_2(0) <= pathsturn_sum_memory_write_words_0_2_sum_2;
+        pathsturn_sum_memory_write_words(0, 0) <= pathsturn_sum_memory_write_words_0_sum_2(0);
+        pathsturn_sum_memory_write_words(0, 1) <= pathsturn_sum_memory_write_words_0_sum_2(1);
+        pathsturn_sum_memory_write_words(0, 2) <= pathsturn_sum_memory_write_words_0_sum_2(2);
         pathsturn_sum_memory_write_words_3(0) <= pathsturn_sum_memory_write_words_0_3_sum;
         pathsturn_sum_memory_write_address_0 <= pathsturn_sum_write_address(1) mod 4096;
       end if;
       pathsturn_sum_memory_write_words_0_all(1) := is_set(pathsturn_sum_write_address(1), 12) and
         pathsturn_writes_sums(1);
       if pathsturn_sum_memory_write_words_0_all(1) then
-        pathsturn_sum_memory_write_words_0(1) <= pathsturn_sum_memory_write_words_0_0_sum_2;
-        pathsturn_sum_memory_write_words_1(1) <= pathsturn_sum_memory_write_words_0_1_sum_2;
-        pathsturn_sum_memory_write_words_2(1) <= pathsturn_sum_memory_write_words_0_2_sum_2;
+        pathsturn_sum_memory_write_words(1, 0) <= pathsturn_sum_memory_write_words_0_sum_2(0);
+        pathsturn_sum_memory_write_words(1, 1) <= pathsturn_sum_memory_write_words_0_sum_2(1);
+        pathsturn_sum_memory_write_words(1, 2) <= pathsturn_sum_memory_write_words_0_sum_2(2);
         pathsturn_sum_memory_write_words_3(1) <= pathsturn_sum_memory_write_words_0_3_sum;
         pathsturn_sum_memory_write_address_1 <= pathsturn_sum_write_address(1) mod 1024;
       end if;
+      pathsturn_cost_memory_write_words_0_0_sum := (to_integer(paths_cost_delay_held_0(15 downto 15)) * 32768) +
+        to_integer(paths_cost_delay_held_0(14 downto 0));
+      pathsturn_cost_memory_write_words_0_1_sum := (pathsleft_stay_change_value(5) / 2) +
+        (to_integer(paths_cost_delay_held_0(23 downto 18)) * 4);
       pathsturn_cost_memory_write_words_0_all(0) := pathsturn_write_address_is_here and
         (pathsturn_write_address_address < 4096);
       if pathsturn_cost_memory_write_words_0_all(0) then
-        pathsturn_cost_memory_write_words(0, 0) <= to_integer(paths_cost_delay_held_0(15 downto 0));
-        pathsturn_cost_memory_write_words(0, 1) <= to_integer(paths_cost_delay_held_0(31 downto 16));
+        pathsturn_cost_memory_write_words_0(0) <= pathsturn_cost_memory_write_words_0_0_sum;
+        pathsturn_cost_memory_write_words_1(0) <= pathsturn_cost_memory_write_words_0_1_sum;
         pathsturn_cost_memory_write_address_0 <= pathsturn_write_address_address mod 4096;
       end if;
       pathsturn_cost_memory_write_words_0_all(1) := (4095 < pathsturn_write_address_address) and
         pathsturn_write_address_is_here;
       if pathsturn_cost_memory_write_words_0_all(1) then
-        pathsturn_cost_memory_write_words(1, 0) <= to_integer(paths_cost_delay_held_0(15 downto 0));
-        pathsturn_cost_memory_write_words(1, 1) <= to_integer(paths_cost_delay_held_0(31 downto 16));
+        pathsturn_cost_memory_write_words_0(1) <= pathsturn_cost_memory_write_words_0_0_sum;
+        pathsturn_cost_memory_write_words_1(1) <= pathsturn_cost_memory_write_words_0_1_sum;
         pathsturn_cost_memory_write_address_1 <= pathsturn_write_address_address mod 1024;
       end if;
-      if line_starts_phases(14) then
+      if line_starts_phases(16) then
         pathsturn_smallest_address <= line_places_address(1);
       end if;
       -- pathsright
-      pathsright_lower_neighbour_value := to_integer(pathsright_read_words(1)(17 downto 12));
-      pathsright_stay_value(0) := to_integer(pathsright_read_words(1)(23 downto 18));
-      if (pathsright_stay_value(0) - to_integer(pathsright_read_words(0)(5 downto 0))) < 0 then
-        pathsright_stay_choice(0) := pathsright_stay_value(0);
+      if (to_integer(pathsright_read_words(2)(6 downto 0)) - to_integer(pathsright_read_words(0)(6 downto 0))) < 0 then
+        pathsright_stay_choice(0) := to_integer(pathsright_read_words(2)(6 downto 0));
       else
-        pathsright_stay_choice(0) := to_integer(pathsright_read_words(0)(5 downto 0));
+        pathsright_stay_choice(0) := to_integer(pathsright_read_words(0)(6 downto 0));
       end if;
       for i in 1 to 2 loop
-        pathsright_stay_value(i) := to_integer(pathsright_read_words(0)(6 * i + 5 downto 6 * i));
-        if (to_integer(pathsright_read_words(i)(53 - 24 * i downto 48 - 24 * i)) - pathsright_stay_value(i)) < 0 then
-          pathsright_stay_choice(i) := to_integer(pathsright_read_words(i)(53 - 24 * i downto 48 - 24 * i));
-        else
-          pathsright_stay_choice(i) := pathsright_stay_value(i);
-        end if;
-      end loop;
-      pathsright_stay_value(3) := to_integer(pathsright_read_words(2)(11 downto 6));
-      pathsright_stay_3_value_2 := to_integer(pathsright_read_words(0)(23 downto 18));
-      if (pathsright_stay_value(3) - pathsright_stay_3_value_2) < 0 then
-        pathsright_stay_choice(3) := pathsright_stay_value(3);
-      else
-        pathsright_stay_choice(3) := pathsright_stay_3_value_2;
-      end if;
-      for i in 4 to 5 loop
-        pathsright_stay_value(i) := to_integer(pathsright_read_words(2)(6 * i - 7 downto 6 * i - 12));
-        if (pathsright_stay_value(i) - to_integer(pathsright_read_words(i - 4)(125 - 24 * i downto 120 - 24 * i))) < 0
-          then
+        pathsright_stay_value(i) := to_integer(pathsright_read_words(2)(7 * i + 6 downto 7 * i));
+        pathsright_stay_value_2(i) := to_integer(pathsright_read_words(0)(7 * i + 6 downto 7 * i));
+        if (pathsright_stay_value(i) - pathsright_stay_value_2(i)) < 0 then
           pathsright_stay_choice(i) := pathsright_stay_value(i);
         else
-          pathsright_stay_choice(i) := to_integer(pathsright_read_words(i - 4)(125 - 24 * i downto 120 - 24 * i));
+          pathsright_stay_choice(i) := pathsright_stay_value_2(i);
         end if;
       end loop;
-      pathsright_stay_value(6) := to_integer(pathsright_read_words(1)(11 downto 6));
-      if (to_integer(pathsright_read_words(2)(29 downto 24)) - pathsright_stay_value(6)) < 0 then
-        pathsright_stay_choice(6) := to_integer(pathsright_read_words(2)(29 downto 24));
+      for i in 2 to 3 loop
+        if (to_integer(pathsright_read_words(i)(69 - 21 * i downto 63 - 21 * i)) - to_integer(pathsright_read_words(i -
+          2)(69 - 21 * i downto 63 - 21 * i))) < 0 then
+          pathsright_stay_choice(i + 1) := to_integer(pathsright_read_words(i)(69 - 21 * i downto 63 - 21 * i));
+        else
+          pathsright_stay_choice(i + 1) := to_integer(pathsright_read_words(i - 2)(69 - 21 * i downto 63 - 21 * i));
+        end if;
+      end loop;
+      for i in 5 to 6 loop
+        pathsright_stay_values(i) := to_integer(pathsright_read_words(3)(7 * i - 22 downto 7 * i - 28));
+        pathsright_stay_value_2s(i) := to_integer(pathsright_read_words(1)(7 * i - 22 downto 7 * i - 28));
+        if (pathsright_stay_values(i) - pathsright_stay_value_2s(i)) < 0 then
+          pathsright_stay_choice(i) := pathsright_stay_values(i);
+        else
+          pathsright_stay_choice(i) := pathsright_stay_value_2s(i);
+        end if;
+      end loop;
+      if (to_integer(pathsright_read_words(3)(27 downto 21)) - to_integer(pathsright_read_words(1)(27 downto 21))) < 0
+        then
+        pathsright_stay_choice(7) := to_integer(pathsright_read_words(3)(27 downto 21));
       else
-        pathsright_stay_choice(6) := pathsright_stay_value(6);
+        pathsright_stay_choice(7) := to_integer(pathsright_read_words(1)(27 downto 21));
       end if;
-      if (to_integer(pathsright_read_words_3) - pathsright_lower_neighbour_value) < 0 then
-        pathsright_stay_choice(7) := to_integer(pathsright_read_words_3);
-      else
-        pathsright_stay_choice(7) := pathsright_lower_neighbour_value;
-      end if;
-      if line_starts_phases(18) then
-        pathsright_step_choice(0) := pathsright_stay_value(1);
+      if pathsleft_is_first then
+        pathsright_step_choice(0) := pathsright_stay_value_2(1);
       else
         pathsright_step_choice(0) := pathsright_lower_neighbour;
       end if;
-      if (pathsright_stay_value(1) - pathsright_step_choice(0)) < 0 then
-        pathsright_step_0_choice_2 := pathsright_stay_value(1);
+      if (pathsright_stay_value_2(1) - pathsright_step_choice(0)) < 0 then
+        pathsright_step_0_choice_2 := pathsright_stay_value_2(1);
       else
         pathsright_step_0_choice_2 := pathsright_step_choice(0);
       end if;
-      if (pathsright_stay_value(2) - to_integer(pathsright_read_words(0)(5 downto 0))) < 0 then
-        pathsright_step_choice(1) := pathsright_stay_value(2);
+      if (pathsright_stay_value_2(2) - to_integer(pathsright_read_words(0)(6 downto 0))) < 0 then
+        pathsright_step_choice(1) := pathsright_stay_value_2(2);
       else
-        pathsright_step_choice(1) := to_integer(pathsright_read_words(0)(5 downto 0));
+        pathsright_step_choice(1) := to_integer(pathsright_read_words(0)(6 downto 0));
       end if;
-      if (pathsright_stay_3_value_2 - pathsright_stay_value(1)) < 0 then
-        pathsright_step_choice(2) := pathsright_stay_3_value_2;
+      for i in 0 to 1 loop
+        if (to_integer(pathsright_read_words(i)(27 - 21 * i downto 21 - 21 * i)) - pathsright_stay_value_2(i + 1)) < 0
+          then
+          pathsright_step_choice(i + 2) := to_integer(pathsright_read_words(i)(27 - 21 * i downto 21 - 21 * i));
+        else
+          pathsright_step_choice(i + 2) := pathsright_stay_value_2(i + 1);
+        end if;
+      end loop;
+      for i in 5 to 6 loop
+        if (pathsright_stay_value_2s(i) - to_integer(pathsright_read_words(i - 5)(132 - 21 * i downto 126 - 21 * i))) <
+          0 then
+          pathsright_step_choice(i - 1) := pathsright_stay_value_2s(i);
+        else
+          pathsright_step_choice(i - 1) := to_integer(pathsright_read_words(i - 5)(132 - 21 * i downto 126 - 21 * i));
+        end if;
+      end loop;
+      if (to_integer(pathsright_read_words(1)(27 downto 21)) - pathsright_stay_value_2s(5)) < 0 then
+        pathsright_step_choice(6) := to_integer(pathsright_read_words(1)(27 downto 21));
       else
-        pathsright_step_choice(2) := pathsright_stay_value(1);
-      end if;
-      if (to_integer(pathsright_read_words(0)(29 downto 24)) - pathsright_stay_value(2)) < 0 then
-        pathsright_step_choice(3) := to_integer(pathsright_read_words(0)(29 downto 24));
-      else
-        pathsright_step_choice(3) := pathsright_stay_value(2);
-      end if;
-      if (to_integer(pathsright_read_words(1)(5 downto 0)) - pathsright_stay_3_value_2) < 0 then
-        pathsright_step_choice(4) := to_integer(pathsright_read_words(1)(5 downto 0));
-      else
-        pathsright_step_choice(4) := pathsright_stay_3_value_2;
-      end if;
-      if (pathsright_stay_value(6) - to_integer(pathsright_read_words(0)(29 downto 24))) < 0 then
-        pathsright_step_choice(5) := pathsright_stay_value(6);
-      else
-        pathsright_step_choice(5) := to_integer(pathsright_read_words(0)(29 downto 24));
-      end if;
-      if (pathsright_lower_neighbour_value - to_integer(pathsright_read_words(1)(5 downto 0))) < 0 then
-        pathsright_step_choice(6) := pathsright_lower_neighbour_value;
-      else
-        pathsright_step_choice(6) := to_integer(pathsright_read_words(1)(5 downto 0));
+        pathsright_step_choice(6) := pathsright_stay_value_2s(5);
       end if;
       if pathsleft_is_last then
-        pathsright_step_choice(7) := pathsright_stay_value(6);
+        pathsright_step_choice(7) := pathsright_stay_value_2s(6);
       else
         pathsright_step_choice(7) := to_integer(pathsright_read_neighbour_0);
       end if;
-      if (pathsright_step_choice(7) - pathsright_stay_value(6)) < 0 then
+      if (pathsright_step_choice(7) - pathsright_stay_value_2s(6)) < 0 then
         pathsright_step_7_choice_2 := pathsright_step_choice(7);
       else
-        pathsright_step_7_choice_2 := pathsright_stay_value(6);
+        pathsright_step_7_choice_2 := pathsright_stay_value_2s(6);
       end if;
-      pathsright_stay_change_value(1) := (pathsturn_cost_memory_ready_words(0) mod 256) / 16;
-      pathsright_stay_change_value(2) := (pathsturn_cost_memory_ready_words(0) / 256) mod 16;
-      pathsright_stay_change_values(5) := (pathsturn_cost_memory_ready_words(1) mod 256) / 16;
-      pathsright_stay_change_values(6) := (pathsturn_cost_memory_ready_words(1) / 256) mod 16;
-      if line_comes(23) then
-        pathsright_low_0_choice := 63;
+      pathsright_stay_change_value(1) := (pathsturn_cost_memory_ready_words_0 mod 64) / 8;
+      pathsright_stay_change_value(2) := (pathsturn_cost_memory_ready_words_0 / 64) mod 8;
+      pathsright_stay_change_value(3) := (pathsturn_cost_memory_ready_words_0 / 512) mod 8;
+      pathsright_stay_change_value(4) := (pathsturn_cost_memory_ready_words_0 / 4096) mod 8;
+      pathsright_stay_change_5_sum := ((pathsturn_cost_memory_ready_words_1 mod 4) * 2) +
+        (pathsturn_cost_memory_ready_words_0 / 32768);
+      pathsright_stay_change_6_value := (pathsturn_cost_memory_ready_words_1 / 4) mod 8;
+      if line_comes(25) then
+        pathsright_low_0_choice := 127;
       else
         pathsright_low_0_choice := pathsright_low_0;
       end if;
-      pathsright_lost <= pathsright_lowest_0(5) = '1';
-      pathsright_short_of <= ((to_integer(pathsright_lowest_0(4 downto 0)) + pathsright_room) / 32) = 1;
-      pathsright_missing <= (to_integer(pathsright_lowest_0) + pathsright_room) mod 32;
-      pathsright_below <= (0 - to_integer(pathsright_lowest_0)) mod 32;
-      pathsright_lower_neighbour <= pathsright_lower_neighbour_value;
-      pathsright_stay_change(0) <= ((pathsturn_cost_memory_ready_words(0) mod 16) - pathsright_g) mod 64;
-      pathsright_stay_change(1) <= (pathsright_stay_change_value(1) - pathsright_g) mod 64;
-      pathsright_stay_change(2) <= (pathsright_stay_change_value(2) - pathsright_g) mod 64;
-      pathsright_stay_change(3) <= ((pathsturn_cost_memory_ready_words(0) / 4096) - pathsright_g) mod 64;
-      pathsright_stay_change(4) <= ((pathsturn_cost_memory_ready_words(1) mod 16) - pathsright_g) mod 64;
-      pathsright_stay_change(5) <= (pathsright_stay_change_values(5) - pathsright_g) mod 64;
-      pathsright_stay_change(6) <= (pathsright_stay_change_values(6) - pathsright_g) mod 64;
-      pathsright_stay_change(7) <= ((pathsturn_cost_memory_ready_words(1) / 4096) - pathsright_g) mod 64;
-      pathsright_step_change(0) <= ((pathsturn_cost_memory_ready_words(0) mod 16) - pathsright_g_less) mod 64;
-      pathsright_step_change(1) <= (pathsright_stay_change_value(1) - pathsright_g_less) mod 64;
-      pathsright_step_change(2) <= (pathsright_stay_change_value(2) - pathsright_g_less) mod 64;
-      pathsright_step_change(3) <= ((pathsturn_cost_memory_ready_words(0) / 4096) - pathsright_g_less) mod 64;
-      pathsright_step_change(4) <= ((pathsturn_cost_memory_ready_words(1) mod 16) - pathsright_g_less) mod 64;
-      pathsright_step_change(5) <= (pathsright_stay_change_values(5) - pathsright_g_less) mod 64;
-      pathsright_step_change(6) <= (pathsright_stay_change_values(6) - pathsright_g_less) mod 64;
-      pathsright_step_change(7) <= ((pathsturn_cost_memory_ready_words(1) / 4096) - pathsright_g_less) mod 64;
-      if (not pathsleft_first) and (not is_set(pathsright_stay_choice(0), 5)) then
+      pathsright_lost <= pathsright_lowest_0(6) = '1';
+      pathsright_short_of <= ((to_integer(pathsleft_lowest_0(5 downto 0)) + pathsleft_room) / 64) = 1;
+      pathsright_missing <= (to_integer(pathsright_lowest_0) + pathsright_room) mod 64;
+      pathsright_below <= (0 - to_integer(pathsright_lowest_0)) mod 64;
+      pathsright_lower_neighbour <= to_integer(pathsright_read_words(1)(27 downto 21));
+      pathsright_stay_change(0) <= ((pathsturn_cost_memory_ready_words_0 mod 8) - pathsright_g) mod 128;
+      pathsright_stay_change(1) <= (pathsright_stay_change_value(1) - pathsright_g) mod 128;
+      pathsright_stay_change(2) <= (pathsright_stay_change_value(2) - pathsright_g) mod 128;
+      pathsright_stay_change(3) <= (pathsright_stay_change_value(3) - pathsright_g) mod 128;
+      pathsright_stay_change(4) <= (pathsright_stay_change_value(4) - pathsright_g) mod 128;
+      pathsright_stay_change(5) <= (pathsright_stay_change_5_sum - pathsright_g) mod 128;
+      pathsright_stay_change(6) <= (pathsright_stay_change_6_value - pathsright_g) mod 128;
+      pathsright_stay_change(7) <= ((pathsturn_cost_memory_ready_words_1 / 32) - pathsright_g) mod 128;
+      pathsright_step_change(0) <= ((pathsturn_cost_memory_ready_words_0 mod 8) - pathsright_g_less) mod 128;
+      pathsright_step_change(1) <= (pathsright_stay_change_value(1) - pathsright_g_less) mod 128;
+      pathsright_step_change(2) <= (pathsright_stay_change_value(2) - pathsright_g_less) mod 128;
+      pathsright_step_change(3) <= (pathsright_stay_change_value(3) - pathsright_g_less) mod 128;
+      pathsright_step_change(4) <= (pathsright_stay_change_value(4) - pathsright_g_less) mod 128;
+      pathsright_step_change(5) <= (pathsright_stay_change_5_sum - pathsright_g_less) mod 128;
+      pathsright_step_change(6) <= (pathsright_stay_change_6_value - pathsright_g_less) mod 128;
+      pathsright_step_change(7) <= ((pathsturn_cost_memory_ready_words_1 / 32) - pathsright_g_less) mod 128;
+      if (not pathsleft_first) and (not is_set(pathsright_stay_choice(0), 6)) then
         pathsright_stay(0) <= pathsright_stay_choice(0);
       else
-        pathsright_stay(0) <= 32;
+        pathsright_stay(0) <= 64;
       end if;
       for i in 1 to 7 loop
-        if (not is_set(pathsright_stay_choice(i), 5)) and (not pathsleft_first) then
+        if (not is_set(pathsright_stay_choice(i), 6)) and (not pathsleft_first) then
           pathsright_stay(i) <= pathsright_stay_choice(i);
         else
-          pathsright_stay(i) <= 32;
+          pathsright_stay(i) <= 64;
         end if;
       end loop;
       if pathsleft_first then
         for i in 0 to 7 loop
-          pathsright_step(i) <= 32;
+          pathsright_step(i) <= 64;
         end loop;
       else
         pathsright_step(0) <= pathsright_step_0_choice_2;
@@ -3890,7 +4714,7 @@ begin
       else
         pathsright_low_0 <= pathsright_low_0_choice;
       end if;
-      if pathsright_short_of then
+      if pathsleft_short_of then
         pathsright_q_choice := pathsright_missing;
       else
         pathsright_q_choice := 0;
@@ -3900,14 +4724,14 @@ begin
       else
         pathsright_q_choice_2 := pathsright_q_choice;
       end if;
-      if pathsright_short_of then
+      if pathsleft_short_of then
         pathsright_room_left_choice := pathsright_below;
       else
         pathsright_room_left_choice := pathsright_room;
       end if;
-      if line_starts_phases(15) then
-        if line_places_shown_first_column(1) then
-          pathsright_q <= 24;
+      if line_starts_phases(17) then
+        if line_places_shown_first_column(2) then
+          pathsright_q <= 60;
         else
           pathsright_q <= pathsright_q_choice_2;
         end if;
@@ -3917,124 +4741,215 @@ begin
           pathsright_room_left <= pathsright_room_left_choice;
         end if;
       end if;
-      if line_starts_phases(16) then
+      if line_starts_phases(18) then
         pathsright_q_now <= pathsright_q;
-        pathsright_q_less <= ((((pathsright_q / 4) + 15) mod 16) * 4) + (pathsright_q mod 4);
-        if line_places_shown_first_column(1) then
+        pathsright_q_less <= (pathsright_q + 121) mod 128;
+        if line_places_shown_first_column(2) then
           pathsright_room <= 0;
           for i in 1 to 8 loop
             pathsright_start_cost(i) <= 0;
           end loop;
         else
-          pathsright_room <= (pathsright_room_left + pathsright_start_cost(8)) mod 32;
+          pathsright_room <= (pathsright_room_left + pathsright_start_cost(8)) mod 64;
           pathsright_start_cost(1) <= pathsright_q_now;
           for i in 2 to 8 loop
             pathsright_start_cost(i) <= pathsright_start_cost(i - 1);
           end loop;
         end if;
       end if;
-      if line_starts_phases(17) then
+      if line_starts_phases(19) then
         pathsright_g <= pathsturn_ready_smallest_0 + pathsright_q_now;
-        pathsright_g_less <= (pathsturn_ready_smallest_0 + pathsright_q_less) mod 64;
+        pathsright_g_less <= (pathsturn_ready_smallest_0 + pathsright_q_less) mod 128;
       end if;
       if pathsleft_cost_0_any then
         for i in 0 to 7 loop
-          pathsright_cost(i) <= (pathsright_stay(i) + pathsright_stay_change(i)) mod 64;
+          pathsright_cost(i) <= (pathsright_stay(i) + pathsright_stay_change(i)) mod 128;
         end loop;
         for i in 0 to 7 loop
-          pathsright_arrived(i) <= (pathsright_step(i) + pathsright_step_change(i)) mod 64;
+          pathsright_arrived(i) <= (pathsright_step(i) + pathsright_step_change(i)) mod 128;
         end loop;
+      end if;
+      -- winnersmask
+      winnersmask_column_sum := winnersmask_column + 1;
+      if line_places_first_column(2) then
+        winnersmask_column_choice := 0;
+      else
+        winnersmask_column_choice := winnersmask_column_sum mod 1024;
+      end if;
+      if line_comes(21) then
+        winnersmask_column <= winnersmask_column_choice;
+      end if;
+      if line_places_first_column(2) then
+        winnersmask_partner_choice := 0;
+      else
+        winnersmask_partner_choice := winnersmask_column_sum;
+      end if;
+      winnersmask_inside(0) <= (((((winnersmask_partner / 1024) + 63) mod 64) * 1024) + (winnersmask_partner mod 1024))
+        < 638;
+      winnersmask_inside(1) <= (winnersmask_partner >= 1023) and (winnersmask_partner < 1661);
+      winnersmask_inside(2) <= (((((winnersmask_partner / 2) + 32257) mod 32768) * 2) + (winnersmask_partner mod 2)) <
+        638;
+      winnersmask_inside(3) <= (winnersmask_partner >= 1021) and (winnersmask_partner < 1659);
+      winnersmask_inside(4) <= (((((winnersmask_partner / 4) + 16129) mod 16384) * 4) + (winnersmask_partner mod 4)) <
+        638;
+      winnersmask_inside(5) <= (winnersmask_partner >= 1019) and (winnersmask_partner < 1657);
+      winnersmask_inside(6) <= (((((winnersmask_partner / 2) + 32259) mod 32768) * 2) + (winnersmask_partner mod 2)) <
+        638;
+      winnersmask_inside(7) <= (winnersmask_partner >= 1017) and (winnersmask_partner < 1655);
+      if line_comes(21) then
+        winnersmask_partner <= (((winnersmask_partner_choice / 1024) + 1) * 1024) + winnersmask_column_choice;
+      else
+        winnersmask_partner <= ((((winnersmask_partner / 8) + 1) mod 512) * 8) + (winnersmask_partner mod 8);
       end if;
       -- winnerswinner1
       for i in 0 to 3 loop
+        winnerswinner1_best_cost_0_sum(i) := as_number(winnersmask_inside(2 * i + 1)) + 255;
+        winnerswinner1_best_cost_0_any(i) := to_integer(((to_unsigned(paths_sum(2 * i + 1), 8)) or
+          (to_unsigned((winnerswinner1_best_cost_0_sum(i) mod 256), 8))));
+        winnerswinner1_best_cost_0_sum_2(i) := as_number(winnersmask_inside(2 * i)) + 255;
+        winnerswinner1_best_cost_0_any_2(i) := to_integer(((to_unsigned(paths_sum(2 * i), 8)) or
+          (to_unsigned((winnerswinner1_best_cost_0_sum_2(i) mod 256), 8))));
+      end loop;
+      for i in 0 to 3 loop
         winnerswinner1_best_index_0_value(i) := is_set(paths_sum(2 * i + 1), 1);
-        winnerswinner1_best_index_0_values(i, 2) := is_set(paths_sum(2 * i), 1);
-        if is_set(paths_sum(2 * i + 1), 0) then
-          winnerswinner1_best_index_0_choice(i) := not winnerswinner1_best_index_0_values(i, 2);
+        if is_set(winnerswinner1_best_cost_0_sum_2(i), 0) then
+          winnerswinner1_best_index_0_choice(i) := (not is_set(winnerswinner1_best_cost_0_sum(i), 0)) and (not
+            is_set(paths_sum(2 * i + 1), 0));
         else
-          winnerswinner1_best_index_0_choice(i) := (paths_sum(2 * i) mod 4) = 0;
+          winnerswinner1_best_index_0_choice(i) := (not is_set(winnerswinner1_best_cost_0_sum(i), 0)) and (not
+            is_set(paths_sum(2 * i + 1), 0)) and is_set(paths_sum(2 * i), 0);
         end if;
-        if winnerswinner1_best_index_0_value(i) then
-          winnerswinner1_best_index_0_choices(i, 2) := is_set(paths_sum(2 * i + 1), 0) or (not
-            winnerswinner1_best_index_0_values(i, 2)) or (not is_set(paths_sum(2 * i), 0));
+        winnerswinner1_best_index_0_values(i, 2) := (((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 2) mod 2) = 1;
+        winnerswinner1_best_index_0_values(i, 3) := is_set(paths_sum(2 * i), 1);
+        if (not ((((winnerswinner1_best_cost_0_sum(i) mod 256) / 2) mod 2) = 1)) and (not
+          winnerswinner1_best_index_0_value(i)) then
+          winnerswinner1_best_index_0_choices(i, 2) := winnerswinner1_best_index_0_choice(i) or
+            winnerswinner1_best_index_0_values(i, 2) or winnerswinner1_best_index_0_values(i, 3);
         else
-          winnerswinner1_best_index_0_choices(i, 2) := winnerswinner1_best_index_0_choice(i);
+          winnerswinner1_best_index_0_choices(i, 2) := winnerswinner1_best_index_0_choice(i) and
+            (winnerswinner1_best_index_0_values(i, 2) or winnerswinner1_best_index_0_values(i, 3));
         end if;
-        winnerswinner1_best_index_0_values(i, 3) := is_set(paths_sum(2 * i), 2);
+        winnerswinner1_best_index_0_values(i, 4) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 4) mod 2) = 1;
+        winnerswinner1_best_index_0_values(i, 5) := is_set(paths_sum(2 * i + 1), 2);
         if winnerswinner1_best_index_0_choices(i, 2) then
-          winnerswinner1_best_index_0_choices(i, 3) := (not is_set(paths_sum(2 * i + 1), 2)) and
-            winnerswinner1_best_index_0_values(i, 3);
+          winnerswinner1_best_index_0_choices(i, 3) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 4) mod
+            2) = 1)) and (not is_set(paths_sum(2 * i), 2)) and (winnerswinner1_best_index_0_values(i, 4) or
+            winnerswinner1_best_index_0_values(i, 5));
         else
-          winnerswinner1_best_index_0_choices(i, 3) := (not is_set(paths_sum(2 * i + 1), 2)) or
-            winnerswinner1_best_index_0_values(i, 3);
+          winnerswinner1_best_index_0_choices(i, 3) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 4) mod
+            2) = 1)) and (not is_set(paths_sum(2 * i), 2))) or winnerswinner1_best_index_0_values(i, 4) or
+            winnerswinner1_best_index_0_values(i, 5);
         end if;
-        for j in 4 to 7 loop
-          winnerswinner1_best_index_0_values(i, j) := is_set(paths_sum(2 * i), j - 1);
-          if winnerswinner1_best_index_0_choices(i, j - 1) then
-            winnerswinner1_best_index_0_choices(i, j) := (not is_set(paths_sum(2 * i + 1), j - 1)) or
-              winnerswinner1_best_index_0_values(i, j);
-          else
-            winnerswinner1_best_index_0_choices(i, j) := (not is_set(paths_sum(2 * i + 1), j - 1)) and
-              winnerswinner1_best_index_0_values(i, j);
-          end if;
-        end loop;
-        if winnerswinner1_best_index_0_choices(i, 7) then
-          winnerswinner1_best_index_0_choices(i, 8) := (not is_set(paths_sum(2 * i + 1), 7)) or is_set(paths_sum(2 *
-            i), 7);
+        winnerswinner1_best_index_0_values(i, 6) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 8) mod 2) = 1;
+        winnerswinner1_best_index_0_values(i, 7) := is_set(paths_sum(2 * i + 1), 3);
+        if winnerswinner1_best_index_0_choices(i, 3) then
+          winnerswinner1_best_index_0_choices(i, 4) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 8) mod
+            2) = 1)) and (not is_set(paths_sum(2 * i), 3))) or winnerswinner1_best_index_0_values(i, 6) or
+            winnerswinner1_best_index_0_values(i, 7);
         else
-          winnerswinner1_best_index_0_choices(i, 8) := (not is_set(paths_sum(2 * i + 1), 7)) and is_set(paths_sum(2 *
-            i), 7);
+          winnerswinner1_best_index_0_choices(i, 4) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 8) mod
+            2) = 1)) and (not is_set(paths_sum(2 * i), 3)) and (winnerswinner1_best_index_0_values(i, 6) or
+            winnerswinner1_best_index_0_values(i, 7));
+        end if;
+        winnerswinner1_best_index_0_values(i, 8) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 16) mod 2) = 1;
+        winnerswinner1_best_index_0_values(i, 9) := is_set(paths_sum(2 * i + 1), 4);
+        if winnerswinner1_best_index_0_choices(i, 4) then
+          winnerswinner1_best_index_0_choices(i, 5) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 16) mod
+            2) = 1)) and (not is_set(paths_sum(2 * i), 4))) or winnerswinner1_best_index_0_values(i, 8) or
+            winnerswinner1_best_index_0_values(i, 9);
+        else
+          winnerswinner1_best_index_0_choices(i, 5) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 16) mod
+            2) = 1)) and (not is_set(paths_sum(2 * i), 4)) and (winnerswinner1_best_index_0_values(i, 8) or
+            winnerswinner1_best_index_0_values(i, 9));
+        end if;
+        winnerswinner1_best_index_0_values(i, 10) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 32) mod 2) = 1;
+        winnerswinner1_best_index_0_values(i, 11) := is_set(paths_sum(2 * i + 1), 5);
+        if winnerswinner1_best_index_0_choices(i, 5) then
+          winnerswinner1_best_index_0_choices(i, 6) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 32) mod
+            2) = 1)) and (not is_set(paths_sum(2 * i), 5))) or winnerswinner1_best_index_0_values(i, 10) or
+            winnerswinner1_best_index_0_values(i, 11);
+        else
+          winnerswinner1_best_index_0_choices(i, 6) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 32) mod
+            2) = 1)) and (not is_set(paths_sum(2 * i), 5)) and (winnerswinner1_best_index_0_values(i, 10) or
+            winnerswinner1_best_index_0_values(i, 11));
+        end if;
+        winnerswinner1_best_index_0_values(i, 12) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 64) mod 2) = 1;
+        winnerswinner1_best_index_0_values(i, 13) := is_set(paths_sum(2 * i + 1), 6);
+        if winnerswinner1_best_index_0_choices(i, 6) then
+          winnerswinner1_best_index_0_choices(i, 7) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 64) mod
+            2) = 1)) and (not is_set(paths_sum(2 * i), 6))) or winnerswinner1_best_index_0_values(i, 12) or
+            winnerswinner1_best_index_0_values(i, 13);
+        else
+          winnerswinner1_best_index_0_choices(i, 7) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 64) mod
+            2) = 1)) and (not is_set(paths_sum(2 * i), 6)) and (winnerswinner1_best_index_0_values(i, 12) or
+            winnerswinner1_best_index_0_values(i, 13));
+        end if;
+        if winnerswinner1_best_index_0_choices(i, 7) then
+          winnerswinner1_best_index_0_choices(i, 8) := (not ((not (((winnerswinner1_best_cost_0_sum_2(i) mod 256) /
+            128) = 1)) and (not is_set(paths_sum(2 * i), 7)))) and (not (((winnerswinner1_best_cost_0_sum(i) mod 256) /
+            128) = 1)) and (not is_set(paths_sum(2 * i + 1), 7));
+        else
+          winnerswinner1_best_index_0_choices(i, 8) := (not ((not (((winnerswinner1_best_cost_0_sum_2(i) mod 256) /
+            128) = 1)) and (not is_set(paths_sum(2 * i), 7)))) or ((not (((winnerswinner1_best_cost_0_sum(i) mod 256) /
+            128) = 1)) and (not is_set(paths_sum(2 * i + 1), 7)));
         end if;
       end loop;
       winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_choices(0, 8);
-      winnerswinner1_best_first_0(0) <= paths_sum(0);
-      winnerswinner1_best_first_0(1) <= paths_sum(2);
-      winnerswinner1_best_first_0(2) <= paths_sum(4);
-      winnerswinner1_best_first_0(3) <= paths_sum(6);
-      winnerswinner1_best_last_0(0) <= paths_sum(1);
-      winnerswinner1_best_last_0(1) <= paths_sum(3);
-      winnerswinner1_best_last_0(2) <= paths_sum(5);
-      winnerswinner1_best_last_0(3) <= paths_sum(7);
+      winnerswinner1_best_first_0(0) <= winnerswinner1_best_cost_0_any_2(0);
+      winnerswinner1_best_first_0(1) <= winnerswinner1_best_cost_0_any_2(1);
+      winnerswinner1_best_first_0(2) <= winnerswinner1_best_cost_0_any_2(2);
+      winnerswinner1_best_first_0(3) <= winnerswinner1_best_cost_0_any_2(3);
+      winnerswinner1_best_last_0(0) <= winnerswinner1_best_cost_0_any(0);
+      winnerswinner1_best_last_0(1) <= winnerswinner1_best_cost_0_any(1);
+      winnerswinner1_best_last_0(2) <= winnerswinner1_best_cost_0_any(2);
+      winnerswinner1_best_last_0(3) <= winnerswinner1_best_cost_0_any(3);
       for i in 0 to 3 loop
-        if (paths_sum(2 * i + 1) - paths_sum(2 * i)) < 0 then
-          winnerswinner1_best_cost_0(i) <= paths_sum(2 * i + 1);
+        if (winnerswinner1_best_cost_0_any(i) - winnerswinner1_best_cost_0_any_2(i)) < 0 then
+          winnerswinner1_best_cost_0(i) <= winnerswinner1_best_cost_0_any(i);
         else
-          winnerswinner1_best_cost_0(i) <= paths_sum(2 * i);
+          winnerswinner1_best_cost_0(i) <= winnerswinner1_best_cost_0_any_2(i);
         end if;
       end loop;
       if winnerswinner1_best_index_0_choices(1, 8) then
         winnerswinner1_best_index_0_1 <= 3;
-        winnerswinner1_best_below_0(1) <= paths_sum(2);
+        winnerswinner1_best_below_0(1) <= winnerswinner1_best_cost_0_any_2(1);
         winnerswinner1_best_above_0(1) <= 0;
       else
         winnerswinner1_best_index_0_1 <= 2;
         winnerswinner1_best_below_0(1) <= 0;
-        winnerswinner1_best_above_0(1) <= paths_sum(3);
+        winnerswinner1_best_above_0(1) <= winnerswinner1_best_cost_0_any(1);
       end if;
       if winnerswinner1_best_index_0_choices(2, 8) then
         winnerswinner1_best_index_0_2 <= 5;
-        winnerswinner1_best_below_0(2) <= paths_sum(4);
+        winnerswinner1_best_below_0(2) <= winnerswinner1_best_cost_0_any_2(2);
         winnerswinner1_best_above_0(2) <= 0;
       else
         winnerswinner1_best_index_0_2 <= 4;
         winnerswinner1_best_below_0(2) <= 0;
-        winnerswinner1_best_above_0(2) <= paths_sum(5);
+        winnerswinner1_best_above_0(2) <= winnerswinner1_best_cost_0_any(2);
       end if;
       if winnerswinner1_best_index_0_choices(3, 8) then
         winnerswinner1_best_index_0_3 <= 7;
-        winnerswinner1_best_below_0(3) <= paths_sum(6);
+        winnerswinner1_best_below_0(3) <= winnerswinner1_best_cost_0_any_2(3);
         winnerswinner1_best_above_0(3) <= 0;
       else
         winnerswinner1_best_index_0_3 <= 6;
         winnerswinner1_best_below_0(3) <= 0;
-        winnerswinner1_best_above_0(3) <= paths_sum(7);
+        winnerswinner1_best_above_0(3) <= winnerswinner1_best_cost_0_any(3);
       end if;
       if winnerswinner1_best_index_0_choices(0, 8) then
-        winnerswinner1_best_below_0(0) <= paths_sum(0);
+        winnerswinner1_best_below_0(0) <= winnerswinner1_best_cost_0_any_2(0);
         winnerswinner1_best_above_0(0) <= 0;
       else
         winnerswinner1_best_below_0(0) <= 0;
-        winnerswinner1_best_above_0(0) <= paths_sum(1);
+        winnerswinner1_best_above_0(0) <= winnerswinner1_best_cost_0_any(0);
+      end if;
+      if in_valid then
+        if in_start_of_frame then
+          winnerswinner1_best_place_0 <= transform_counter_next_frame;
+        else
+          winnerswinner1_best_place_0 <= transform_counter_frame_joins;
+        end if;
       end if;
       -- winnerswinner2
       for i in 0 to 1 loop
@@ -4091,7 +5006,7 @@ begin
       else
         winnerswinner2_best_above_0_choice(0) := winnerswinner1_best_above_0(0);
       end if;
-      if other_25 then
+      if other_0 then
         winnerswinner2_best_above_0_choice(1) := winnerswinner1_best_first_0(3);
       else
         winnerswinner2_best_above_0_choice(1) := winnerswinner1_best_above_0(2);
@@ -4190,56 +5105,29 @@ begin
         winnerswinner3_best_above_0_0 <= winnerswinner3_best_above_0_0_choice;
       end if;
       -- winners
-      if line_comes(24) then
-        winners_best_cost_0_0_choice := 255;
+      if line_comes(26) then
+        winners_best_cost_0_0_choice := 511;
       else
         winners_best_cost_0_0_choice := winners_best_cost_0_0;
       end if;
-      winners_best_index_0_0_value := is_set(winners_best_cost_0_0, 1);
-      if (not is_set(winnerswinner3_best_cost_0_0, 0)) and (is_set(winners_best_cost_0_0, 0) or line_comes(24)) then
-        winners_best_index_0_0_choice := (not is_set(winnerswinner3_best_cost_0_0, 1)) or winners_best_index_0_0_value
-          or line_comes(24);
+      if line_comes(26) then
+        winners_best_cost_0_0_choice_2 := 255;
       else
-        winners_best_index_0_0_choice := (not is_set(winnerswinner3_best_cost_0_0, 1)) and
-          (winners_best_index_0_0_value or line_comes(24));
+        winners_best_cost_0_0_choice_2 := winners_best_cost_0_0;
       end if;
-      winners_best_index_0_0_values(2) := is_set(winners_best_cost_0_0, 2);
-      if winners_best_index_0_0_choice then
-        winners_best_index_0_0_choices(2) := (not is_set(winnerswinner3_best_cost_0_0, 2)) or
-          winners_best_index_0_0_values(2) or line_comes(24);
-      else
-        winners_best_index_0_0_choices(2) := (not is_set(winnerswinner3_best_cost_0_0, 2)) and
-          (winners_best_index_0_0_values(2) or line_comes(24));
-      end if;
-      for i in 3 to 6 loop
-        winners_best_index_0_0_values(i) := is_set(winners_best_cost_0_0, i);
-        if winners_best_index_0_0_choices(i - 1) then
-          winners_best_index_0_0_choices(i) := (not is_set(winnerswinner3_best_cost_0_0, i)) or
-            winners_best_index_0_0_values(i) or line_comes(24);
-        else
-          winners_best_index_0_0_choices(i) := (not is_set(winnerswinner3_best_cost_0_0, i)) and
-            (winners_best_index_0_0_values(i) or line_comes(24));
-        end if;
-      end loop;
-      if winners_best_index_0_0_choices(6) then
-        winners_best_index_0_0_choices(7) := (not is_set(winnerswinner3_best_cost_0_0, 7)) or
-          is_set(winners_best_cost_0_0, 7) or line_comes(24);
-      else
-        winners_best_index_0_0_choices(7) := (not is_set(winnerswinner3_best_cost_0_0, 7)) and
-          (is_set(winners_best_cost_0_0, 7) or line_comes(24));
-      end if;
-      if (not line_comes(24)) and (winnerswinner3_best_index_0_0 = 0) then
+      winners_best_index_0_0_is_less := (winnerswinner3_best_cost_0_0 - winners_best_cost_0_0_choice) < 0;
+      if (not line_comes(26)) and (winnerswinner3_best_index_0_0 = 0) then
         winners_best_below_0_0_choice := winners_best_last_0_0;
       else
         winners_best_below_0_0_choice := winnerswinner3_best_below_0_0;
       end if;
-      if line_comes(24) then
+      if line_comes(26) then
         winners_best_below_0_0_choice_2 := 0;
       else
         winners_best_below_0_0_choice_2 := winners_best_below_0_0;
       end if;
       winners_best_above_0_0_is_equal := winners_best_index_0_0 = 63;
-      if line_comes(24) then
+      if line_comes(26) then
         winners_best_above_0_0_choice := 0;
       else
         winners_best_above_0_0_choice := winners_best_above_0_0;
@@ -4250,17 +5138,17 @@ begin
         winners_best_above_0_0_choice_2 := winners_best_above_0_0_choice;
       end if;
       winners_best_last_0_0 <= winnerswinner3_best_last_0_0;
-      winners_best_tag_valid <= line_comes(31);
-      winners_best_tag_map_column <= line_places_map_column(3);
-      winners_best_tag_output_column <= line_places_shown_output_column(3);
-      winners_best_tag_start_of_frame <= line_places_shown_start_of_frame(3);
-      winners_best_tag_end_of_line <= line_places_shown_end_of_line(3);
-      if (winnerswinner3_best_cost_0_0 - winners_best_cost_0_0_choice) < 0 then
-        winners_best_cost_0_0 <= winnerswinner3_best_cost_0_0;
+      winners_best_tag_valid <= line_comes(33);
+      winners_best_tag_map_column <= line_places_map_column(4);
+      winners_best_tag_output_column <= line_places_shown_output_column(4);
+      winners_best_tag_start_of_frame <= line_places_shown_start_of_frame(4);
+      winners_best_tag_end_of_line <= line_places_shown_end_of_line(4);
+      if (winners_best_cost_0_0_choice - winnerswinner3_best_cost_0_0) < 0 then
+        winners_best_cost_0_0 <= winners_best_cost_0_0_choice_2;
       else
-        winners_best_cost_0_0 <= winners_best_cost_0_0_choice;
+        winners_best_cost_0_0 <= winnerswinner3_best_cost_0_0;
       end if;
-      if winners_best_index_0_0_choices(7) then
+      if winners_best_index_0_0_is_less then
         winners_best_index_0_0 <= winnerswinner3_best_index_0_0 + 56;
         winners_best_below_0_0 <= winners_best_below_0_0_choice;
         winners_best_above_0_0 <= winnerswinner3_best_above_0_0;
@@ -4275,13 +5163,12 @@ begin
       else
         other_read_count_phase_choice := (other_read_count_phase + 1) mod 8;
       end if;
-      other_count_phase_is_equal := other_count_phase = 7;
-      if other_count_phase_is_equal then
+      if other_count_phase = 7 then
         other_count_phase_choice := 7;
       else
         other_count_phase_choice := (other_count_phase + 1) mod 8;
       end if;
-      if line_comes(20) then
+      if line_comes(22) then
         other_base_choice := 0;
       else
         other_base_choice := ((other_base / 8) + 1) mod 32;
@@ -4291,437 +5178,520 @@ begin
       else
         other_write_count_phase_choice := (other_write_count_phase + 1) mod 8;
       end if;
-      other_2_is_equal := map_counter_group = 480;
-      other_5_difference := 0 - (refinement_quotient_8_0 / 16);
-      other_5_value := (refinement_quotient_8_0 + 15) / 16;
+      other_3_is_equal := map_counter_group = 480;
+      other_6_difference := 0 - (refinement_quotient_8_0 / 16);
+      other_6_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_0(8) then
-        other_5_choice := other_5_difference mod 256;
+        other_6_choice := other_6_difference mod 256;
       else
-        other_5_choice := other_5_value;
+        other_6_choice := other_6_value;
       end if;
       if refinement_negative_0(8) then
-        other_5_choice_2 := other_5_difference mod 8;
+        other_6_choice_2 := other_6_difference mod 8;
       else
-        other_5_choice_2 := other_5_value mod 8;
+        other_6_choice_2 := other_6_value mod 8;
       end if;
-      for i in 6 to 11 loop
-        other_difference(i) := ((refinement_remainder_0(12 - i) * 2) + 256) - refinement_divisor_0(12 - i);
+      for i in 7 to 12 loop
+        other_difference(i) := ((refinement_remainder_0(13 - i) * 2) + 512) - refinement_divisor_0(13 - i);
       end loop;
-      other_12_difference := (refinement_remainder_0(0) + 256) - refinement_divisor_0(0);
-      other_words(0) <= to_integer(other_next_words(0));
-      other_words(1) <= to_integer(other_next_words(1));
-      other_words(2) <= to_integer(other_next_words(2));
-      other_words(3) <= to_integer(other_next_words(3));
+      other_13_difference := (refinement_remainder_0(0) + 512) - refinement_divisor_0(0);
+      other_14_any := line_comes(23) or (not is_set(other_write_count_phase, 2)) or (not
+        is_set(other_write_count_phase, 1)) or (not is_set(other_write_count_phase, 0));
+      if is_set(paths_sum(5), 0) then
+        other_choice(14) := (not (other_words(1)(17) = '1')) or (not (other_words(1)(16) = '1'));
+      else
+        other_choice(14) := not (other_words(1)(17) = '1');
+      end if;
+      if winnerswinner1_best_index_0_value(2) then
+        other_14_choices(2) := other_choice(14);
+      else
+        other_14_choices(2) := is_set(paths_sum(5), 0) and (to_integer(other_words(1)(17 downto 16)) = 0);
+      end if;
+      other_value(14) := other_words(1)(18) = '1';
+      if other_14_choices(2) then
+        other_14_choices(3) := (not winnerswinner1_best_index_0_values(2, 5)) and other_value(14);
+      else
+        other_14_choices(3) := (not winnerswinner1_best_index_0_values(2, 5)) or other_value(14);
+      end if;
+      for i in 2 to 5 loop
+        other_14_values(i) := other_words(1)(i + 17) = '1';
+        if other_14_choices(i + 1) then
+          other_14_choices(i + 2) := (not winnerswinner1_best_index_0_values(2, 2 * i + 3)) or other_14_values(i);
+        else
+          other_14_choices(i + 2) := (not winnerswinner1_best_index_0_values(2, 2 * i + 3)) and other_14_values(i);
+        end if;
+      end loop;
+      if is_set(paths_sum(5), 7) then
+        other_14_choices(8) := not other_first_column;
+      else
+        other_14_choices(8) := (not (other_words(1)(23) = '1')) and (not other_first_column);
+      end if;
+      if other_14_choices(7) then
+        other_14_choices(9) := is_set(paths_sum(5), 7) and (not (other_words(1)(23) = '1')) and (not
+          other_first_column);
+      else
+        other_14_choices(9) := other_14_choices(8);
+      end if;
+      other_all(14) := (not other_14_choices(9)) and winnersmask_inside(5) and other_output_column;
+      other_14_value_6 := (other_base / 8) * 8;
+      if other_all(14) then
+        other_14_choices_from_10(10) := other_14_value_6 + 5;
+      else
+        other_14_choices_from_10(10) := to_integer(other_words(3)(23 downto 16));
+      end if;
+      if other_14_any then
+        other_14_choices_from_10(11) := other_14_choices_from_10(10);
+      else
+        other_14_choices_from_10(11) := to_integer(other(14)(15 downto 8));
+      end if;
+      if is_set(paths_sum(4), 0) then
+        other_14_choices_from_12(12) := (not (other_words(1)(9) = '1')) or (not (other_words(1)(8) = '1'));
+      else
+        other_14_choices_from_12(12) := not (other_words(1)(9) = '1');
+      end if;
+      if winnerswinner1_best_index_0_values(2, 3) then
+        other_14_choices_from_12(13) := other_14_choices_from_12(12);
+      else
+        other_14_choices_from_12(13) := is_set(paths_sum(4), 0) and (to_integer(other_words(1)(9 downto 8)) = 0);
+      end if;
+      other_14_values_from_7(7) := other_words(1)(10) = '1';
+      if other_14_choices_from_12(13) then
+        other_14_choices_from_12(14) := (not is_set(paths_sum(4), 2)) and other_14_values_from_7(7);
+      else
+        other_14_choices_from_12(14) := (not is_set(paths_sum(4), 2)) or other_14_values_from_7(7);
+      end if;
+      for i in 8 to 11 loop
+        other_14_values_from_7(i) := other_words(1)(i + 3) = '1';
+        if other_14_choices_from_12(i + 6) then
+          other_14_choices_from_12(i + 7) := (not is_set(paths_sum(4), i - 5)) or other_14_values_from_7(i);
+        else
+          other_14_choices_from_12(i + 7) := (not is_set(paths_sum(4), i - 5)) and other_14_values_from_7(i);
+        end if;
+      end loop;
+      if is_set(paths_sum(4), 7) then
+        other_14_choices_from_12(19) := not other_first_column;
+      else
+        other_14_choices_from_12(19) := (not (other_words(1)(15) = '1')) and (not other_first_column);
+      end if;
+      if other_14_choices_from_12(18) then
+        other_14_choices_from_12(20) := is_set(paths_sum(4), 7) and (not (other_words(1)(15) = '1')) and (not
+          other_first_column);
+      else
+        other_14_choices_from_12(20) := other_14_choices_from_12(19);
+      end if;
+      other_14_alls(2) := (not other_14_choices_from_12(20)) and winnersmask_inside(4) and other_output_column;
+      if other_14_alls(2) then
+        other_14_choices_from_21(21) := other_14_value_6 + 4;
+      else
+        other_14_choices_from_21(21) := to_integer(other_words(3)(15 downto 8));
+      end if;
+      if other_14_any then
+        other_14_choices_from_21(22) := other_14_choices_from_21(21);
+      else
+        other_14_choices_from_21(22) := to_integer(other(14)(7 downto 0));
+      end if;
+      if is_set(paths_sum(6), 0) then
+        other_14_choices_from_23(23) := (not (other_words(1)(25) = '1')) or (not (other_words(1)(24) = '1'));
+      else
+        other_14_choices_from_23(23) := not (other_words(1)(25) = '1');
+      end if;
+      if winnerswinner1_best_index_0_values(3, 3) then
+        other_14_choices_from_23(24) := other_14_choices_from_23(23);
+      else
+        other_14_choices_from_23(24) := is_set(paths_sum(6), 0) and (to_integer(other_words(1)(25 downto 24)) = 0);
+      end if;
+      other_14_values_from_7(12) := other_words(1)(26) = '1';
+      if other_14_choices_from_23(24) then
+        other_14_choices_from_23(25) := (not is_set(paths_sum(6), 2)) and other_14_values_from_7(12);
+      else
+        other_14_choices_from_23(25) := (not is_set(paths_sum(6), 2)) or other_14_values_from_7(12);
+      end if;
+      for i in 13 to 16 loop
+        other_14_values_from_7(i) := other_words(1)(i + 14) = '1';
+        if other_14_choices_from_23(i + 12) then
+          other_14_choices_from_23(i + 13) := (not is_set(paths_sum(6), i - 10)) or other_14_values_from_7(i);
+        else
+          other_14_choices_from_23(i + 13) := (not is_set(paths_sum(6), i - 10)) and other_14_values_from_7(i);
+        end if;
+      end loop;
+      if is_set(paths_sum(6), 7) then
+        other_14_choices_from_23(30) := not other_first_column;
+      else
+        other_14_choices_from_23(30) := (not (other_words(1)(31) = '1')) and (not other_first_column);
+      end if;
+      if other_14_choices_from_23(29) then
+        other_14_choices_from_23(31) := is_set(paths_sum(6), 7) and (not (other_words(1)(31) = '1')) and (not
+          other_first_column);
+      else
+        other_14_choices_from_23(31) := other_14_choices_from_23(30);
+      end if;
+      other_14_alls(3) := (not other_14_choices_from_23(31)) and winnersmask_inside(6) and other_output_column;
+      if other_14_alls(3) then
+        other_14_choices_from_32(32) := other_14_value_6 + 6;
+      else
+        other_14_choices_from_32(32) := to_integer(other_words(3)(31 downto 24));
+      end if;
+      if other_14_any then
+        other_14_choices_from_32(33) := other_14_choices_from_32(32);
+      else
+        other_14_choices_from_32(33) := to_integer(other(14)(23 downto 16));
+      end if;
+      if is_set(paths_sum(7), 0) then
+        other_14_choices_from_34(34) := (not (other_next_words(0)(1) = '1')) or (not (other_next_words(0)(0) = '1'));
+      else
+        other_14_choices_from_34(34) := not (other_next_words(0)(1) = '1');
+      end if;
+      if winnerswinner1_best_index_0_value(3) then
+        other_14_choices_from_34(35) := other_14_choices_from_34(34);
+      else
+        other_14_choices_from_34(35) := is_set(paths_sum(7), 0) and (to_integer(other_next_words(0)(1 downto 0)) = 0);
+      end if;
+      other_14_values_from_7(17) := other_next_words(0)(2) = '1';
+      if other_14_choices_from_34(35) then
+        other_14_choices_from_34(36) := (not winnerswinner1_best_index_0_values(3, 5)) and other_14_values_from_7(17);
+      else
+        other_14_choices_from_34(36) := (not winnerswinner1_best_index_0_values(3, 5)) or other_14_values_from_7(17);
+      end if;
+      for i in 18 to 21 loop
+        other_14_values_from_7(i) := other_next_words(0)(i - 15) = '1';
+        if other_14_choices_from_34(i + 18) then
+          other_14_choices_from_34(i + 19) := (not winnerswinner1_best_index_0_values(3, 2 * i - 29)) or
+            other_14_values_from_7(i);
+        else
+          other_14_choices_from_34(i + 19) := (not winnerswinner1_best_index_0_values(3, 2 * i - 29)) and
+            other_14_values_from_7(i);
+        end if;
+      end loop;
+      other_14_differs := other_count_phase /= 7;
+      if other_14_choices_from_34(40) then
+        other_14_choices_from_34(41) := other_14_differs and is_set(paths_sum(7), 7) and (not (other_next_words(0)(7) =
+          '1'));
+      else
+        other_14_choices_from_34(41) := other_14_differs and (is_set(paths_sum(7), 7) or (not (other_next_words(0)(7) =
+          '1')));
+      end if;
+      if other_14_choices_from_34(41) then
+        other_14_choices_from_34(42) := winnersmask_inside(7) and other_output_column and other_first_column;
+      else
+        other_14_choices_from_34(42) := winnersmask_inside(7) and other_output_column;
+      end if;
+      if other_14_choices_from_34(42) then
+        other_14_choices_from_43(43) := other_14_value_6 + 7;
+      else
+        other_14_choices_from_43(43) := to_integer(other_next_words(2)(7 downto 0));
+      end if;
+      if other_14_any then
+        other_14_choices_from_43(44) := other_14_choices_from_43(43);
+      else
+        other_14_choices_from_43(44) := to_integer(other(14)(31 downto 24));
+      end if;
+      if is_set(paths_sum(1), 0) then
+        other_choice(15) := (not (other_words(0)(17) = '1')) or (not (other_words(0)(16) = '1'));
+      else
+        other_choice(15) := not (other_words(0)(17) = '1');
+      end if;
+      if winnerswinner1_best_index_0_value(0) then
+        other_15_choices(2) := other_choice(15);
+      else
+        other_15_choices(2) := is_set(paths_sum(1), 0) and (to_integer(other_words(0)(17 downto 16)) = 0);
+      end if;
+      other_value(15) := other_words(0)(18) = '1';
+      if other_15_choices(2) then
+        other_15_choices(3) := (not winnerswinner1_best_index_0_values(0, 5)) and other_value(15);
+      else
+        other_15_choices(3) := (not winnerswinner1_best_index_0_values(0, 5)) or other_value(15);
+      end if;
+      for i in 2 to 5 loop
+        other_15_values(i) := other_words(0)(i + 17) = '1';
+        if other_15_choices(i + 1) then
+          other_15_choices(i + 2) := (not winnerswinner1_best_index_0_values(0, 2 * i + 3)) or other_15_values(i);
+        else
+          other_15_choices(i + 2) := (not winnerswinner1_best_index_0_values(0, 2 * i + 3)) and other_15_values(i);
+        end if;
+      end loop;
+      if is_set(paths_sum(1), 7) then
+        other_15_choices(8) := not other_first_column;
+      else
+        other_15_choices(8) := (not (other_words(0)(23) = '1')) and (not other_first_column);
+      end if;
+      if other_15_choices(7) then
+        other_15_choices(9) := is_set(paths_sum(1), 7) and (not (other_words(0)(23) = '1')) and (not
+          other_first_column);
+      else
+        other_15_choices(9) := other_15_choices(8);
+      end if;
+      other_all(15) := (not other_15_choices(9)) and winnersmask_inside(1) and other_output_column;
+      if other_all(15) then
+        other_15_choices_from_10(10) := other_14_value_6 + 1;
+      else
+        other_15_choices_from_10(10) := to_integer(other_words(2)(23 downto 16));
+      end if;
+      if other_14_any then
+        other_15_choices_from_10(11) := other_15_choices_from_10(10);
+      else
+        other_15_choices_from_10(11) := to_integer(other(15)(15 downto 8));
+      end if;
+      if is_set(paths_sum(0), 0) then
+        other_15_choices_from_12(12) := (not (other_words(0)(9) = '1')) or (not (other_words(0)(8) = '1'));
+      else
+        other_15_choices_from_12(12) := not (other_words(0)(9) = '1');
+      end if;
+      if winnerswinner1_best_index_0_values(0, 3) then
+        other_15_choices_from_12(13) := other_15_choices_from_12(12);
+      else
+        other_15_choices_from_12(13) := is_set(paths_sum(0), 0) and (to_integer(other_words(0)(9 downto 8)) = 0);
+      end if;
+      other_15_values(6) := other_words(0)(10) = '1';
+      if other_15_choices_from_12(13) then
+        other_15_choices_from_12(14) := (not is_set(paths_sum(0), 2)) and other_15_values(6);
+      else
+        other_15_choices_from_12(14) := (not is_set(paths_sum(0), 2)) or other_15_values(6);
+      end if;
+      for i in 7 to 10 loop
+        other_15_values(i) := other_words(0)(i + 4) = '1';
+        if other_15_choices_from_12(i + 7) then
+          other_15_choices_from_12(i + 8) := (not is_set(paths_sum(0), i - 4)) or other_15_values(i);
+        else
+          other_15_choices_from_12(i + 8) := (not is_set(paths_sum(0), i - 4)) and other_15_values(i);
+        end if;
+      end loop;
+      if other_15_choices_from_12(18) then
+        other_15_choices_from_12(19) := (not other_first_column) and is_set(paths_sum(0), 7) and (not
+          (other_words(0)(15) = '1'));
+      else
+        other_15_choices_from_12(19) := (not other_first_column) and (is_set(paths_sum(0), 7) or (not
+          (other_words(0)(15) = '1')));
+      end if;
+      other_15_alls(2) := (not other_15_choices_from_12(19)) and winnersmask_inside(0) and other_output_column;
+      if other_15_alls(2) then
+        other_15_choices_from_20(20) := other_base;
+      else
+        other_15_choices_from_20(20) := to_integer(other_words(2)(15 downto 8));
+      end if;
+      if other_14_any then
+        other_15_choices_from_20(21) := other_15_choices_from_20(20);
+      else
+        other_15_choices_from_20(21) := to_integer(other(15)(7 downto 0));
+      end if;
+      if is_set(paths_sum(2), 0) then
+        other_15_choices_from_22(22) := (not (other_words(0)(25) = '1')) or (not (other_words(0)(24) = '1'));
+      else
+        other_15_choices_from_22(22) := not (other_words(0)(25) = '1');
+      end if;
+      if winnerswinner1_best_index_0_values(1, 3) then
+        other_15_choices_from_22(23) := other_15_choices_from_22(22);
+      else
+        other_15_choices_from_22(23) := is_set(paths_sum(2), 0) and (to_integer(other_words(0)(25 downto 24)) = 0);
+      end if;
+      other_15_values(11) := other_words(0)(26) = '1';
+      if other_15_choices_from_22(23) then
+        other_15_choices_from_22(24) := (not is_set(paths_sum(2), 2)) and other_15_values(11);
+      else
+        other_15_choices_from_22(24) := (not is_set(paths_sum(2), 2)) or other_15_values(11);
+      end if;
+      for i in 12 to 15 loop
+        other_15_values(i) := other_words(0)(i + 15) = '1';
+        if other_15_choices_from_22(i + 12) then
+          other_15_choices_from_22(i + 13) := (not is_set(paths_sum(2), i - 9)) or other_15_values(i);
+        else
+          other_15_choices_from_22(i + 13) := (not is_set(paths_sum(2), i - 9)) and other_15_values(i);
+        end if;
+      end loop;
+      if is_set(paths_sum(2), 7) then
+        other_15_choices_from_22(29) := not other_first_column;
+      else
+        other_15_choices_from_22(29) := (not (other_words(0)(31) = '1')) and (not other_first_column);
+      end if;
+      if other_15_choices_from_22(28) then
+        other_15_choices_from_22(30) := is_set(paths_sum(2), 7) and (not (other_words(0)(31) = '1')) and (not
+          other_first_column);
+      else
+        other_15_choices_from_22(30) := other_15_choices_from_22(29);
+      end if;
+      other_15_alls(3) := (not other_15_choices_from_22(30)) and winnersmask_inside(2) and other_output_column;
+      if other_15_alls(3) then
+        other_15_choices_from_31(31) := other_14_value_6 + 2;
+      else
+        other_15_choices_from_31(31) := to_integer(other_words(2)(31 downto 24));
+      end if;
+      if other_14_any then
+        other_15_choices_from_31(32) := other_15_choices_from_31(31);
+      else
+        other_15_choices_from_31(32) := to_integer(other(15)(23 downto 16));
+      end if;
+      if is_set(paths_sum(3), 0) then
+        other_15_choices_from_33(33) := (not (other_words(1)(1) = '1')) or (not (other_words(1)(0) = '1'));
+      else
+        other_15_choices_from_33(33) := not (other_words(1)(1) = '1');
+      end if;
+      if winnerswinner1_best_index_0_value(1) then
+        other_15_choices_from_33(34) := other_15_choices_from_33(33);
+      else
+        other_15_choices_from_33(34) := is_set(paths_sum(3), 0) and (to_integer(other_words(1)(1 downto 0)) = 0);
+      end if;
+      other_15_values(16) := other_words(1)(2) = '1';
+      if other_15_choices_from_33(34) then
+        other_15_choices_from_33(35) := (not winnerswinner1_best_index_0_values(1, 5)) and other_15_values(16);
+      else
+        other_15_choices_from_33(35) := (not winnerswinner1_best_index_0_values(1, 5)) or other_15_values(16);
+      end if;
+      for i in 17 to 20 loop
+        other_15_values(i) := other_words(1)(i - 14) = '1';
+        if other_15_choices_from_33(i + 18) then
+          other_15_choices_from_33(i + 19) := (not winnerswinner1_best_index_0_values(1, 2 * i - 27)) or
+            other_15_values(i);
+        else
+          other_15_choices_from_33(i + 19) := (not winnerswinner1_best_index_0_values(1, 2 * i - 27)) and
+            other_15_values(i);
+        end if;
+      end loop;
+      if is_set(paths_sum(3), 7) then
+        other_15_choices_from_33(40) := not other_first_column;
+      else
+        other_15_choices_from_33(40) := (not (other_words(1)(7) = '1')) and (not other_first_column);
+      end if;
+      if other_15_choices_from_33(39) then
+        other_15_choices_from_33(41) := is_set(paths_sum(3), 7) and (not (other_words(1)(7) = '1')) and (not
+          other_first_column);
+      else
+        other_15_choices_from_33(41) := other_15_choices_from_33(40);
+      end if;
+      other_15_alls(4) := (not other_15_choices_from_33(41)) and winnersmask_inside(3) and other_output_column;
+      if other_15_alls(4) then
+        other_15_choices_from_42(42) := other_14_value_6 + 3;
+      else
+        other_15_choices_from_42(42) := to_integer(other_words(3)(7 downto 0));
+      end if;
+      if other_14_any then
+        other_15_choices_from_42(43) := other_15_choices_from_42(42);
+      else
+        other_15_choices_from_42(43) := to_integer(other(15)(31 downto 24));
+      end if;
+      if other_all(14) then
+        other_choices(16) := paths_sum(5);
+      else
+        other_choices(16) := to_integer(other_words(1)(23 downto 16));
+      end if;
+      if other_14_any then
+        other_choices_from_16(16, 2) := other_choices(16);
+      else
+        other_choices_from_16(16, 2) := to_integer(other(16)(15 downto 8));
+      end if;
+      for i in 2 to 3 loop
+        if other_14_alls(i) then
+          other_choices_from_16(16, 2 * i - 1) := paths_sum(2 * i);
+        else
+          other_choices_from_16(16, 2 * i - 1) := to_integer(other_words(1)(16 * i - 17 downto 16 * i - 24));
+        end if;
+        if other_14_any then
+          other_choices_from_16(16, 2 * i) := other_choices_from_16(16, 2 * i - 1);
+        else
+          other_choices_from_16(16, 2 * i) := to_integer(other(16)(16 * i - 25 downto 16 * i - 32));
+        end if;
+      end loop;
+      if other_14_choices_from_34(42) then
+        other_choices_from_16(16, 7) := paths_sum(7);
+      else
+        other_choices_from_16(16, 7) := to_integer(other_next_words(0)(7 downto 0));
+      end if;
+      if other_14_any then
+        other_choices_from_16(16, 8) := other_choices_from_16(16, 7);
+      else
+        other_choices_from_16(16, 8) := to_integer(other(16)(31 downto 24));
+      end if;
+      if other_all(15) then
+        other_choices(17) := paths_sum(1);
+      else
+        other_choices(17) := to_integer(other_words(0)(23 downto 16));
+      end if;
+      if other_14_any then
+        other_choices_from_16(17, 2) := other_choices(17);
+      else
+        other_choices_from_16(17, 2) := to_integer(other(17)(15 downto 8));
+      end if;
+      for i in 2 to 3 loop
+        if other_15_alls(i) then
+          other_choices_from_16(17, 2 * i - 1) := paths_sum(2 * i - 4);
+        else
+          other_choices_from_16(17, 2 * i - 1) := to_integer(other_words(0)(16 * i - 17 downto 16 * i - 24));
+        end if;
+        if other_14_any then
+          other_choices_from_16(17, 2 * i) := other_choices_from_16(17, 2 * i - 1);
+        else
+          other_choices_from_16(17, 2 * i) := to_integer(other(17)(16 * i - 25 downto 16 * i - 32));
+        end if;
+      end loop;
+      if other_15_alls(4) then
+        other_choices_from_16(17, 7) := paths_sum(3);
+      else
+        other_choices_from_16(17, 7) := to_integer(other_words(1)(7 downto 0));
+      end if;
+      if other_14_any then
+        other_choices_from_16(17, 8) := other_choices_from_16(17, 7);
+      else
+        other_choices_from_16(17, 8) := to_integer(other(17)(31 downto 24));
+      end if;
+      other_words(0) <= other_next_words(0);
+      other_words(1) <= other_next_words(1);
+      other_words(2) <= other_next_words(2);
+      other_words(3) <= other_next_words(3);
       other_base <= other_base_choice * 8;
-      other_0 <= other_2;
-      other_1 <= ((other_3 mod 8192) / 2) * 2;
-      other_2 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 481))), 1) &
-        to_unsigned(as_number(other_2_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
+      other_0 <= winnerswinner1_best_index_0_choices(2, 8);
+      other_1 <= other_3;
+      other_2 <= ((other_4 mod 8192) / 2) * 2;
+      other_3 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 481))), 1) &
+        to_unsigned(as_number(other_3_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      other_3 <= to_integer(other_4);
-      other_5 <= ((((other_5_choice / 8) + 1) mod 4) * 8) + other_5_choice_2;
-      other_6 <= ((other_difference(6) / 256) * 2) + ((other_7 / 4) * 4);
-      other_7 <= ((other_difference(7) / 256) * 4) + ((other_8 / 8) * 8);
-      other_8 <= ((other_difference(8) / 256) * 8) + ((other_9 / 16) * 16);
-      other_9 <= ((other_difference(9) / 256) * 16) + ((other_10 / 32) * 32);
-      other_10 <= ((other_difference(10) / 256) * 32) + ((other_11 / 64) * 64);
-      other_11 <= ((other_difference(11) / 256) * 64) + ((other_12 / 128) * 128);
-      other_12 <= (other_12_difference / 256) * 128;
-      for i in 13 to 23 loop
-        other(i) <= other(i + 1);
-      end loop;
-      other(24) <= 4096;
-      other_25 <= winnerswinner1_best_index_0_choices(2, 8);
-      for i in 26 to 33 loop
-        others_from_26(i) <= ((costswindow_first_count(33 - i, 5) + costswindow_first_count(33 - i, 6) +
-          costswindow_first_count(33 - i, 4) + costswindow_first_count(33 - i, 7)) * 256) +
-          ((costswindow_first_count(33 - i, 9) + costswindow_first_count(33 - i, 10) + costswindow_first_count(33 - i,
-          8) + costswindow_first_count(33 - i, 11)) * 65536) + ((costswindow_first_count_14(33 - i) +
-          costswindow_first_count(33 - i, 12) + costswindow_first_count(33 - i, 13)) * 16777216) +
-          costswindow_first_count(33 - i, 1) + costswindow_first_count(33 - i, 2) + costswindow_first_count(33 - i, 0)
-          + costswindow_first_count(33 - i, 3);
-      end loop;
-      if line_comes(18) then
+      other_4 <= to_integer(other_5);
+      other_6 <= ((((other_6_choice / 8) + 1) mod 4) * 8) + other_6_choice_2;
+      other_7 <= ((other_difference(7) / 512) * 2) + ((other_8 / 4) * 4);
+      other_8 <= ((other_difference(8) / 512) * 4) + ((other_9 / 8) * 8);
+      other_9 <= ((other_difference(9) / 512) * 8) + ((other_10 / 16) * 16);
+      other_10 <= ((other_difference(10) / 512) * 16) + ((other_11 / 32) * 32);
+      other_11 <= ((other_difference(11) / 512) * 32) + ((other_12 / 64) * 64);
+      other_12 <= ((other_difference(12) / 512) * 64) + ((other_13 / 128) * 128);
+      other_13 <= (other_13_difference / 512) * 128;
+      other(14) <= to_unsigned(other_14_choices_from_43(44), 8) & to_unsigned(other_14_choices_from_32(33), 8) &
+        to_unsigned(other_14_choices_from_10(11), 8) & to_unsigned(other_14_choices_from_21(22), 8);
+      other(15) <= to_unsigned(other_15_choices_from_42(43), 8) & to_unsigned(other_15_choices_from_31(32), 8) &
+        to_unsigned(other_15_choices_from_10(11), 8) & to_unsigned(other_15_choices_from_20(21), 8);
+      other(16) <= to_unsigned(other_choices_from_16(16, 8), 8) & to_unsigned(other_choices_from_16(16, 6), 8) &
+        to_unsigned(other_choices_from_16(16, 2), 8) & to_unsigned(other_choices_from_16(16, 4), 8);
+      other(17) <= to_unsigned(other_choices_from_16(17, 8), 8) & to_unsigned(other_choices_from_16(17, 6), 8) &
+        to_unsigned(other_choices_from_16(17, 2), 8) & to_unsigned(other_choices_from_16(17, 4), 8);
+      if line_comes(20) then
         other_read_count_phase <= 0;
       else
         other_read_count_phase <= other_read_count_phase_choice;
       end if;
-      if line_comes(20) then
+      if line_comes(22) then
         other_count_phase <= 0;
       else
         other_count_phase <= other_count_phase_choice;
       end if;
-      if line_comes(21) then
+      if line_comes(23) then
         other_write_count_phase <= 0;
       else
         other_write_count_phase <= other_write_count_phase_choice;
       end if;
-      if line_comes(20) then
+      if line_comes(22) then
         other_first_column <= line_places_first_column(2);
         other_output_column <= line_places_shown_output_column(2);
       end if;
-      if is_set(paths_sum(0), 0) then
-        other_cost_choice(0) := (not is_set(other_words(0), 8)) or (not is_set(other_words(0), 7));
-      else
-        other_cost_choice(0) := not is_set(other_words(0), 8);
-      end if;
-      if winnerswinner1_best_index_0_values(0, 2) then
-        other_cost_choices(0, 2) := other_cost_choice(0);
-      else
-        other_cost_choices(0, 2) := is_set(paths_sum(0), 0) and (((other_words(0) / 128) mod 4) = 0);
-      end if;
-      other_cost_value(0) := is_set(other_words(0), 9);
-      if other_cost_choices(0, 2) then
-        other_cost_choices(0, 3) := (not winnerswinner1_best_index_0_values(0, 3)) and other_cost_value(0);
-      else
-        other_cost_choices(0, 3) := (not winnerswinner1_best_index_0_values(0, 3)) or other_cost_value(0);
-      end if;
-      for i in 2 to 4 loop
-        other_cost_values(0, i) := is_set(other_words(0), i + 8);
-        if other_cost_choices(0, i + 1) then
-          other_cost_choices(0, i + 2) := (not winnerswinner1_best_index_0_values(0, i + 2)) or other_cost_values(0, i);
-        else
-          other_cost_choices(0, i + 2) := (not winnerswinner1_best_index_0_values(0, i + 2)) and other_cost_values(0,
-            i);
-        end if;
-      end loop;
-      other_cost_value_5(0) := is_set(other_words(0), 13);
-      if other_cost_choices(0, 6) then
-        other_cost_choices(0, 7) := (not is_set(paths_sum(0), 7)) and ((not winnerswinner1_best_index_0_values(0, 7))
-          or other_cost_value_5(0));
-      else
-        other_cost_choices(0, 7) := ((paths_sum(0) / 64) = 0) and other_cost_value_5(0);
-      end if;
-      other_cost_0_all := other_output_column and other_first_column;
-      if other_cost_choices(0, 7) then
-        other_cost_choices(0, 8) := other_output_column;
-      else
-        other_cost_choices(0, 8) := other_cost_0_all;
-      end if;
-      if is_set(paths_sum(1), 0) then
-        other_cost_choice(1) := (not is_set(other_words(0), 15)) or (not is_set(other_words(0), 14));
-      else
-        other_cost_choice(1) := not is_set(other_words(0), 15);
-      end if;
-      if winnerswinner1_best_index_0_value(0) then
-        other_cost_choices(1, 2) := other_cost_choice(1);
-      else
-        other_cost_choices(1, 2) := is_set(paths_sum(1), 0) and (((other_words(0) / 16384) mod 4) = 0);
-      end if;
-      other_cost_value(1) := is_set(other_words(0), 16);
-      if other_cost_choices(1, 2) then
-        other_cost_choices(1, 3) := (not is_set(paths_sum(1), 2)) and other_cost_value(1);
-      else
-        other_cost_choices(1, 3) := (not is_set(paths_sum(1), 2)) or other_cost_value(1);
-      end if;
-      for i in 2 to 4 loop
-        other_cost_values(1, i) := is_set(other_words(0), i + 15);
-        if other_cost_choices(1, i + 1) then
-          other_cost_choices(1, i + 2) := (not is_set(paths_sum(1), i + 1)) or other_cost_values(1, i);
-        else
-          other_cost_choices(1, i + 2) := (not is_set(paths_sum(1), i + 1)) and other_cost_values(1, i);
-        end if;
-      end loop;
-      other_cost_value_5(1) := is_set(other_words(0), 20);
-      if other_cost_choices(1, 6) then
-        other_cost_choices(1, 7) := (not is_set(paths_sum(1), 7)) and ((not is_set(paths_sum(1), 6)) or
-          other_cost_value_5(1));
-      else
-        other_cost_choices(1, 7) := ((paths_sum(1) / 64) = 0) and other_cost_value_5(1);
-      end if;
-      if other_cost_choices(1, 7) then
-        other_cost_choices(1, 8) := other_output_column;
-      else
-        other_cost_choices(1, 8) := other_cost_0_all;
-      end if;
-      if is_set(paths_sum(2), 0) then
-        other_cost_choice(2) := (not is_set(other_words(0), 22)) or (not is_set(other_words(0), 21));
-      else
-        other_cost_choice(2) := not is_set(other_words(0), 22);
-      end if;
-      if winnerswinner1_best_index_0_values(1, 2) then
-        other_cost_choices(2, 2) := other_cost_choice(2);
-      else
-        other_cost_choices(2, 2) := is_set(paths_sum(2), 0) and (((other_words(0) / 2097152) mod 4) = 0);
-      end if;
-      other_cost_value(2) := is_set(other_words(0), 23);
-      if other_cost_choices(2, 2) then
-        other_cost_choices(2, 3) := (not winnerswinner1_best_index_0_values(1, 3)) and other_cost_value(2);
-      else
-        other_cost_choices(2, 3) := (not winnerswinner1_best_index_0_values(1, 3)) or other_cost_value(2);
-      end if;
-      for i in 2 to 4 loop
-        other_cost_values(2, i) := is_set(other_words(0), i + 22);
-        if other_cost_choices(2, i + 1) then
-          other_cost_choices(2, i + 2) := (not winnerswinner1_best_index_0_values(1, i + 2)) or other_cost_values(2, i);
-        else
-          other_cost_choices(2, i + 2) := (not winnerswinner1_best_index_0_values(1, i + 2)) and other_cost_values(2,
-            i);
-        end if;
-      end loop;
-      if other_cost_choices(2, 6) then
-        other_cost_choices(2, 7) := (not is_set(paths_sum(2), 7)) and ((not winnerswinner1_best_index_0_values(1, 7))
-          or is_set(other_words(0), 27));
-      else
-        other_cost_choices(2, 7) := ((paths_sum(2) / 64) = 0) and is_set(other_words(0), 27);
-      end if;
-      if other_cost_choices(2, 7) then
-        other_cost_choices(2, 8) := other_output_column;
-      else
-        other_cost_choices(2, 8) := other_cost_0_all;
-      end if;
-      if is_set(paths_sum(3), 0) then
-        other_cost_choice(3) := (not is_set(other_words(1), 1)) or (not is_set(other_words(1), 0));
-      else
-        other_cost_choice(3) := not is_set(other_words(1), 1);
-      end if;
-      if winnerswinner1_best_index_0_value(1) then
-        other_cost_choices(3, 2) := other_cost_choice(3);
-      else
-        other_cost_choices(3, 2) := is_set(paths_sum(3), 0) and ((other_words(1) mod 4) = 0);
-      end if;
-      other_cost_value(3) := is_set(other_words(1), 2);
-      if other_cost_choices(3, 2) then
-        other_cost_choices(3, 3) := (not is_set(paths_sum(3), 2)) and other_cost_value(3);
-      else
-        other_cost_choices(3, 3) := (not is_set(paths_sum(3), 2)) or other_cost_value(3);
-      end if;
-      for i in 2 to 4 loop
-        other_cost_values(3, i) := is_set(other_words(1), i + 1);
-        if other_cost_choices(3, i + 1) then
-          other_cost_choices(3, i + 2) := (not is_set(paths_sum(3), i + 1)) or other_cost_values(3, i);
-        else
-          other_cost_choices(3, i + 2) := (not is_set(paths_sum(3), i + 1)) and other_cost_values(3, i);
-        end if;
-      end loop;
-      other_cost_value_5s(3) := is_set(other_words(1), 6);
-      if other_cost_choices(3, 6) then
-        other_cost_choices(3, 7) := (not is_set(paths_sum(3), 7)) and ((not is_set(paths_sum(3), 6)) or
-          other_cost_value_5s(3));
-      else
-        other_cost_choices(3, 7) := ((paths_sum(3) / 64) = 0) and other_cost_value_5s(3);
-      end if;
-      if other_cost_choices(3, 7) then
-        other_cost_choices(3, 8) := other_output_column;
-      else
-        other_cost_choices(3, 8) := other_cost_0_all;
-      end if;
-      if is_set(paths_sum(4), 0) then
-        other_cost_choice(4) := (not is_set(other_words(1), 8)) or (not is_set(other_words(1), 7));
-      else
-        other_cost_choice(4) := not is_set(other_words(1), 8);
-      end if;
-      if winnerswinner1_best_index_0_values(2, 2) then
-        other_cost_choices(4, 2) := other_cost_choice(4);
-      else
-        other_cost_choices(4, 2) := is_set(paths_sum(4), 0) and (((other_words(1) / 128) mod 4) = 0);
-      end if;
-      other_cost_value(4) := is_set(other_words(1), 9);
-      if other_cost_choices(4, 2) then
-        other_cost_choices(4, 3) := (not winnerswinner1_best_index_0_values(2, 3)) and other_cost_value(4);
-      else
-        other_cost_choices(4, 3) := (not winnerswinner1_best_index_0_values(2, 3)) or other_cost_value(4);
-      end if;
-      for i in 2 to 4 loop
-        other_cost_values(4, i) := is_set(other_words(1), i + 8);
-        if other_cost_choices(4, i + 1) then
-          other_cost_choices(4, i + 2) := (not winnerswinner1_best_index_0_values(2, i + 2)) or other_cost_values(4, i);
-        else
-          other_cost_choices(4, i + 2) := (not winnerswinner1_best_index_0_values(2, i + 2)) and other_cost_values(4,
-            i);
-        end if;
-      end loop;
-      other_cost_value_5s(4) := is_set(other_words(1), 13);
-      if other_cost_choices(4, 6) then
-        other_cost_choices(4, 7) := (not is_set(paths_sum(4), 7)) and ((not winnerswinner1_best_index_0_values(2, 7))
-          or other_cost_value_5s(4));
-      else
-        other_cost_choices(4, 7) := ((paths_sum(4) / 64) = 0) and other_cost_value_5s(4);
-      end if;
-      if other_cost_choices(4, 7) then
-        other_cost_choices(4, 8) := other_output_column;
-      else
-        other_cost_choices(4, 8) := other_cost_0_all;
-      end if;
-      if is_set(paths_sum(5), 0) then
-        other_cost_choice(5) := (not is_set(other_words(1), 15)) or (not is_set(other_words(1), 14));
-      else
-        other_cost_choice(5) := not is_set(other_words(1), 15);
-      end if;
-      if winnerswinner1_best_index_0_value(2) then
-        other_cost_choices(5, 2) := other_cost_choice(5);
-      else
-        other_cost_choices(5, 2) := is_set(paths_sum(5), 0) and (((other_words(1) / 16384) mod 4) = 0);
-      end if;
-      other_cost_value(5) := is_set(other_words(1), 16);
-      if other_cost_choices(5, 2) then
-        other_cost_choices(5, 3) := (not is_set(paths_sum(5), 2)) and other_cost_value(5);
-      else
-        other_cost_choices(5, 3) := (not is_set(paths_sum(5), 2)) or other_cost_value(5);
-      end if;
-      for i in 2 to 4 loop
-        other_cost_values(5, i) := is_set(other_words(1), i + 15);
-        if other_cost_choices(5, i + 1) then
-          other_cost_choices(5, i + 2) := (not is_set(paths_sum(5), i + 1)) or other_cost_values(5, i);
-        else
-          other_cost_choices(5, i + 2) := (not is_set(paths_sum(5), i + 1)) and other_cost_values(5, i);
-        end if;
-      end loop;
-      other_cost_value_5s(5) := is_set(other_words(1), 20);
-      if other_cost_choices(5, 6) then
-        other_cost_choices(5, 7) := (not is_set(paths_sum(5), 7)) and ((not is_set(paths_sum(5), 6)) or
-          other_cost_value_5s(5));
-      else
-        other_cost_choices(5, 7) := ((paths_sum(5) / 64) = 0) and other_cost_value_5s(5);
-      end if;
-      if other_cost_choices(5, 7) then
-        other_cost_choices(5, 8) := other_output_column;
-      else
-        other_cost_choices(5, 8) := other_cost_0_all;
-      end if;
-      if is_set(paths_sum(6), 0) then
-        other_cost_choice(6) := (not is_set(other_words(1), 22)) or (not is_set(other_words(1), 21));
-      else
-        other_cost_choice(6) := not is_set(other_words(1), 22);
-      end if;
-      if winnerswinner1_best_index_0_values(3, 2) then
-        other_cost_choices(6, 2) := other_cost_choice(6);
-      else
-        other_cost_choices(6, 2) := is_set(paths_sum(6), 0) and (((other_words(1) / 2097152) mod 4) = 0);
-      end if;
-      other_cost_value(6) := is_set(other_words(1), 23);
-      if other_cost_choices(6, 2) then
-        other_cost_choices(6, 3) := (not winnerswinner1_best_index_0_values(3, 3)) and other_cost_value(6);
-      else
-        other_cost_choices(6, 3) := (not winnerswinner1_best_index_0_values(3, 3)) or other_cost_value(6);
-      end if;
-      for i in 2 to 4 loop
-        other_cost_values(6, i) := is_set(other_words(1), i + 22);
-        if other_cost_choices(6, i + 1) then
-          other_cost_choices(6, i + 2) := (not winnerswinner1_best_index_0_values(3, i + 2)) or other_cost_values(6, i);
-        else
-          other_cost_choices(6, i + 2) := (not winnerswinner1_best_index_0_values(3, i + 2)) and other_cost_values(6,
-            i);
-        end if;
-      end loop;
-      if other_cost_choices(6, 6) then
-        other_cost_choices(6, 7) := (not is_set(paths_sum(6), 7)) and ((not winnerswinner1_best_index_0_values(3, 7))
-          or is_set(other_words(1), 27));
-      else
-        other_cost_choices(6, 7) := ((paths_sum(6) / 64) = 0) and is_set(other_words(1), 27);
-      end if;
-      if other_cost_choices(6, 7) then
-        other_cost_choices(6, 8) := other_output_column;
-      else
-        other_cost_choices(6, 8) := other_cost_0_all;
-      end if;
-      if is_set(paths_sum(7), 0) then
-        other_cost_choice(7) := (not (other_next_words(0)(1) = '1')) or (not (other_next_words(0)(0) = '1'));
-      else
-        other_cost_choice(7) := not (other_next_words(0)(1) = '1');
-      end if;
-      if winnerswinner1_best_index_0_value(3) then
-        other_cost_7_choices(2) := other_cost_choice(7);
-      else
-        other_cost_7_choices(2) := is_set(paths_sum(7), 0) and (to_integer(other_next_words(0)(1 downto 0)) = 0);
-      end if;
-      other_cost_value(7) := other_next_words(0)(2) = '1';
-      if other_cost_7_choices(2) then
-        other_cost_7_choices(3) := (not is_set(paths_sum(7), 2)) and other_cost_value(7);
-      else
-        other_cost_7_choices(3) := (not is_set(paths_sum(7), 2)) or other_cost_value(7);
-      end if;
-      for i in 2 to 4 loop
-        other_cost_values(7, i) := other_next_words(0)(i + 1) = '1';
-        if other_cost_7_choices(i + 1) then
-          other_cost_7_choices(i + 2) := (not is_set(paths_sum(7), i + 1)) or other_cost_values(7, i);
-        else
-          other_cost_7_choices(i + 2) := (not is_set(paths_sum(7), i + 1)) and other_cost_values(7, i);
-        end if;
-      end loop;
-      other_cost_7_value_5 := other_next_words(0)(6) = '1';
-      if other_cost_7_choices(6) then
-        other_cost_7_choices(7) := (not is_set(paths_sum(7), 7)) and ((not is_set(paths_sum(7), 6)) or
-          other_cost_7_value_5);
-      else
-        other_cost_7_choices(7) := ((paths_sum(7) / 64) = 0) and other_cost_7_value_5;
-      end if;
-      if other_count_phase_is_equal then
-        other_cost_7_choices(8) := other_output_column;
-      else
-        other_cost_7_choices(8) := other_cost_0_all;
-      end if;
-      if other_cost_7_choices(7) then
-        other_cost_7_choices(9) := other_output_column;
-      else
-        other_cost_7_choices(9) := other_cost_7_choices(8);
-      end if;
-      other_winner_1_value := (other_base / 8) * 8;
-      other_cost_0_any := line_comes(21) or (not is_set(other_write_count_phase, 2)) or (not
-        is_set(other_write_count_phase, 1)) or (not is_set(other_write_count_phase, 0));
-      if other_cost_0_any then
-        if other_cost_choices(0, 8) then
-          other_cost(0) <= paths_sum(0);
-          other_winner_0 <= other_base;
-        else
-          other_cost(0) <= (other_words(0) / 128) mod 128;
-          other_winner_0 <= (other_words(2) / 128) mod 128;
-        end if;
-        if other_cost_choices(1, 8) then
-          other_cost(1) <= paths_sum(1);
-          other_winner_1 <= other_winner_1_value + 1;
-        else
-          other_cost(1) <= (other_words(0) / 16384) mod 128;
-          other_winner_1 <= (other_words(2) / 16384) mod 128;
-        end if;
-        if other_cost_choices(2, 8) then
-          other_cost(2) <= paths_sum(2);
-          other_winner_2 <= other_winner_1_value + 2;
-        else
-          other_cost(2) <= other_words(0) / 2097152;
-          other_winner_2 <= other_words(2) / 2097152;
-        end if;
-        if other_cost_choices(3, 8) then
-          other_cost(3) <= paths_sum(3);
-          other_winner_3 <= other_winner_1_value + 3;
-        else
-          other_cost(3) <= other_words(1) mod 128;
-          other_winner_3 <= other_words(3) mod 128;
-        end if;
-        if other_cost_choices(4, 8) then
-          other_cost(4) <= paths_sum(4);
-          other_winner_4 <= other_winner_1_value + 4;
-        else
-          other_cost(4) <= (other_words(1) / 128) mod 128;
-          other_winner_4 <= (other_words(3) / 128) mod 128;
-        end if;
-        if other_cost_choices(5, 8) then
-          other_cost(5) <= paths_sum(5);
-          other_winner_5 <= other_winner_1_value + 5;
-        else
-          other_cost(5) <= (other_words(1) / 16384) mod 128;
-          other_winner_5 <= (other_words(3) / 16384) mod 128;
-        end if;
-        if other_cost_choices(6, 8) then
-          other_cost(6) <= paths_sum(6);
-          other_winner_6 <= other_winner_1_value + 6;
-        else
-          other_cost(6) <= other_words(1) / 2097152;
-          other_winner_6 <= other_words(3) / 2097152;
-        end if;
-        if other_cost_7_choices(9) then
-          other_cost(7) <= paths_sum(7);
-          other_winner_7 <= other_winner_1_value + 7;
-        else
-          other_cost(7) <= to_integer(other_next_words(0)(6 downto 0));
-          other_winner_7 <= to_integer(other_next_words(2)(6 downto 0));
-        end if;
-      end if;
       if other_write_count_phase = 0 then
-        other_left <= other_winner_0;
+        other_left <= to_integer(other(15)(7 downto 0));
       end if;
       -- refinement
+      refinement_below_0_differs := winners_best_index_0_0 /= 0;
+      refinement_below_0_differs_2 := winners_best_below_0_0 /= 255;
+      refinement_below_0_all := refinement_below_0_differs and refinement_below_0_differs_2;
+      if winners_best_above_0_0 = 255 then
+        refinement_above_0_choice := refinement_below_0_all;
+      else
+        refinement_above_0_choice := refinement_below_0_differs and refinement_below_0_differs_2 and
+          winners_best_above_0_0_is_equal;
+      end if;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
       if refinement_divisor_0_0_is_less then
         refinement_divisor_0_0_choice := refinement_v_0;
@@ -4732,6 +5702,12 @@ begin
       for i in 1 to 11 loop
         refinement_disparity_0(i) <= refinement_disparity_0(i - 1);
       end loop;
+      refinement_passed_0(1) <= transform_reached_first_4;
+      refinement_passed_0(2) <= refinement_passed_0(1);
+      refinement_passed_0(3) <= refinement_passed_0(2);
+      refinement_passed_0s(6) <= transform_filtering_column_inside_4(2);
+      refinement_passed_0s(7) <= refinement_passed_0s(6);
+      refinement_passed_0s(8) <= refinement_passed_0s(7);
       refinement_tag_valid(0) <= winners_best_tag_valid;
       refinement_tag_map_column(0) <= winners_best_tag_map_column;
       refinement_tag_output_column(0) <= winners_best_tag_output_column;
@@ -4744,42 +5720,42 @@ begin
         refinement_tag_start_of_frame(i) <= refinement_tag_start_of_frame(i - 1);
         refinement_tag_end_of_line(i) <= refinement_tag_end_of_line(i - 1);
       end loop;
-      refinement_cost_0 <= winners_best_cost_0_0 mod 128;
-      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 128;
-      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 128;
+      refinement_cost_0 <= winners_best_cost_0_0;
+      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 256;
+      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 256;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
-      refinement_remainder_0(0) <= magnitude(refinement_difference_0) mod 128;
-      refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 7)) or
-        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 7))));
+      refinement_remainder_0(0) <= magnitude(refinement_difference_0);
+      refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 8)) or
+        (to_unsigned(as_number(((refinement_v_0 = 0) and (refinement_u_0 = 0))), 8))));
       for i in 1 to 7 loop
         refinement_divisor_0(i) <= refinement_divisor_0(i - 1);
       end loop;
-      refinement_quotient_8_0 <= ((((256 - refinement_divisor_0(7)) / 2) + refinement_remainder_0(7)) / 128) +
-        ((other_6 / 2) * 2);
+      refinement_quotient_8_0 <= ((((refinement_remainder_0(7) * 2) + 512) - refinement_divisor_0(7)) / 512) +
+        ((other_7 / 2) * 2);
       refinement_negative_0(0) <= refinement_divisor_0_0_is_less;
       for i in 1 to 8 loop
         refinement_negative_0(i) <= refinement_negative_0(i - 1);
       end loop;
-      if winners_best_index_0_0 = 0 then
-        refinement_below_0 <= winners_best_above_0_0;
-      else
+      if refinement_below_0_all then
         refinement_below_0 <= winners_best_below_0_0;
+      else
+        refinement_below_0 <= winners_best_above_0_0;
       end if;
-      if winners_best_above_0_0_is_equal then
+      if refinement_above_0_choice then
         refinement_above_0 <= winners_best_below_0_0;
       else
         refinement_above_0 <= winners_best_above_0_0;
       end if;
-      if is_set(other_12_difference, 8) then
-        refinement_remainder_0(1) <= other_12_difference mod 128;
+      if is_set(other_13_difference, 9) then
+        refinement_remainder_0(1) <= other_13_difference mod 256;
       else
         refinement_remainder_0(1) <= refinement_remainder_0(0);
       end if;
       for i in 2 to 7 loop
-        if is_set(other_difference(13 - i), 8) then
-          refinement_remainder_0(i) <= other_difference(13 - i) mod 128;
+        if is_set(other_difference(14 - i), 9) then
+          refinement_remainder_0(i) <= other_difference(14 - i) mod 256;
         else
-          refinement_remainder_0(i) <= (refinement_remainder_0(i - 1) mod 64) * 2;
+          refinement_remainder_0(i) <= (refinement_remainder_0(i - 1) mod 128) * 2;
         end if;
       end loop;
       -- leftright
@@ -4847,21 +5823,21 @@ begin
       if turn_order_falls then
         turn_order_address_choice_2 := 0;
       else
-        turn_order_address_choice_2 := 9;
+        turn_order_address_choice_2 := 637;
       end if;
       turn_order_address_any_2 := (not leftright_checked_tag_map_column) or (not leftright_checked_tag_valid);
       if not turn_order_address_any_2 then
         if turn_order_address_any then
           turn_order_address <= (turn_order_address_choice + turn_order_address) mod 1024;
         else
-          turn_order_address <= turn_order_address_choice_2 * 64;
+          turn_order_address <= turn_order_address_choice_2;
         end if;
       end if;
       turn_order_falls_all := (not turn_order_inside) and leftright_checked_tag_map_column and
         leftright_checked_tag_valid;
       turn_order_complete_all := leftright_checked_tag_map_column and leftright_checked_tag_valid;
       turn_ready_tag_row_start_differs := map_counter_group /= 481;
-      turn_ready_tag_row_start_is_equal := map_counter_column = 576;
+      turn_ready_tag_row_start_is_equal := map_counter_column = 637;
       if turn_ready_tag_row_start_is_equal then
         turn_ready_tag_row_start_choice := turn_ready_tag_row_start and (map_counter_group /= 480);
       else
@@ -4911,7 +5887,7 @@ begin
       if turn_comes then
         turn_write_place <= turn_order_address;
       else
-        turn_write_place <= 577;
+        turn_write_place <= 638;
       end if;
       if turn_ready_tag_row_start_choices(3) then
         turn_ready_tag_row_start <= turn_ready_tag_row_start or turn_ready_tag_row_start_all_2;
@@ -4942,7 +5918,7 @@ begin
       else
         map_counter_group_choice := 0;
       end if;
-      if turn_ready_tag_row_start and other_2_is_equal then
+      if turn_ready_tag_row_start and other_3_is_equal then
         map_counter_group_choices(2) := 1;
       else
         map_counter_group_choices(2) := (map_counter_group + 1) mod 512;
@@ -4958,11 +5934,11 @@ begin
       else
         map_line_ended_choice := map_line_ended;
       end if;
-      map_at_arrives_value := other_0(16) = '1';
+      map_at_arrives_value := other_1(16) = '1';
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
       else
-        map_of_column_0_a_choice := other_1 / 2;
+        map_of_column_0_a_choice := other_2 / 2;
       end if;
       if map_counter_next_frame then
         map_of_column_0_c_choice := map_column_1 / 2;
@@ -5065,20 +6041,20 @@ begin
       else
         map_out_disparity_0_choices(4) := map_out_disparity_0_choices(3);
       end if;
-      map_counter_next_frame <= other_0(40) = '1';
+      map_counter_next_frame <= other_1(40) = '1';
       map_newest_0 <= ((((((((turn_ready mod 256) + (turn_ready / 8192)) * 2) + (((turn_ready / 512) mod 16) / 8) +
         8191) mod 4096) * 8) + ((turn_ready / 512) mod 8)) * 2) + ((turn_ready / 256) mod 2);
       map_arrives <= turn_ready_tag_row_start_all_2;
       map_behind <= map_line_ended and turn_ready_tag_valid;
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_write_column <= to_integer(other_0(9 downto 0));
-      map_column_1 <= other_3 / 8192;
+      map_write_column <= to_integer(other_1(9 downto 0));
+      map_column_1 <= other_4 / 8192;
       map_column_2 <= map_rows_ready_newest_0;
       map_at_arrives <= map_at_arrives_value;
-      map_at_behind <= other_0(24) = '1';
-      map_at_top <= other_0(32) = '1';
-      map_at_output <= other_0(48) = '1';
+      map_at_behind <= other_1(24) = '1';
+      map_at_top <= other_1(32) = '1';
+      map_at_output <= other_1(48) = '1';
       map_of_column_0_a <= map_of_column_0_a_choice;
       map_of_column_0_b <= map_column_1 / 2;
       map_of_column_0_c <= map_of_column_0_c_choice;
@@ -5185,8 +6161,8 @@ begin
         map_out_disparity_0 <= map_out_disparity_0_choices(4);
       end if;
       if map_at_arrives_value then
-        map_rows_write_words_0 <= (other_3 / 8192) + (map_rows_ready_newest_0 * 8192);
-        map_at_column <= to_integer(other_0(9 downto 0));
+        map_rows_write_words_0 <= (other_4 / 8192) + (map_rows_ready_newest_0 * 8192);
+        map_at_column <= to_integer(other_1(9 downto 0));
       end if;
       if map_sorted_behind then
         map_low_0_0_choice := map_low_0(0);
@@ -5230,7 +6206,14 @@ begin
         transform_counter_column <= 0;
         transform_counter_group <= 482;
         transform_counter_next_frame <= false;
+        transform_counter_last_column <= false;
+        transform_counter_counts <= false;
+        transform_counter_frame_joins <= false;
+        transform_counter_back_to_back <= false;
+        transform_counter_column_after <= 1;
+        transform_counter_group_after <= 482;
         transform_read_column <= 0;
+        transform_read_row_inside_0 <= false;
         transform_read_start_of_frame <= false;
         transform_read_valid <= false;
         transform_ready_column <= 0;
@@ -5239,27 +6222,52 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame(0) <= false;
-        transform_filtering_valid(0) <= false;
-        transform_filtering_start_of_frame(1) <= false;
-        transform_filtering_valid(1) <= false;
+        for i in 0 to 2 loop
+          transform_filtering_start_of_frame(i) <= false;
+          transform_filtering_valid(i) <= false;
+        end loop;
         raster_features_valid <= false;
         raster_place_column <= 0;
-        raster_place_group <= 480;
+        raster_place_group <= 481;
+        raster_place_next_frame <= false;
+        raster_place_last_column <= false;
+        raster_place_frame_joins <= false;
+        raster_place_back_to_back <= false;
+        raster_place_column_after <= 1;
+        raster_place_group_after <= 481;
+        delay_column <= 0;
+        delay_row_inside(2) <= false;
         delay_tag_valid <= false;
-        delay_tag_first_cost <= false;
         delay_tag_map_column <= false;
         delay_tag_output_column <= false;
+        delay_tag_first_column <= false;
         delay_tag_start_of_frame <= false;
         delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_map_column <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_first_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_map_column <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_first_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
         rows_tag_valid <= false;
-        rows_tag_first_cost <= false;
         rows_tag_map_column <= false;
         rows_tag_output_column <= false;
+        rows_tag_first_column <= false;
         rows_tag_start_of_frame <= false;
         rows_tag_end_of_line <= false;
         line_centre_map_column_0 <= false;
+        line_centre_output_column_0 <= false;
         line_centre_first_column_0 <= false;
+        line_centre_start_of_frame_0 <= false;
         line_centre_end_of_line_0 <= false;
         line_order_address <= 0;
         line_order_falls <= false;
@@ -5269,18 +6277,18 @@ begin
         line_order_first <= false;
         line_order_held_output <= false;
         line_order_turned_valid <= false;
+        line_order_turned_map_column <= false;
         line_order_turned_output_column <= false;
         line_order_turned_start_of_frame <= false;
-        for i in 1 to 31 loop
+        line_order_turned_end_of_line <= false;
+        line_newest_first_column <= false;
+        for i in 1 to 33 loop
           line_comes(i) <= false;
         end loop;
-        for i in 1 to 17 loop
+        for i in 1 to 33 loop
           line_starts_phases(i) <= false;
         end loop;
-        for i in 19 to 31 loop
-          line_starts_phases(i) <= false;
-        end loop;
-        for i in 0 to 2 loop
+        for i in 0 to 1 loop
           line_places_map_column(i) <= false;
           line_places_address(i) <= 0;
           line_places_shown_output_column(i) <= false;
@@ -5288,21 +6296,30 @@ begin
           line_places_shown_start_of_frame(i) <= false;
           line_places_shown_end_of_line(i) <= false;
         end loop;
-        line_places_map_column(3) <= false;
-        line_places_shown_output_column(3) <= false;
-        line_places_shown_start_of_frame(3) <= false;
-        line_places_shown_end_of_line(3) <= false;
+        line_places_map_column(2) <= false;
+        line_places_address(2) <= 0;
+        line_places_shown_output_column(2) <= false;
+        line_places_shown_first_column(2) <= false;
+        for i in 2 to 3 loop
+          line_places_shown_start_of_frame(i) <= false;
+          line_places_shown_end_of_line(i) <= false;
+          line_places_map_column(i + 1) <= false;
+          line_places_shown_output_column(i + 1) <= false;
+        end loop;
+        line_places_shown_start_of_frame(4) <= false;
+        line_places_shown_end_of_line(4) <= false;
         costsshift_new_tag_valid <= false;
         costsshift_count_phase <= 7;
         costsshift_read_tag_valid <= false;
         costsshift_read_count_phase <= 7;
         costsshift_write_phase <= 7;
+        costswindow_read_count_phase <= 7;
+        costswindow_write_count_phase <= 7;
         paths_cost_delay_ring_read_address <= 1;
         paths_cost_delay_ring_write_address <= 0;
         pathsleft_low_address <= 5;
         pathsleft_read_count_phase <= 7;
         pathsleft_ahead_count_phase <= 7;
-        pathsleft_is_first <= false;
         pathsleft_write_count_phase <= 7;
         pathsleft_low_write_address <= 0;
         pathsabove_memory_read_address_0 <= 0;
@@ -5334,6 +6351,7 @@ begin
         pathsturn_sum_write_address(1) <= 0;
         pathsturn_writes_sums(0) <= false;
         pathsturn_writes_sums(1) <= false;
+        winnerswinner1_best_place_0 <= false;
         winners_best_tag_valid <= false;
         winners_best_tag_map_column <= false;
         winners_best_tag_output_column <= false;
@@ -5417,8 +6435,8 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other_0 <= to_unsigned(0, 49);
-        other_2 <= to_unsigned(0, 49);
+        other_1 <= to_unsigned(0, 49);
+        other_3 <= to_unsigned(0, 49);
       end if;
     end if;
   end process;

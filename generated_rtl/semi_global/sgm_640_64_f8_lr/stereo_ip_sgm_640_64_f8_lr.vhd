@@ -61,11 +61,11 @@ begin
       disparities => 64,
       pixels_per_clock => 1,
       disparity_bits => 16,
-      output_width_px => 577,
-      latency_clocks => 72,
-      flush_groups => 3268,
+      output_width_px => 638,
+      latency_clocks => 77,
+      flush_groups => 3908,
       gap_groups => 0,
-      core_id => x"376c1669",
+      core_id => x"7ae824c3",
       enabled_at_reset => enabled_at_reset,
       clocks_per_group => 8)
     port map (
@@ -119,9 +119,9 @@ begin
       disparities => 64,
       pixels_per_clock => 1,
       disparity_bits => 16,
-      output_width_px => 577,
-      latency_clocks => 72,
-      flush_groups => 3268,
+      output_width_px => 638,
+      latency_clocks => 77,
+      flush_groups => 3908,
       gap_groups => 0)
     port map (
       clock => aclk,

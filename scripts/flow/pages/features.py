@@ -57,12 +57,17 @@ FOLDED = (
     "ambrosch2007_f20",
     "miyajima_640",
     "miyajima_640_f5",
+    "vga_64",
+    "census_640_f8",
     "sgm_640",
     "sgm_640_f8",
     "sgm_640_f16",
     "sgm_640_64_f4",
     "sgm_640_64_f8",
     "sgm_640_64_f8_road",
+    "sgm_640_64_f8_lr",
+    "sgm_512_64_f16",
+    "sgm_320_64_f32",
 )
 # Pairs that differ in the bits of a pixel alone: (configuration of 8 bits, the deeper one)
 DEEPER = [
