@@ -265,13 +265,11 @@ def test_the_paper_s_system_is_routed_on_each_device():
     assert Configuration("ambrosch2007_f5").clock("up5k")["frames_per_second"] >= 60
 
 
-def test_semi_global_matching_is_routed_where_it_fits():
+def test_semi_global_matching_is_routed_where_nextpnr_ends():
     """30 frames a second or more; where it does not fit, the record says what is too small."""
-    devices = [target.name for target in TARGETS.values() if target.family in OTHERS.values()]
-    results = {name: kept("sgm_320_64_f32", name) for name in devices}
-    assert {name for name, result in results.items() if "does_not_fit" in result} == {"up5k", "hx8k"}
-    routed = [name for name in devices if name not in ("up5k", "hx8k")]
-    assert all("fmax_mhz" in results[name] for name in routed)
+    for name in ("gw2ar_18", "lifcl_40"):
+        assert Configuration("sgm_320_64_f16").clock(name)["frames_per_second"] >= 30
+    assert all("does_not_fit" in kept("sgm_320_64_f16", name) for name in ("up5k", "hx8k"))
     assert Configuration("sgm_512_64_f16").clock("gw2ar_18")["frames_per_second"] >= 30
     assert "does_not_fit" in kept("sgm_640_64_f8_road", "gw2ar_18"), "else 512 columns are not the most"
 

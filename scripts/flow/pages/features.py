@@ -67,7 +67,7 @@ FOLDED = (
     "sgm_640_64_f8_road",
     "sgm_640_64_f8_lr",
     "sgm_512_64_f16",
-    "sgm_320_64_f32",
+    "sgm_320_64_f16",
 )
 # Pairs that differ in the bits of a pixel alone: (configuration of 8 bits, the deeper one)
 DEEPER = [

@@ -1,17 +1,16 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, semi global, configuration sgm_320_64_f32: 320x240, 64 disparities, window 3x3, P1 7, P2 60, 1 pixel pair a clock.
+-- Stereo core, semi global, configuration sgm_320_64_f16: 320x240, 64 disparities, window 3x3, P1 7, P2 60, 1 pixel pair a clock.
 -- Options: reference left, census_width_px 9, census_pattern sparse, cost_shift 3, cost_cap 5, p1 7, p2 60,
---   above_p1 5, above_p2 31, median true, full_width true, slice_disparities 16, clocks_per_pixel 32,
---   front_clocks 2.
+--   above_p1 5, above_p2 31, median true, slice_disparities 16, clocks_per_pixel 16, front_clocks 2.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
---   scripts/synthesize.py --config sgm_320_64_f32
+--   scripts/synthesize.py --config sgm_320_64_f16
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 -- Where a comment behind a declaration has #, the C++ has the indices.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
-entity stereo_core_sgm_320_64_f32 is
+entity stereo_core_sgm_320_64_f16 is
   generic (
     -- What this core is. A user may state it: another value stops elaboration.
     width_px : positive := 320;
@@ -19,9 +18,9 @@ entity stereo_core_sgm_320_64_f32 is
     disparities : positive := 64;
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
-    output_width_px : positive := 318;
-    latency_clocks : positive := 105;
-    flush_groups : positive := 1925;
+    output_width_px : positive := 257;
+    latency_clocks : positive := 75;
+    flush_groups : positive := 1926;
     gap_groups : natural := 0
   );
   port (
@@ -38,18 +37,18 @@ entity stereo_core_sgm_320_64_f32 is
     disparity_end_of_line : out std_logic
   );
 begin
-  assert width_px = 320 report "stereo_core_sgm_320_64_f32: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
-  assert height_px = 240 report "stereo_core_sgm_320_64_f32: height_px is " & integer'image(height_px) & " but this core has 240" severity failure;
-  assert disparities = 64 report "stereo_core_sgm_320_64_f32: disparities is " & integer'image(disparities) & " but this core has 64" severity failure;
-  assert pixels_per_clock = 1 report "stereo_core_sgm_320_64_f32: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
-  assert disparity_bits = 8 report "stereo_core_sgm_320_64_f32: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
-  assert output_width_px = 318 report "stereo_core_sgm_320_64_f32: output_width_px is " & integer'image(output_width_px) & " but this core has 318" severity failure;
-  assert latency_clocks = 105 report "stereo_core_sgm_320_64_f32: latency_clocks is " & integer'image(latency_clocks) & " but this core has 105" severity failure;
-  assert flush_groups = 1925 report "stereo_core_sgm_320_64_f32: flush_groups is " & integer'image(flush_groups) & " but this core has 1925" severity failure;
-  assert gap_groups = 0 report "stereo_core_sgm_320_64_f32: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+  assert width_px = 320 report "stereo_core_sgm_320_64_f16: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
+  assert height_px = 240 report "stereo_core_sgm_320_64_f16: height_px is " & integer'image(height_px) & " but this core has 240" severity failure;
+  assert disparities = 64 report "stereo_core_sgm_320_64_f16: disparities is " & integer'image(disparities) & " but this core has 64" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_sgm_320_64_f16: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 8 report "stereo_core_sgm_320_64_f16: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 257 report "stereo_core_sgm_320_64_f16: output_width_px is " & integer'image(output_width_px) & " but this core has 257" severity failure;
+  assert latency_clocks = 75 report "stereo_core_sgm_320_64_f16: latency_clocks is " & integer'image(latency_clocks) & " but this core has 75" severity failure;
+  assert flush_groups = 1926 report "stereo_core_sgm_320_64_f16: flush_groups is " & integer'image(flush_groups) & " but this core has 1926" severity failure;
+  assert gap_groups = 0 report "stereo_core_sgm_320_64_f16: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
-architecture rtl of stereo_core_sgm_320_64_f32 is
+architecture rtl of stereo_core_sgm_320_64_f16 is
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -101,6 +100,7 @@ architecture rtl of stereo_core_sgm_320_64_f32 is
   type natural_127_1d is array (natural range <>) of natural range 0 to 127;
   type natural_14_1d is array (natural range <>) of natural range 0 to 14;
   type natural_14_2d is array (natural range <>, natural range <>) of natural range 0 to 14;
+  type natural_15_1d is array (natural range <>) of natural range 0 to 15;
   type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
   type natural_16383_2d is array (natural range <>, natural range <>) of natural range 0 to 16383;
   type natural_169_1d is array (natural range <>) of natural range 0 to 169;
@@ -110,19 +110,21 @@ architecture rtl of stereo_core_sgm_320_64_f32 is
   type natural_28_1d is array (natural range <>) of natural range 0 to 28;
   type natural_2_2d is array (natural range <>, natural range <>) of natural range 0 to 2;
   type natural_31_1d is array (natural range <>) of natural range 0 to 31;
-  type natural_3_1d is array (natural range <>) of natural range 0 to 3;
   type natural_3_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 3;
   type natural_4095_1d is array (natural range <>) of natural range 0 to 4095;
   type natural_42_1d is array (natural range <>) of natural range 0 to 42;
   type natural_511_1d is array (natural range <>) of natural range 0 to 511;
   type natural_52_1d is array (natural range <>) of natural range 0 to 52;
   type natural_63_1d is array (natural range <>) of natural range 0 to 63;
+  type natural_65535_1d is array (natural range <>) of natural range 0 to 65535;
   type natural_68_1d is array (natural range <>) of natural range 0 to 68;
+  type natural_7_1d is array (natural range <>) of natural range 0 to 7;
+  type natural_8191_1d is array (natural range <>) of natural range 0 to 8191;
+  type unsigned_12_1d is array (natural range <>) of unsigned(11 downto 0);
+  type unsigned_16_1d is array (natural range <>) of unsigned(15 downto 0);
   type unsigned_28_1d is array (natural range <>) of unsigned(27 downto 0);
-  type unsigned_2_1d is array (natural range <>) of unsigned(1 downto 0);
   type unsigned_49_1d is array (natural range <>) of unsigned(48 downto 0);
-  type unsigned_6_1d is array (natural range <>) of unsigned(5 downto 0);
-  type unsigned_8_1d is array (natural range <>) of unsigned(7 downto 0);
+  type unsigned_4_1d is array (natural range <>) of unsigned(3 downto 0);
   signal in_start_of_frame, in_valid : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
@@ -188,8 +190,8 @@ architecture rtl of stereo_core_sgm_320_64_f32 is
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 16383;
   signal delay_column : natural range 0 to 511;
   signal delay_row_inside : boolean_1d(0 to 2);
-  signal delay_tag_valid, delay_tag_map_column, delay_tag_output_column, delay_tag_first_column : boolean;
-  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_tag_valid, delay_tag_border_column, delay_tag_first_cost, delay_tag_map_column : boolean;
+  signal delay_tag_output_column, delay_tag_start_of_frame : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(27 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 16383;
@@ -200,27 +202,26 @@ architecture rtl of stereo_core_sgm_320_64_f32 is
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside : boolean_1d(0 to 2);
-  signal rows_read_tag_valid, rows_read_tag_map_column, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_first_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_first_cost, rows_read_tag_map_column : boolean;
+  signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
   signal rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_ready_tag_valid, rows_ready_tag_map_column, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_first_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
-  signal rows_tag_valid, rows_tag_map_column, rows_tag_output_column, rows_tag_first_column : boolean;
-  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_first_cost : boolean;
+  signal rows_ready_tag_map_column, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
+  signal rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column, rows_tag_first_cost : boolean;
+  signal rows_tag_map_column, rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- line
   signal line_centre_map_column_0, line_centre_output_column_0, line_centre_first_column_0 : boolean;
   signal line_centre_start_of_frame_0, line_centre_end_of_line_0, line_order_falls, line_order_inside : boolean;
   signal line_order_complete, line_order_output, line_order_first, line_order_held_output : boolean;
   signal line_order_turned_valid, line_order_turned_map_column, line_order_turned_output_column : boolean;
-  signal line_order_turned_first_column, line_order_turned_start_of_frame, line_order_turned_end_of_line : boolean;
-  signal line_newest_first_column, line_newest_top : boolean;
-  signal line_comes : boolean_1d(1 to 77);
-  signal line_starts_phases : boolean_1d(1 to 77);
+  signal line_order_turned_start_of_frame, line_order_turned_end_of_line, line_newest_first_column : boolean;
+  signal line_newest_top : boolean;
+  signal line_comes : boolean_1d(1 to 47);
+  signal line_starts_phases : boolean_1d(1 to 47);
   signal line_places_map_column : boolean_1d(0 to 2);  -- line_places_#_map_column
   signal line_places_first_column : boolean_1d(0 to 1);  -- line_places_#_first_column
   signal line_places_0_top : boolean;
   signal line_places_shown_output_column : boolean_1d(0 to 2);  -- line_places_#_shown_output_column
-  signal line_places_shown_first_column : boolean_1d(0 to 1);  -- line_places_#_shown_first_column
   signal line_places_shown_start_of_frame : boolean_1d(0 to 2);  -- line_places_#_shown_start_of_frame
   signal line_places_shown_end_of_line : boolean_1d(0 to 2);  -- line_places_#_shown_end_of_line
   signal line_order_address : natural range 0 to 511;
@@ -230,113 +231,113 @@ architecture rtl of stereo_core_sgm_320_64_f32 is
   signal costsshift_new_reference : natural_16383_1d(0 to 2);
   signal costsshift_handed_on : natural_16383_1d(0 to 2);
   signal costsshift_read_reference : natural_16383_1d(0 to 2);
-  signal costsshift_search : natural_16383_2d(0 to 2, 0 to 1);
+  signal costsshift_search : natural_16383_2d(0 to 2, 0 to 3);
   signal costsshift_reference : natural_16383_1d(0 to 2);
-  signal costsshift_new_tag_valid, costsshift_read_tag_valid : boolean;
-  signal costsshift_count_phase, costsshift_read_count_phase, costsshift_write_phase : natural range 0 to 31;
-  signal costsshift_read_words : unsigned_28_1d(0 to 2);
+  signal costsshift_new_tag_valid, costsshift_new_tag_border_column, costsshift_read_tag_valid : boolean;
+  signal costsshift_read_tag_border_column, costsshift_tag_border_column : boolean;
+  signal costsshift_count_phase, costsshift_read_count_phase, costsshift_write_phase : natural range 0 to 15;
+  signal costsshift_read_words : unsigned_28_1d(0 to 5);
   -- costscolumn
-  signal costscolumn_pixels_first_count : natural_3_3d(0 to 2, 0 to 1, 0 to 3);  -- costscolumn_pixels_first_#_#_count_#
-  signal costscolumn_pixels_first_count_4 : natural_2_2d(0 to 2, 0 to 1);  -- costscolumn_pixels_first_#_#_count_4
-  signal costscolumn_pixels_cost : natural_14_2d(0 to 2, 0 to 1);
-  signal costscolumn_single_0 : natural_14_1d(0 to 1);
-  signal costscolumn_pair_0 : natural_28_1d(0 to 1);
-  signal costscolumn_column_0 : natural_42_1d(0 to 1);
+  signal costscolumn_pixels_first_count : natural_3_3d(0 to 2, 0 to 3, 0 to 3);  -- costscolumn_pixels_first_#_#_count_#
+  signal costscolumn_pixels_first_count_4 : natural_2_2d(0 to 2, 0 to 3);  -- costscolumn_pixels_first_#_#_count_4
+  signal costscolumn_pixels_first_tag_border_column, costscolumn_pixels_tag_border_column : boolean;
+  signal costscolumn_pair_tag_border_column : boolean;
+  signal costscolumn_pixels_cost : natural_14_2d(0 to 2, 0 to 3);
+  signal costscolumn_single_0 : natural_14_1d(0 to 3);
+  signal costscolumn_pair_0 : natural_28_1d(0 to 3);
+  signal costscolumn_column_0 : natural_42_1d(0 to 3);
   -- costswindow
-  signal costswindow_read_count_phase, costswindow_write_count_phase : natural range 0 to 31;
-  signal costswindow_read_words_0 : unsigned(27 downto 0);
-  signal costswindow_partial : natural_42_1d(0 to 1);
-  signal costswindow_partials : natural_105_1d(2 to 3);  -- costswindow_partial_#
-  signal costswindow_sum_0 : natural_169_1d(0 to 1);
-  -- costsmask
-  signal costsmask_column : natural range 0 to 511;
-  signal costsmask_partner : natural range 0 to 2047;
-  signal costsmask_inside : boolean_1d(0 to 1);
+  signal costswindow_read_count_phase, costswindow_write_count_phase : natural range 0 to 15;
+  signal costswindow_read_words_0 : unsigned(26 downto 0);
+  signal costswindow_read_words_1 : unsigned(27 downto 0);
+  signal costswindow_partial : natural_42_1d(0 to 3);
+  signal costswindow_partials : natural_105_1d(4 to 7);  -- costswindow_partial_#
+  signal costswindow_sum_0 : natural_169_1d(0 to 3);
   -- costs
-  signal costs_cost : natural_21_1d(0 to 1);
+  signal costs_cost : natural_21_1d(0 to 3);
   -- paths
-  signal paths_tree_smallest_0, paths_smallest_cost : natural range 0 to 21;
-  signal paths_cost_delay_ring_read_address, paths_cost_delay_ring_write_address : natural range 0 to 63;
-  signal paths_cost_delay_held_0 : unsigned(5 downto 0);
-  signal paths_sum : natural_254_1d(0 to 1);
+  signal paths_tree_smallest : natural_21_1d(0 to 1);
+  signal paths_tree_next_smallest_0, paths_smallest_cost : natural range 0 to 21;
+  signal paths_cost_delay_ring_read_address, paths_cost_delay_ring_write_address : natural range 0 to 31;
+  signal paths_cost_delay_held_0 : unsigned(11 downto 0);
+  signal paths_sum : natural_254_1d(0 to 3);
   -- pathsleft
-  signal pathsleft_low_address, pathsleft_low_write_address : natural range 0 to 15;
+  signal pathsleft_low_address, pathsleft_read_count_phase, pathsleft_ahead_count_phase : natural range 0 to 15;
+  signal pathsleft_write_count_phase, pathsleft_low_write_address : natural range 0 to 15;
   signal pathsleft_lowest_0, pathsleft_read_neighbour_0 : unsigned(6 downto 0);
   signal pathsleft_lost, pathsleft_short_of, pathsleft_first, pathsleft_is_first, pathsleft_is_last : boolean;
   signal pathsleft_missing, pathsleft_below, pathsleft_q, pathsleft_room_left, pathsleft_q_now : natural range 0 to 63;
   signal pathsleft_room : natural range 0 to 63;
   signal pathsleft_start_cost : natural_63_1d(1 to 8);
   signal pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour : natural range 0 to 127;
-  signal pathsleft_stay : natural_127_1d(0 to 1);
-  signal pathsleft_step : natural_127_1d(0 to 1);
-  signal pathsleft_stay_change : natural_127_1d(0 to 1);
-  signal pathsleft_step_change : natural_127_1d(0 to 1);
-  signal pathsleft_cost : natural_127_1d(0 to 1);
-  signal pathsleft_arrived : natural_127_1d(0 to 1);
-  signal pathsleft_tree_smallest_0, pathsleft_low_0 : natural range 0 to 127;
+  signal pathsleft_stay : natural_127_1d(0 to 3);
+  signal pathsleft_step : natural_127_1d(0 to 3);
+  signal pathsleft_stay_change : natural_127_1d(0 to 3);
+  signal pathsleft_step_change : natural_127_1d(0 to 3);
+  signal pathsleft_cost : natural_127_1d(0 to 3);
+  signal pathsleft_arrived : natural_127_1d(0 to 3);
+  signal pathsleft_tree_smallest : natural_127_1d(0 to 1);
+  signal pathsleft_tree_next_smallest_0, pathsleft_low_0 : natural range 0 to 127;
   signal pathsleft_g : natural range 0 to 84;
-  signal pathsleft_read_count_phase, pathsleft_ahead_count_phase, pathsleft_write_count_phase : natural range 0 to 31;
-  signal pathsleft_read_words_0 : unsigned(27 downto 0);
+  signal pathsleft_read_words : unsigned_28_1d(0 to 1);
   -- pathsabove
-  signal pathsabove_memory_read_address_0 : natural range 0 to 4095;
-  signal pathsabove_memory_write_address : natural_4095_1d(0 to 1);
-  signal pathsabove_memory_read_address_2, pathsabove_memory_write_address_2 : natural range 0 to 2047;
-  signal pathsabove_memory_bank, pathsabove_memory_read_bank : natural range 0 to 3;
-  signal pathsabove_memory_held_words_1 : natural_3_1d(0 to 2);  -- pathsabove_memory_held_words_#_1
-  signal pathsabove_memory_held_bank, pathsabove_memory_ready_words_1 : natural range 0 to 3;
-  signal pathsabove_memory_write_words_1 : natural_3_1d(0 to 2);  -- pathsabove_memory_write_words_#_1
-  signal pathsabove_memory_read_words_0 : unsigned_8_1d(0 to 2);  -- pathsabove_memory_read_words_#_0
-  signal pathsabove_memory_read_words_1 : unsigned_2_1d(0 to 2);  -- pathsabove_memory_read_words_#_1
-  signal pathsabove_memory_held_words_0 : natural_255_1d(0 to 2);  -- pathsabove_memory_held_words_#_0
-  signal pathsabove_memory_ready_words_0 : natural range 0 to 255;
-  signal pathsabove_memory_write_words_0 : natural_255_1d(0 to 2);  -- pathsabove_memory_write_words_#_0
-  signal pathsabove_read_address_address, pathsabove_write_address_address : natural range 0 to 16383;
-  signal pathsabove_read_address_count_phase, pathsabove_count_phase : natural range 0 to 31;
-  signal pathsabove_stay : natural_31_1d(0 to 1);
-  signal pathsabove_write_address_count_phase : natural range 0 to 31;
+  signal pathsabove_memory_read_address_0, pathsabove_memory_write_address_0 : natural range 0 to 4095;
+  signal pathsabove_memory_read_address_1 : natural range 0 to 15;
+  signal pathsabove_memory_held_words_1 : natural_15_1d(0 to 1);  -- pathsabove_memory_held_words_#_1
+  signal pathsabove_memory_ready_words_1 : natural range 0 to 15;
+  signal pathsabove_memory_write_words_1 : natural_15_1d(0 to 1);  -- pathsabove_memory_write_words_#_1
+  signal pathsabove_memory_write_address_1, pathsabove_read_address_count_phase : natural range 0 to 15;
+  signal pathsabove_count_phase, pathsabove_write_address_count_phase : natural range 0 to 15;
+  signal pathsabove_memory_bank, pathsabove_memory_read_bank, pathsabove_memory_held_bank : boolean;
   signal pathsabove_ready_top, pathsabove_write_address_is_here : boolean;
-  signal pathsabove_total : natural_52_1d(0 to 1);
-  signal pathsabove_tree_smallest_0 : natural range 0 to 52;
-  signal pathsabove_delay_held_0 : unsigned(11 downto 0);
+  signal pathsabove_memory_read_words_0 : unsigned_16_1d(0 to 1);  -- pathsabove_memory_read_words_#_0
+  signal pathsabove_memory_read_words_1 : unsigned_4_1d(0 to 1);  -- pathsabove_memory_read_words_#_1
+  signal pathsabove_memory_held_words_0 : natural_65535_1d(0 to 1);  -- pathsabove_memory_held_words_#_0
+  signal pathsabove_memory_ready_words_0 : natural range 0 to 65535;
+  signal pathsabove_memory_write_words_0 : natural_65535_1d(0 to 1);  -- pathsabove_memory_write_words_#_0
+  signal pathsabove_read_address_address, pathsabove_write_address_address : natural range 0 to 8191;
+  signal pathsabove_total : natural_52_1d(0 to 3);
+  signal pathsabove_tree_smallest : natural_52_1d(0 to 1);
+  signal pathsabove_tree_next_smallest_0 : natural range 0 to 52;
+  signal pathsabove_delay_held_0 : unsigned(23 downto 0);
   signal pathsabove_smallest_total, pathsabove_smallest : natural range 0 to 63;
-  signal pathsabove_cost : natural_63_1d(0 to 1);
-  signal pathsabove_held : natural_63_1d(0 to 1);
+  signal pathsabove_cost : natural_63_1d(0 to 3);
+  signal pathsabove_held : natural_63_1d(0 to 3);
   signal pathsabove_lower_neighbour : natural range 0 to 63;
-  signal pathsabove_beside : natural_63_1d(0 to 1);
-  signal pathsabove_own_0 : natural range 0 to 63;
-  signal pathsabove_step : natural_68_1d(0 to 1);
+  signal pathsabove_beside : natural_63_1d(0 to 3);
+  signal pathsabove_own : natural_63_1d(0 to 2);
+  signal pathsabove_step : natural_68_1d(0 to 3);
+  signal pathsabove_stay : natural_31_1d(0 to 3);
   -- pathsturn
   signal pathsturn_sum_memory_read_address_0 : natural range 0 to 4095;
-  signal pathsturn_sum_memory_write_address : natural_4095_1d(0 to 1);
-  signal pathsturn_cost_memory_read_address_0 : natural range 0 to 4095;
-  signal pathsturn_cost_memory_write_address : natural_4095_1d(0 to 1);
-  signal pathsturn_sum_memory_read_address_2, pathsturn_sum_memory_write_address_2 : natural range 0 to 2047;
-  signal pathsturn_cost_memory_read_address_2, pathsturn_cost_memory_write_address_2 : natural range 0 to 2047;
-  signal pathsturn_sum_memory_bank, pathsturn_sum_memory_read_bank : natural range 0 to 3;
-  signal pathsturn_sum_memory_held_bank, pathsturn_cost_memory_bank : natural range 0 to 3;
-  signal pathsturn_cost_memory_read_bank, pathsturn_cost_memory_held_bank : natural range 0 to 3;
-  signal pathsturn_sum_memory_read_words_0 : unsigned_8_1d(0 to 2);  -- pathsturn_sum_memory_read_words_#_0
-  signal pathsturn_sum_memory_read_words_1 : unsigned_6_1d(0 to 2);  -- pathsturn_sum_memory_read_words_#_1
-  signal pathsturn_cost_memory_read_words_0 : unsigned_6_1d(0 to 2);  -- pathsturn_cost_memory_read_words_#_0
-  signal pathsturn_sum_memory_held_words_0 : natural_255_1d(0 to 2);  -- pathsturn_sum_memory_held_words_#_0
-  signal pathsturn_sum_memory_ready_words_0 : natural range 0 to 255;
-  signal pathsturn_sum_memory_write_words_0 : natural_255_1d(0 to 2);  -- pathsturn_sum_memory_write_words_#_0
-  signal pathsturn_sum_memory_held_words_1 : natural_63_1d(0 to 2);  -- pathsturn_sum_memory_held_words_#_1
-  signal pathsturn_sum_memory_ready_words_1 : natural range 0 to 63;
-  signal pathsturn_sum_memory_write_words_1 : natural_63_1d(0 to 2);  -- pathsturn_sum_memory_write_words_#_1
-  signal pathsturn_cost_memory_held_words_0 : natural_63_1d(0 to 2);  -- pathsturn_cost_memory_held_words_#_0
-  signal pathsturn_cost_memory_ready_words_0 : natural range 0 to 63;
-  signal pathsturn_cost_memory_write_words_0 : natural_63_1d(0 to 2);  -- pathsturn_cost_memory_write_words_#_0
-  signal pathsturn_smallest_address, pathsturn_write_smallest_address : natural range 0 to 511;
-  signal pathsturn_read_smallest_0 : unsigned(4 downto 0);
-  signal pathsturn_ready_smallest_0, pathsturn_read_address_count_phase : natural range 0 to 31;
-  signal pathsturn_write_address_count_phase : natural range 0 to 31;
-  signal pathsturn_read_address_address, pathsturn_sum_read_address : natural range 0 to 16383;
-  signal pathsturn_write_address_address : natural range 0 to 16383;
-  signal pathsturn_sum_write_address : natural_16383_1d(0 to 1);
-  signal pathsturn_write_smallest_0 : natural range 0 to 21;
+  signal pathsturn_sum_memory_held_words_1 : natural_4095_1d(0 to 1);  -- pathsturn_sum_memory_held_words_#_1
+  signal pathsturn_sum_memory_ready_words_1 : natural range 0 to 4095;
+  signal pathsturn_sum_memory_write_words_1 : natural_4095_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_1
+  signal pathsturn_sum_memory_write_address_0, pathsturn_cost_memory_read_address_0 : natural range 0 to 4095;
+  signal pathsturn_cost_memory_held_words_0 : natural_4095_1d(0 to 1);  -- pathsturn_cost_memory_held_words_#_0
+  signal pathsturn_cost_memory_ready_words_0 : natural range 0 to 4095;
+  signal pathsturn_cost_memory_write_words_0 : natural_4095_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_0
+  signal pathsturn_cost_memory_write_address_0 : natural range 0 to 4095;
+  signal pathsturn_sum_memory_read_address_1, pathsturn_sum_memory_write_address_1 : natural range 0 to 15;
+  signal pathsturn_cost_memory_read_address_1, pathsturn_cost_memory_write_address_1 : natural range 0 to 15;
+  signal pathsturn_read_address_count_phase, pathsturn_write_address_count_phase : natural range 0 to 15;
+  signal pathsturn_sum_memory_bank, pathsturn_sum_memory_read_bank, pathsturn_sum_memory_held_bank : boolean;
+  signal pathsturn_cost_memory_bank, pathsturn_cost_memory_read_bank, pathsturn_cost_memory_held_bank : boolean;
   signal pathsturn_write_address_is_here : boolean;
   signal pathsturn_writes_sums : boolean_1d(0 to 1);
+  signal pathsturn_sum_memory_read_words_0 : unsigned_16_1d(0 to 1);  -- pathsturn_sum_memory_read_words_#_0
+  signal pathsturn_sum_memory_read_words_1 : unsigned_12_1d(0 to 1);  -- pathsturn_sum_memory_read_words_#_1
+  signal pathsturn_cost_memory_read_words_0 : unsigned_12_1d(0 to 1);  -- pathsturn_cost_memory_read_words_#_0
+  signal pathsturn_sum_memory_held_words_0 : natural_65535_1d(0 to 1);  -- pathsturn_sum_memory_held_words_#_0
+  signal pathsturn_sum_memory_ready_words_0 : natural range 0 to 65535;
+  signal pathsturn_sum_memory_write_words_0 : natural_65535_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_0
+  signal pathsturn_smallest_address, pathsturn_write_smallest_address : natural range 0 to 511;
+  signal pathsturn_read_smallest_0 : unsigned(4 downto 0);
+  signal pathsturn_ready_smallest_0 : natural range 0 to 31;
+  signal pathsturn_read_address_address, pathsturn_sum_read_address : natural range 0 to 8191;
+  signal pathsturn_write_address_address : natural range 0 to 8191;
+  signal pathsturn_sum_write_address : natural_8191_1d(0 to 1);
+  signal pathsturn_write_smallest_0 : natural range 0 to 21;
   -- pathsright
   signal pathsright_lowest_0, pathsright_read_neighbour_0 : unsigned(6 downto 0);
   signal pathsright_lost, pathsright_short_of : boolean;
@@ -344,22 +345,23 @@ architecture rtl of stereo_core_sgm_320_64_f32 is
   signal pathsright_q_now, pathsright_room : natural range 0 to 63;
   signal pathsright_start_cost : natural_63_1d(1 to 8);
   signal pathsright_q_less, pathsright_g_less, pathsright_lower_neighbour : natural range 0 to 127;
-  signal pathsright_stay : natural_127_1d(0 to 1);
-  signal pathsright_step : natural_127_1d(0 to 1);
-  signal pathsright_stay_change : natural_127_1d(0 to 1);
-  signal pathsright_step_change : natural_127_1d(0 to 1);
-  signal pathsright_cost : natural_127_1d(0 to 1);
-  signal pathsright_arrived : natural_127_1d(0 to 1);
-  signal pathsright_tree_smallest_0, pathsright_low_0 : natural range 0 to 127;
+  signal pathsright_stay : natural_127_1d(0 to 3);
+  signal pathsright_step : natural_127_1d(0 to 3);
+  signal pathsright_stay_change : natural_127_1d(0 to 3);
+  signal pathsright_step_change : natural_127_1d(0 to 3);
+  signal pathsright_cost : natural_127_1d(0 to 3);
+  signal pathsright_arrived : natural_127_1d(0 to 3);
+  signal pathsright_tree_smallest : natural_127_1d(0 to 1);
+  signal pathsright_tree_next_smallest_0, pathsright_low_0 : natural range 0 to 127;
   signal pathsright_g : natural range 0 to 94;
-  signal pathsright_read_words_0 : unsigned(27 downto 0);
-  -- winnersmask
-  signal winnersmask_column : natural range 0 to 511;
-  signal winnersmask_partner : natural range 0 to 2047;
-  signal winnersmask_inside : boolean_1d(0 to 1);
+  signal pathsright_read_words : unsigned_28_1d(0 to 1);
   -- winnerswinner1
-  signal winnerswinner1_best_cost_0_0 : natural range 0 to 255;
+  signal winnerswinner1_best_cost_0 : natural_254_1d(0 to 1);
   signal winnerswinner1_best_index_0_0, winnerswinner1_best_below_0 : boolean;
+  signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
+  -- winnerswinner2
+  signal winnerswinner2_best_cost_0_0 : natural range 0 to 254;
+  signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
   -- winners
   signal winners_best_cost_0_0, winners_best_index_0_0 : natural range 0 to 255;
   signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
@@ -422,13 +424,17 @@ architecture rtl of stereo_core_sgm_320_64_f32 is
   signal turn_read_words_0_memory_read_enable : boolean;
   signal turn_read_words_0_memory_read_address, turn_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal pathsright_read_words_1_memory_read_enable : boolean;
+  signal pathsright_read_words_1_memory_read_address : unsigned(3 downto 0);
+  signal pathsright_read_words_1_memory_write_address : unsigned(3 downto 0);
+  signal pathsright_read_words_1_memory_write_data : unsigned(27 downto 0);
   signal pathsright_read_words_0_memory_read_enable : boolean;
-  signal pathsright_read_words_0_memory_read_address : unsigned(4 downto 0);
-  signal pathsright_read_words_0_memory_write_address : unsigned(4 downto 0);
+  signal pathsright_read_words_0_memory_read_address : unsigned(3 downto 0);
+  signal pathsright_read_words_0_memory_write_address : unsigned(3 downto 0);
   signal pathsright_read_words_0_memory_write_data : unsigned(27 downto 0);
   signal pathsright_read_neighbour_0_memory_read_enable : boolean;
-  signal pathsright_read_neighbour_0_memory_read_address : unsigned(4 downto 0);
-  signal pathsright_read_neighbour_0_memory_write_address : unsigned(4 downto 0);
+  signal pathsright_read_neighbour_0_memory_read_address : unsigned(3 downto 0);
+  signal pathsright_read_neighbour_0_memory_write_address : unsigned(3 downto 0);
   signal pathsright_read_neighbour_0_memory_write_data : unsigned(6 downto 0);
   signal pathsright_lowest_0_memory_read_enable : boolean;
   signal pathsright_lowest_0_memory_read_address, pathsright_lowest_0_memory_write_address : unsigned(3 downto 0);
@@ -440,95 +446,95 @@ architecture rtl of stereo_core_sgm_320_64_f32 is
   signal pathsturn_sum_memory_read_words_0_1_memory_read_enable : boolean;
   signal pathsturn_sum_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
   signal pathsturn_sum_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_1_memory_write_data : unsigned(5 downto 0);
+  signal pathsturn_sum_memory_read_words_0_1_memory_write_data : unsigned(11 downto 0);
   signal pathsturn_sum_memory_read_words_0_0_memory_read_enable : boolean;
   signal pathsturn_sum_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
   signal pathsturn_sum_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_0_memory_write_data : unsigned(7 downto 0);
+  signal pathsturn_sum_memory_read_words_0_0_memory_write_data : unsigned(15 downto 0);
   signal pathsturn_sum_memory_read_words_1_1_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_1_memory_write_data : unsigned(5 downto 0);
+  signal pathsturn_sum_memory_read_words_1_1_memory_read_address : unsigned(3 downto 0);
+  signal pathsturn_sum_memory_read_words_1_1_memory_write_address : unsigned(3 downto 0);
+  signal pathsturn_sum_memory_read_words_1_1_memory_write_data : unsigned(11 downto 0);
   signal pathsturn_sum_memory_read_words_1_0_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_1_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_1_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_1_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_1_memory_write_data : unsigned(5 downto 0);
-  signal pathsturn_sum_memory_read_words_2_0_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_0_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_0_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_0_memory_write_data : unsigned(7 downto 0);
+  signal pathsturn_sum_memory_read_words_1_0_memory_read_address : unsigned(3 downto 0);
+  signal pathsturn_sum_memory_read_words_1_0_memory_write_address : unsigned(3 downto 0);
+  signal pathsturn_sum_memory_read_words_1_0_memory_write_data : unsigned(15 downto 0);
   signal pathsturn_cost_memory_read_words_0_0_memory_read_enable : boolean;
   signal pathsturn_cost_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
   signal pathsturn_cost_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_0_memory_write_data : unsigned(5 downto 0);
+  signal pathsturn_cost_memory_read_words_0_0_memory_write_data : unsigned(11 downto 0);
   signal pathsturn_cost_memory_read_words_1_0_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_0_memory_write_data : unsigned(5 downto 0);
-  signal pathsturn_cost_memory_read_words_2_0_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_2_0_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_0_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_0_memory_write_data : unsigned(5 downto 0);
+  signal pathsturn_cost_memory_read_words_1_0_memory_read_address : unsigned(3 downto 0);
+  signal pathsturn_cost_memory_read_words_1_0_memory_write_address : unsigned(3 downto 0);
+  signal pathsturn_cost_memory_read_words_1_0_memory_write_data : unsigned(11 downto 0);
   signal pathsabove_delay_held_0_memory_read_enable : boolean;
-  signal pathsabove_delay_held_0_memory_read_address : unsigned(5 downto 0);
-  signal pathsabove_delay_held_0_memory_write_address : unsigned(5 downto 0);
-  signal pathsabove_delay_held_0_memory_write_data : unsigned(11 downto 0);
+  signal pathsabove_delay_held_0_memory_read_address : unsigned(4 downto 0);
+  signal pathsabove_delay_held_0_memory_write_address : unsigned(4 downto 0);
+  signal pathsabove_delay_held_0_memory_write_data : unsigned(23 downto 0);
   signal pathsabove_memory_read_words_0_1_memory_read_enable : boolean;
   signal pathsabove_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
   signal pathsabove_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_1_memory_write_data : unsigned(1 downto 0);
+  signal pathsabove_memory_read_words_0_1_memory_write_data : unsigned(3 downto 0);
   signal pathsabove_memory_read_words_0_0_memory_read_enable : boolean;
   signal pathsabove_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
   signal pathsabove_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_0_memory_write_data : unsigned(7 downto 0);
+  signal pathsabove_memory_read_words_0_0_memory_write_data : unsigned(15 downto 0);
   signal pathsabove_memory_read_words_1_1_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_1_memory_write_data : unsigned(1 downto 0);
+  signal pathsabove_memory_read_words_1_1_memory_read_address : unsigned(3 downto 0);
+  signal pathsabove_memory_read_words_1_1_memory_write_address : unsigned(3 downto 0);
+  signal pathsabove_memory_read_words_1_1_memory_write_data : unsigned(3 downto 0);
   signal pathsabove_memory_read_words_1_0_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_1_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_1_memory_read_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_1_memory_write_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_1_memory_write_data : unsigned(1 downto 0);
-  signal pathsabove_memory_read_words_2_0_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_0_memory_read_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_0_memory_write_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_0_memory_write_data : unsigned(7 downto 0);
+  signal pathsabove_memory_read_words_1_0_memory_read_address : unsigned(3 downto 0);
+  signal pathsabove_memory_read_words_1_0_memory_write_address : unsigned(3 downto 0);
+  signal pathsabove_memory_read_words_1_0_memory_write_data : unsigned(15 downto 0);
+  signal pathsleft_read_words_1_memory_read_enable : boolean;
+  signal pathsleft_read_words_1_memory_read_address, pathsleft_read_words_1_memory_write_address : unsigned(3 downto 0);
+  signal pathsleft_read_words_1_memory_write_data : unsigned(27 downto 0);
   signal pathsleft_read_words_0_memory_read_enable : boolean;
-  signal pathsleft_read_words_0_memory_read_address, pathsleft_read_words_0_memory_write_address : unsigned(4 downto 0);
+  signal pathsleft_read_words_0_memory_read_address, pathsleft_read_words_0_memory_write_address : unsigned(3 downto 0);
   signal pathsleft_read_words_0_memory_write_data : unsigned(27 downto 0);
   signal pathsleft_read_neighbour_0_memory_read_enable : boolean;
-  signal pathsleft_read_neighbour_0_memory_read_address : unsigned(4 downto 0);
-  signal pathsleft_read_neighbour_0_memory_write_address : unsigned(4 downto 0);
+  signal pathsleft_read_neighbour_0_memory_read_address : unsigned(3 downto 0);
+  signal pathsleft_read_neighbour_0_memory_write_address : unsigned(3 downto 0);
   signal pathsleft_read_neighbour_0_memory_write_data : unsigned(6 downto 0);
   signal pathsleft_lowest_0_memory_read_enable : boolean;
   signal pathsleft_lowest_0_memory_read_address, pathsleft_lowest_0_memory_write_address : unsigned(3 downto 0);
   signal pathsleft_lowest_0_memory_write_data : unsigned(6 downto 0);
   signal paths_cost_delay_held_0_memory_read_enable : boolean;
-  signal paths_cost_delay_held_0_memory_read_address : unsigned(5 downto 0);
-  signal paths_cost_delay_held_0_memory_write_address, paths_cost_delay_held_0_memory_write_data : unsigned(5 downto 0);
+  signal paths_cost_delay_held_0_memory_read_address : unsigned(4 downto 0);
+  signal paths_cost_delay_held_0_memory_write_address : unsigned(4 downto 0);
+  signal paths_cost_delay_held_0_memory_write_data : unsigned(11 downto 0);
+  signal costswindow_read_words_1_memory_read_enable : boolean;
+  signal costswindow_read_words_1_memory_read_address : unsigned(3 downto 0);
+  signal costswindow_read_words_1_memory_write_address : unsigned(3 downto 0);
+  signal costswindow_read_words_1_memory_write_data : unsigned(27 downto 0);
   signal costswindow_read_words_0_memory_read_enable : boolean;
-  signal costswindow_read_words_0_memory_read_address : unsigned(4 downto 0);
-  signal costswindow_read_words_0_memory_write_address : unsigned(4 downto 0);
-  signal costswindow_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal costswindow_read_words_0_memory_read_address : unsigned(3 downto 0);
+  signal costswindow_read_words_0_memory_write_address : unsigned(3 downto 0);
+  signal costswindow_read_words_0_memory_write_data : unsigned(26 downto 0);
+  signal costsshift_read_words_5_memory_read_enable : boolean;
+  signal costsshift_read_words_5_memory_read_address : unsigned(3 downto 0);
+  signal costsshift_read_words_5_memory_write_address : unsigned(3 downto 0);
+  signal costsshift_read_words_5_memory_write_data : unsigned(27 downto 0);
+  signal costsshift_read_words_4_memory_read_enable : boolean;
+  signal costsshift_read_words_4_memory_read_address : unsigned(3 downto 0);
+  signal costsshift_read_words_4_memory_write_address : unsigned(3 downto 0);
+  signal costsshift_read_words_4_memory_write_data : unsigned(27 downto 0);
+  signal costsshift_read_words_3_memory_read_enable : boolean;
+  signal costsshift_read_words_3_memory_read_address : unsigned(3 downto 0);
+  signal costsshift_read_words_3_memory_write_address : unsigned(3 downto 0);
+  signal costsshift_read_words_3_memory_write_data : unsigned(27 downto 0);
   signal costsshift_read_words_2_memory_read_enable : boolean;
-  signal costsshift_read_words_2_memory_read_address : unsigned(4 downto 0);
-  signal costsshift_read_words_2_memory_write_address : unsigned(4 downto 0);
+  signal costsshift_read_words_2_memory_read_address : unsigned(3 downto 0);
+  signal costsshift_read_words_2_memory_write_address : unsigned(3 downto 0);
   signal costsshift_read_words_2_memory_write_data : unsigned(27 downto 0);
   signal costsshift_read_words_1_memory_read_enable : boolean;
-  signal costsshift_read_words_1_memory_read_address : unsigned(4 downto 0);
-  signal costsshift_read_words_1_memory_write_address : unsigned(4 downto 0);
+  signal costsshift_read_words_1_memory_read_address : unsigned(3 downto 0);
+  signal costsshift_read_words_1_memory_write_address : unsigned(3 downto 0);
   signal costsshift_read_words_1_memory_write_data : unsigned(27 downto 0);
   signal costsshift_read_words_0_memory_read_enable : boolean;
-  signal costsshift_read_words_0_memory_read_address : unsigned(4 downto 0);
-  signal costsshift_read_words_0_memory_write_address : unsigned(4 downto 0);
+  signal costsshift_read_words_0_memory_read_address : unsigned(3 downto 0);
+  signal costsshift_read_words_0_memory_write_address : unsigned(3 downto 0);
   signal costsshift_read_words_0_memory_write_data : unsigned(27 downto 0);
   signal rows_search_rows_read_words_0_memory_read_enable : boolean;
   signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
@@ -577,7 +583,7 @@ begin
   map_rows_read_words_0_memory_write_address <= to_unsigned(map_write_column, 9);
   map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 18);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 318, width => 18, address_bits => 9)
+    generic map (depth => 257, width => 18, address_bits => 9)
     port map (
       clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
       read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
@@ -588,29 +594,40 @@ begin
   turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 9);
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
   turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 319, width => 9, address_bits => 9)
+    generic map (depth => 258, width => 9, address_bits => 9)
     port map (
       clock => clock, read_enable => turn_read_words_0_memory_read_enable,
       read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
       write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
 
+  pathsright_read_words_1_memory_read_enable <= true;
+  pathsright_read_words_1_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 4);
+  pathsright_read_words_1_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+  pathsright_read_words_1_memory_write_data <= to_unsigned(pathsright_arrived(3), 7) & to_unsigned(pathsright_arrived(2), 7) & to_unsigned(pathsright_arrived(1), 7) & to_unsigned(pathsright_arrived(0), 7);
+  pathsright_read_words_1_memory : entity work.line_memory
+    generic map (depth => 16, width => 28, address_bits => 4)
+    port map (
+      clock => clock, read_enable => pathsright_read_words_1_memory_read_enable,
+      read_address => pathsright_read_words_1_memory_read_address, read_data => pathsright_read_words(1),
+      write_address => pathsright_read_words_1_memory_write_address, write_data => pathsright_read_words_1_memory_write_data);
+
   pathsright_read_words_0_memory_read_enable <= true;
-  pathsright_read_words_0_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 5);
-  pathsright_read_words_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 5);
-  pathsright_read_words_0_memory_write_data <= to_unsigned(pathsright_arrived(1), 7) & to_unsigned(pathsright_arrived(0), 7) & to_unsigned(pathsright_cost(1), 7) & to_unsigned(pathsright_cost(0), 7);
+  pathsright_read_words_0_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 4);
+  pathsright_read_words_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+  pathsright_read_words_0_memory_write_data <= to_unsigned(pathsright_cost(3), 7) & to_unsigned(pathsright_cost(2), 7) & to_unsigned(pathsright_cost(1), 7) & to_unsigned(pathsright_cost(0), 7);
   pathsright_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 28, address_bits => 5)
+    generic map (depth => 16, width => 28, address_bits => 4)
     port map (
       clock => clock, read_enable => pathsright_read_words_0_memory_read_enable,
-      read_address => pathsright_read_words_0_memory_read_address, read_data => pathsright_read_words_0,
+      read_address => pathsright_read_words_0_memory_read_address, read_data => pathsright_read_words(0),
       write_address => pathsright_read_words_0_memory_write_address, write_data => pathsright_read_words_0_memory_write_data);
 
   pathsright_read_neighbour_0_memory_read_enable <= true;
-  pathsright_read_neighbour_0_memory_read_address <= to_unsigned(pathsleft_ahead_count_phase, 5);
-  pathsright_read_neighbour_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 5);
+  pathsright_read_neighbour_0_memory_read_address <= to_unsigned(pathsleft_ahead_count_phase, 4);
+  pathsright_read_neighbour_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
   pathsright_read_neighbour_0_memory_write_data <= to_unsigned(pathsright_cost(0), 7);
   pathsright_read_neighbour_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 7, address_bits => 5)
+    generic map (depth => 16, width => 7, address_bits => 4)
     port map (
       clock => clock, read_enable => pathsright_read_neighbour_0_memory_read_enable,
       read_address => pathsright_read_neighbour_0_memory_read_address, read_data => pathsright_read_neighbour_0,
@@ -632,7 +649,7 @@ begin
   pathsturn_read_smallest_0_memory_write_address <= to_unsigned(pathsturn_write_smallest_address, 9);
   pathsturn_read_smallest_0_memory_write_data <= to_unsigned(pathsturn_write_smallest_0, 5);
   pathsturn_read_smallest_0_memory : entity work.line_memory
-    generic map (depth => 319, width => 5, address_bits => 9)
+    generic map (depth => 258, width => 5, address_bits => 9)
     port map (
       clock => clock, read_enable => pathsturn_read_smallest_0_memory_read_enable,
       read_address => pathsturn_read_smallest_0_memory_read_address, read_data => pathsturn_read_smallest_0,
@@ -640,10 +657,10 @@ begin
 
   pathsturn_sum_memory_read_words_0_1_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1(0), 6);
+  pathsturn_sum_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
+  pathsturn_sum_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1(0), 12);
   pathsturn_sum_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 6, address_bits => 12)
+    generic map (depth => 4096, width => 12, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsturn_sum_memory_read_words_0_1_memory_read_enable,
       read_address => pathsturn_sum_memory_read_words_0_1_memory_read_address, read_data => pathsturn_sum_memory_read_words_1(0),
@@ -651,98 +668,65 @@ begin
 
   pathsturn_sum_memory_read_words_0_0_memory_read_enable <= true;
   pathsturn_sum_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0(0), 8);
+  pathsturn_sum_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
+  pathsturn_sum_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0(0), 16);
   pathsturn_sum_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
+    generic map (depth => 4096, width => 16, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsturn_sum_memory_read_words_0_0_memory_read_enable,
       read_address => pathsturn_sum_memory_read_words_0_0_memory_read_address, read_data => pathsturn_sum_memory_read_words_0(0),
       write_address => pathsturn_sum_memory_read_words_0_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_0_memory_write_data);
 
   pathsturn_sum_memory_read_words_1_1_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1(1), 6);
+  pathsturn_sum_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 4);
+  pathsturn_sum_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 4);
+  pathsturn_sum_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1(1), 12);
   pathsturn_sum_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 6, address_bits => 12)
+    generic map (depth => 16, width => 12, address_bits => 4)
     port map (
       clock => clock, read_enable => pathsturn_sum_memory_read_words_1_1_memory_read_enable,
       read_address => pathsturn_sum_memory_read_words_1_1_memory_read_address, read_data => pathsturn_sum_memory_read_words_1(1),
       write_address => pathsturn_sum_memory_read_words_1_1_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_1_memory_write_data);
 
   pathsturn_sum_memory_read_words_1_0_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0(1), 8);
+  pathsturn_sum_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 4);
+  pathsturn_sum_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 4);
+  pathsturn_sum_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0(1), 16);
   pathsturn_sum_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
+    generic map (depth => 16, width => 16, address_bits => 4)
     port map (
       clock => clock, read_enable => pathsturn_sum_memory_read_words_1_0_memory_read_enable,
       read_address => pathsturn_sum_memory_read_words_1_0_memory_read_address, read_data => pathsturn_sum_memory_read_words_0(1),
       write_address => pathsturn_sum_memory_read_words_1_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_0_memory_write_data);
 
-  pathsturn_sum_memory_read_words_2_1_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_1(2), 6);
-  pathsturn_sum_memory_read_words_2_1_memory : entity work.line_memory
-    generic map (depth => 2048, width => 6, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_1_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_1_memory_read_address, read_data => pathsturn_sum_memory_read_words_1(2),
-      write_address => pathsturn_sum_memory_read_words_2_1_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_1_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_0_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0(2), 8);
-  pathsturn_sum_memory_read_words_2_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_0_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_0_memory_read_address, read_data => pathsturn_sum_memory_read_words_0(2),
-      write_address => pathsturn_sum_memory_read_words_2_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_0_memory_write_data);
-
   pathsturn_cost_memory_read_words_0_0_memory_read_enable <= true;
   pathsturn_cost_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
-  pathsturn_cost_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(0), 6);
+  pathsturn_cost_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_0, 12);
+  pathsturn_cost_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(0), 12);
   pathsturn_cost_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 6, address_bits => 12)
+    generic map (depth => 4096, width => 12, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsturn_cost_memory_read_words_0_0_memory_read_enable,
       read_address => pathsturn_cost_memory_read_words_0_0_memory_read_address, read_data => pathsturn_cost_memory_read_words_0(0),
       write_address => pathsturn_cost_memory_read_words_0_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_0_memory_write_data);
 
   pathsturn_cost_memory_read_words_1_0_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
-  pathsturn_cost_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(1), 6);
+  pathsturn_cost_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_1, 4);
+  pathsturn_cost_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_1, 4);
+  pathsturn_cost_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(1), 12);
   pathsturn_cost_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 6, address_bits => 12)
+    generic map (depth => 16, width => 12, address_bits => 4)
     port map (
       clock => clock, read_enable => pathsturn_cost_memory_read_words_1_0_memory_read_enable,
       read_address => pathsturn_cost_memory_read_words_1_0_memory_read_address, read_data => pathsturn_cost_memory_read_words_0(1),
       write_address => pathsturn_cost_memory_read_words_1_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_0_memory_write_data);
 
-  pathsturn_cost_memory_read_words_2_0_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_2_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 11);
-  pathsturn_cost_memory_read_words_2_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 11);
-  pathsturn_cost_memory_read_words_2_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(2), 6);
-  pathsturn_cost_memory_read_words_2_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 6, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_2_0_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_2_0_memory_read_address, read_data => pathsturn_cost_memory_read_words_0(2),
-      write_address => pathsturn_cost_memory_read_words_2_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_2_0_memory_write_data);
-
   pathsabove_delay_held_0_memory_read_enable <= true;
-  pathsabove_delay_held_0_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 6);
-  pathsabove_delay_held_0_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 6);
-  pathsabove_delay_held_0_memory_write_data <= to_unsigned(pathsabove_total(1), 6) & to_unsigned(pathsabove_total(0), 6);
+  pathsabove_delay_held_0_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 5);
+  pathsabove_delay_held_0_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 5);
+  pathsabove_delay_held_0_memory_write_data <= to_unsigned(pathsabove_total(3), 6) & to_unsigned(pathsabove_total(2), 6) & to_unsigned(pathsabove_total(1), 6) & to_unsigned(pathsabove_total(0), 6);
   pathsabove_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 34, width => 12, address_bits => 6)
+    generic map (depth => 19, width => 24, address_bits => 5)
     port map (
       clock => clock, read_enable => pathsabove_delay_held_0_memory_read_enable,
       read_address => pathsabove_delay_held_0_memory_read_address, read_data => pathsabove_delay_held_0,
@@ -750,10 +734,10 @@ begin
 
   pathsabove_memory_read_words_0_1_memory_read_enable <= true;
   pathsabove_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1(0), 2);
+  pathsabove_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
+  pathsabove_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1(0), 4);
   pathsabove_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 2, address_bits => 12)
+    generic map (depth => 4096, width => 4, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsabove_memory_read_words_0_1_memory_read_enable,
       read_address => pathsabove_memory_read_words_0_1_memory_read_address, read_data => pathsabove_memory_read_words_1(0),
@@ -761,76 +745,65 @@ begin
 
   pathsabove_memory_read_words_0_0_memory_read_enable <= true;
   pathsabove_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0(0), 8);
+  pathsabove_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
+  pathsabove_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0(0), 16);
   pathsabove_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
+    generic map (depth => 4096, width => 16, address_bits => 12)
     port map (
       clock => clock, read_enable => pathsabove_memory_read_words_0_0_memory_read_enable,
       read_address => pathsabove_memory_read_words_0_0_memory_read_address, read_data => pathsabove_memory_read_words_0(0),
       write_address => pathsabove_memory_read_words_0_0_memory_write_address, write_data => pathsabove_memory_read_words_0_0_memory_write_data);
 
   pathsabove_memory_read_words_1_1_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1(1), 2);
+  pathsabove_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_1, 4);
+  pathsabove_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address_1, 4);
+  pathsabove_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1(1), 4);
   pathsabove_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 2, address_bits => 12)
+    generic map (depth => 16, width => 4, address_bits => 4)
     port map (
       clock => clock, read_enable => pathsabove_memory_read_words_1_1_memory_read_enable,
       read_address => pathsabove_memory_read_words_1_1_memory_read_address, read_data => pathsabove_memory_read_words_1(1),
       write_address => pathsabove_memory_read_words_1_1_memory_write_address, write_data => pathsabove_memory_read_words_1_1_memory_write_data);
 
   pathsabove_memory_read_words_1_0_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0(1), 8);
+  pathsabove_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_1, 4);
+  pathsabove_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address_1, 4);
+  pathsabove_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0(1), 16);
   pathsabove_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
+    generic map (depth => 16, width => 16, address_bits => 4)
     port map (
       clock => clock, read_enable => pathsabove_memory_read_words_1_0_memory_read_enable,
       read_address => pathsabove_memory_read_words_1_0_memory_read_address, read_data => pathsabove_memory_read_words_0(1),
       write_address => pathsabove_memory_read_words_1_0_memory_write_address, write_data => pathsabove_memory_read_words_1_0_memory_write_data);
 
-  pathsabove_memory_read_words_2_1_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
-  pathsabove_memory_read_words_2_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
-  pathsabove_memory_read_words_2_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words_1(2), 2);
-  pathsabove_memory_read_words_2_1_memory : entity work.line_memory
-    generic map (depth => 2048, width => 2, address_bits => 11)
+  pathsleft_read_words_1_memory_read_enable <= true;
+  pathsleft_read_words_1_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 4);
+  pathsleft_read_words_1_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+  pathsleft_read_words_1_memory_write_data <= to_unsigned(pathsleft_arrived(3), 7) & to_unsigned(pathsleft_arrived(2), 7) & to_unsigned(pathsleft_arrived(1), 7) & to_unsigned(pathsleft_arrived(0), 7);
+  pathsleft_read_words_1_memory : entity work.line_memory
+    generic map (depth => 16, width => 28, address_bits => 4)
     port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_1_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_1_memory_read_address, read_data => pathsabove_memory_read_words_1(2),
-      write_address => pathsabove_memory_read_words_2_1_memory_write_address, write_data => pathsabove_memory_read_words_2_1_memory_write_data);
-
-  pathsabove_memory_read_words_2_0_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
-  pathsabove_memory_read_words_2_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
-  pathsabove_memory_read_words_2_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words_0(2), 8);
-  pathsabove_memory_read_words_2_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_0_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_0_memory_read_address, read_data => pathsabove_memory_read_words_0(2),
-      write_address => pathsabove_memory_read_words_2_0_memory_write_address, write_data => pathsabove_memory_read_words_2_0_memory_write_data);
+      clock => clock, read_enable => pathsleft_read_words_1_memory_read_enable,
+      read_address => pathsleft_read_words_1_memory_read_address, read_data => pathsleft_read_words(1),
+      write_address => pathsleft_read_words_1_memory_write_address, write_data => pathsleft_read_words_1_memory_write_data);
 
   pathsleft_read_words_0_memory_read_enable <= true;
-  pathsleft_read_words_0_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 5);
-  pathsleft_read_words_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 5);
-  pathsleft_read_words_0_memory_write_data <= to_unsigned(pathsleft_arrived(1), 7) & to_unsigned(pathsleft_arrived(0), 7) & to_unsigned(pathsleft_cost(1), 7) & to_unsigned(pathsleft_cost(0), 7);
+  pathsleft_read_words_0_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 4);
+  pathsleft_read_words_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+  pathsleft_read_words_0_memory_write_data <= to_unsigned(pathsleft_cost(3), 7) & to_unsigned(pathsleft_cost(2), 7) & to_unsigned(pathsleft_cost(1), 7) & to_unsigned(pathsleft_cost(0), 7);
   pathsleft_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 28, address_bits => 5)
+    generic map (depth => 16, width => 28, address_bits => 4)
     port map (
       clock => clock, read_enable => pathsleft_read_words_0_memory_read_enable,
-      read_address => pathsleft_read_words_0_memory_read_address, read_data => pathsleft_read_words_0,
+      read_address => pathsleft_read_words_0_memory_read_address, read_data => pathsleft_read_words(0),
       write_address => pathsleft_read_words_0_memory_write_address, write_data => pathsleft_read_words_0_memory_write_data);
 
   pathsleft_read_neighbour_0_memory_read_enable <= true;
-  pathsleft_read_neighbour_0_memory_read_address <= to_unsigned(pathsleft_ahead_count_phase, 5);
-  pathsleft_read_neighbour_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 5);
+  pathsleft_read_neighbour_0_memory_read_address <= to_unsigned(pathsleft_ahead_count_phase, 4);
+  pathsleft_read_neighbour_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
   pathsleft_read_neighbour_0_memory_write_data <= to_unsigned(pathsleft_cost(0), 7);
   pathsleft_read_neighbour_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 7, address_bits => 5)
+    generic map (depth => 16, width => 7, address_bits => 4)
     port map (
       clock => clock, read_enable => pathsleft_read_neighbour_0_memory_read_enable,
       read_address => pathsleft_read_neighbour_0_memory_read_address, read_data => pathsleft_read_neighbour_0,
@@ -848,55 +821,99 @@ begin
       write_address => pathsleft_lowest_0_memory_write_address, write_data => pathsleft_lowest_0_memory_write_data);
 
   paths_cost_delay_held_0_memory_read_enable <= true;
-  paths_cost_delay_held_0_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 6);
-  paths_cost_delay_held_0_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 6);
-  paths_cost_delay_held_0_memory_write_data <= ((to_unsigned((costs_cost(1) mod 8), 3) & to_unsigned(0, 3)) or (to_unsigned(costs_cost(0), 6)));
+  paths_cost_delay_held_0_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 5);
+  paths_cost_delay_held_0_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 5);
+  paths_cost_delay_held_0_memory_write_data <= ((((((to_unsigned(costs_cost(2), 6) & to_unsigned(0, 6)) or (to_unsigned((costs_cost(3) mod 8), 3) & to_unsigned(0, 9)))) or (to_unsigned(costs_cost(0), 12)))) or (to_unsigned(costs_cost(1), 9) & to_unsigned(0, 3)));
   paths_cost_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 34, width => 6, address_bits => 6)
+    generic map (depth => 19, width => 12, address_bits => 5)
     port map (
       clock => clock, read_enable => paths_cost_delay_held_0_memory_read_enable,
       read_address => paths_cost_delay_held_0_memory_read_address, read_data => paths_cost_delay_held_0,
       write_address => paths_cost_delay_held_0_memory_write_address, write_data => paths_cost_delay_held_0_memory_write_data);
 
+  costswindow_read_words_1_memory_read_enable <= true;
+  costswindow_read_words_1_memory_read_address <= to_unsigned(costswindow_read_count_phase, 4);
+  costswindow_read_words_1_memory_write_address <= to_unsigned(costswindow_write_count_phase, 4);
+  costswindow_read_words_1_memory_write_data <= to_unsigned(costswindow_partials(7), 7) & to_unsigned(costswindow_partials(6), 7) & to_unsigned(costswindow_partials(5), 7) & to_unsigned(costswindow_partials(4), 7);
+  costswindow_read_words_1_memory : entity work.line_memory
+    generic map (depth => 16, width => 28, address_bits => 4)
+    port map (
+      clock => clock, read_enable => costswindow_read_words_1_memory_read_enable,
+      read_address => costswindow_read_words_1_memory_read_address, read_data => costswindow_read_words_1,
+      write_address => costswindow_read_words_1_memory_write_address, write_data => costswindow_read_words_1_memory_write_data);
+
   costswindow_read_words_0_memory_read_enable <= true;
-  costswindow_read_words_0_memory_read_address <= to_unsigned(costswindow_read_count_phase, 5);
-  costswindow_read_words_0_memory_write_address <= to_unsigned(costswindow_write_count_phase, 5);
-  costswindow_read_words_0_memory_write_data <= to_unsigned(costswindow_partials(3), 7) & to_unsigned(costswindow_partials(2), 7) & to_unsigned(costswindow_partial(1), 7) & to_unsigned(costswindow_partial(0), 7);
+  costswindow_read_words_0_memory_read_address <= to_unsigned(costswindow_read_count_phase, 4);
+  costswindow_read_words_0_memory_write_address <= to_unsigned(costswindow_write_count_phase, 4);
+  costswindow_read_words_0_memory_write_data <= to_unsigned(costswindow_partial(3), 6) & to_unsigned(costswindow_partial(2), 7) & to_unsigned(costswindow_partial(1), 7) & to_unsigned(costswindow_partial(0), 7);
   costswindow_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 28, address_bits => 5)
+    generic map (depth => 16, width => 27, address_bits => 4)
     port map (
       clock => clock, read_enable => costswindow_read_words_0_memory_read_enable,
       read_address => costswindow_read_words_0_memory_read_address, read_data => costswindow_read_words_0,
       write_address => costswindow_read_words_0_memory_write_address, write_data => costswindow_read_words_0_memory_write_data);
 
+  costsshift_read_words_5_memory_read_enable <= true;
+  costsshift_read_words_5_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
+  costsshift_read_words_5_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
+  costsshift_read_words_5_memory_write_data <= to_unsigned(costsshift_search(2, 3), 14) & to_unsigned(costsshift_search(2, 2), 14);
+  costsshift_read_words_5_memory : entity work.line_memory
+    generic map (depth => 16, width => 28, address_bits => 4)
+    port map (
+      clock => clock, read_enable => costsshift_read_words_5_memory_read_enable,
+      read_address => costsshift_read_words_5_memory_read_address, read_data => costsshift_read_words(5),
+      write_address => costsshift_read_words_5_memory_write_address, write_data => costsshift_read_words_5_memory_write_data);
+
+  costsshift_read_words_4_memory_read_enable <= true;
+  costsshift_read_words_4_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
+  costsshift_read_words_4_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
+  costsshift_read_words_4_memory_write_data <= to_unsigned(costsshift_search(2, 1), 14) & to_unsigned(costsshift_search(2, 0), 14);
+  costsshift_read_words_4_memory : entity work.line_memory
+    generic map (depth => 16, width => 28, address_bits => 4)
+    port map (
+      clock => clock, read_enable => costsshift_read_words_4_memory_read_enable,
+      read_address => costsshift_read_words_4_memory_read_address, read_data => costsshift_read_words(4),
+      write_address => costsshift_read_words_4_memory_write_address, write_data => costsshift_read_words_4_memory_write_data);
+
+  costsshift_read_words_3_memory_read_enable <= true;
+  costsshift_read_words_3_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
+  costsshift_read_words_3_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
+  costsshift_read_words_3_memory_write_data <= to_unsigned(costsshift_search(1, 3), 14) & to_unsigned(costsshift_search(1, 2), 14);
+  costsshift_read_words_3_memory : entity work.line_memory
+    generic map (depth => 16, width => 28, address_bits => 4)
+    port map (
+      clock => clock, read_enable => costsshift_read_words_3_memory_read_enable,
+      read_address => costsshift_read_words_3_memory_read_address, read_data => costsshift_read_words(3),
+      write_address => costsshift_read_words_3_memory_write_address, write_data => costsshift_read_words_3_memory_write_data);
+
   costsshift_read_words_2_memory_read_enable <= true;
-  costsshift_read_words_2_memory_read_address <= to_unsigned(costsshift_count_phase, 5);
-  costsshift_read_words_2_memory_write_address <= to_unsigned(costsshift_write_phase, 5);
-  costsshift_read_words_2_memory_write_data <= to_unsigned(costsshift_search(2, 1), 14) & to_unsigned(costsshift_search(2, 0), 14);
+  costsshift_read_words_2_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
+  costsshift_read_words_2_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
+  costsshift_read_words_2_memory_write_data <= to_unsigned(costsshift_search(1, 1), 14) & to_unsigned(costsshift_search(1, 0), 14);
   costsshift_read_words_2_memory : entity work.line_memory
-    generic map (depth => 32, width => 28, address_bits => 5)
+    generic map (depth => 16, width => 28, address_bits => 4)
     port map (
       clock => clock, read_enable => costsshift_read_words_2_memory_read_enable,
       read_address => costsshift_read_words_2_memory_read_address, read_data => costsshift_read_words(2),
       write_address => costsshift_read_words_2_memory_write_address, write_data => costsshift_read_words_2_memory_write_data);
 
   costsshift_read_words_1_memory_read_enable <= true;
-  costsshift_read_words_1_memory_read_address <= to_unsigned(costsshift_count_phase, 5);
-  costsshift_read_words_1_memory_write_address <= to_unsigned(costsshift_write_phase, 5);
-  costsshift_read_words_1_memory_write_data <= to_unsigned(costsshift_search(1, 1), 14) & to_unsigned(costsshift_search(1, 0), 14);
+  costsshift_read_words_1_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
+  costsshift_read_words_1_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
+  costsshift_read_words_1_memory_write_data <= to_unsigned(costsshift_search(0, 3), 14) & to_unsigned(costsshift_search(0, 2), 14);
   costsshift_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 28, address_bits => 5)
+    generic map (depth => 16, width => 28, address_bits => 4)
     port map (
       clock => clock, read_enable => costsshift_read_words_1_memory_read_enable,
       read_address => costsshift_read_words_1_memory_read_address, read_data => costsshift_read_words(1),
       write_address => costsshift_read_words_1_memory_write_address, write_data => costsshift_read_words_1_memory_write_data);
 
   costsshift_read_words_0_memory_read_enable <= true;
-  costsshift_read_words_0_memory_read_address <= to_unsigned(costsshift_count_phase, 5);
-  costsshift_read_words_0_memory_write_address <= to_unsigned(costsshift_write_phase, 5);
+  costsshift_read_words_0_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
+  costsshift_read_words_0_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
   costsshift_read_words_0_memory_write_data <= to_unsigned(costsshift_search(0, 1), 14) & to_unsigned(costsshift_search(0, 0), 14);
   costsshift_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 28, address_bits => 5)
+    generic map (depth => 16, width => 28, address_bits => 4)
     port map (
       clock => clock, read_enable => costsshift_read_words_0_memory_read_enable,
       read_address => costsshift_read_words_0_memory_read_address, read_data => costsshift_read_words(0),
@@ -1029,24 +1046,28 @@ begin
     variable transform_right_filter_feature_0_all : boolean;
     variable transform_right_filter_feature_0_alls : boolean_1d(2 to 5);  -- transform_right_filter_feature_0_all_#
     variable raster_place_next_frame_is_equal, raster_place_back_to_back_choice : boolean;
-    variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_map_column_is_not_less : boolean;
-    variable delay_tag_map_column_is_less, delay_tag_first_column_is_equal, line_order_address_any : boolean;
+    variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_first_cost_is_equal : boolean;
+    variable delay_tag_map_column_is_not_less, delay_tag_map_column_is_less, line_order_address_any : boolean;
     variable line_order_falls_all, line_order_turned_output_column_choice, costsshift_search_0_0_is_equal : boolean;
     variable costscolumn_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 4);  -- costscolumn_pixels_first_#_0_count_#_value
     variable costscolumn_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 3);  -- costscolumn_pixels_first_#_0_count_#_value_2
     variable costscolumn_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- costscolumn_pixels_first_#_0_count_1_value_3
     variable costscolumn_pixels_first_0_count_3_value_3 : boolean_1d(0 to 2);  -- costscolumn_pixels_first_#_0_count_3_value_3
     variable costswindow_partial_0_any, pathsleft_read_count_phase_is_equal, pathsleft_cost_0_any : boolean;
-    variable pathsabove_memory_ready_words_0_is_equal, pathsabove_memory_ready_words_0_is_equal_2 : boolean;
     variable pathsabove_ready_top_choice, pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
-    variable pathsabove_memory_write_words_0_0_is_less : boolean;
-    variable pathsabove_memory_write_words_0_all : boolean_1d(0 to 2);  -- pathsabove_memory_write_words_#_0_all
-    variable pathsturn_sum_memory_ready_words_0_is_equal, pathsturn_sum_memory_ready_words_0_is_equal_2 : boolean;
-    variable pathsturn_sum_memory_write_words_0_all : boolean_1d(0 to 2);  -- pathsturn_sum_memory_write_words_#_0_all
-    variable pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 2);  -- pathsturn_cost_memory_write_words_#_0_all
-    variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_value : boolean;
-    variable winnerswinner1_best_index_0_0_values : boolean_1d(2 to 12);  -- winnerswinner1_best_index_0_0_value_#
+    variable pathsabove_memory_write_words_0_0_is_less, pathsabove_memory_write_words_0_0_choice_4 : boolean;
+    variable pathsabove_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsabove_memory_write_words_#_0_all
+    variable pathsturn_sum_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_0_all
+    variable pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_0_all
+    variable winnerswinner1_best_index_0_choice : boolean_1d(0 to 1);  -- winnerswinner1_best_index_0_#_choice
     variable winnerswinner1_best_index_0_0_choices : boolean_1d(2 to 7);  -- winnerswinner1_best_index_0_0_choice_#
+    variable winnerswinner1_best_index_0_value : boolean_1d(0 to 1);  -- winnerswinner1_best_index_0_#_value
+    variable winnerswinner1_best_index_0_values : boolean_2d(0 to 1, 2 to 5);  -- winnerswinner1_best_index_0_#_value_#
+    variable winnerswinner1_best_index_0_1_choices : boolean_1d(2 to 8);  -- winnerswinner1_best_index_0_1_choice_#
+    variable winnerswinner2_best_index_0_0_choice : boolean;
+    variable winnerswinner2_best_index_0_0_choices : boolean_1d(2 to 8);  -- winnerswinner2_best_index_0_0_choice_#
+    variable winnerswinner2_best_index_0_0_value : boolean;
+    variable winnerswinner2_best_index_0_0_values : boolean_1d(2 to 5);  -- winnerswinner2_best_index_0_0_value_#
     variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
     variable turn_ready_tag_row_start_is_equal, turn_ready_tag_row_start_choice : boolean;
     variable turn_ready_tag_row_start_choices : boolean_1d(2 to 3);  -- turn_ready_tag_row_start_choice_#
@@ -1092,10 +1113,7 @@ begin
     variable map_of_all_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_all_0_c_below_b_choice_#
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
     variable transform_counter_group_after_choice, raster_place_group_after_choice : natural range 0 to 255;
-    variable pathsabove_memory_ready_words_0_choice, pathsabove_memory_write_words_0_0_sum : natural range 0 to 255;
-    variable pathsturn_sum_memory_ready_words_0_choice : natural range 0 to 255;
-    variable pathsturn_sum_memory_write_words_0_0_sum_2, winnerswinner1_best_cost_0_0_any : natural range 0 to 255;
-    variable winnerswinner1_best_cost_0_0_any_2, winners_best_cost_0_0_choice_2 : natural range 0 to 255;
+    variable winners_best_cost_0_0_choice_2 : natural range 0 to 255;
     variable map_counter_group_choices : natural_255_1d(2 to 3);  -- map_counter_group_choice_#
     variable map_sorted_low_0_choice, map_sorted_low_0_choice_2, map_sorted_middle_0_choice : natural range 0 to 255;
     variable map_sorted_middle_0_choice_2, map_sorted_high_0_choice : natural range 0 to 255;
@@ -1107,50 +1125,45 @@ begin
     variable map_out_disparity_0_choices : natural_255_1d(2 to 4);  -- map_out_disparity_0_choice_#
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 255;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 15;
-    variable map_counter_group_choice : natural range 0 to 15;
+    variable costsshift_count_phase_choice, costswindow_read_count_phase_choice : natural range 0 to 15;
+    variable costswindow_write_count_phase_choice, pathsleft_read_count_phase_choice : natural range 0 to 15;
+    variable pathsleft_ahead_count_phase_choice, pathsleft_write_count_phase_choice : natural range 0 to 15;
+    variable pathsabove_memory_read_address_1_choice : natural range 0 to 15;
+    variable pathsabove_read_address_count_phase_choice, pathsabove_count_phase_choice : natural range 0 to 15;
+    variable pathsabove_write_address_count_phase_choice : natural range 0 to 15;
+    variable pathsturn_read_address_count_phase_choice : natural range 0 to 15;
+    variable pathsturn_write_address_count_phase_choice, map_counter_group_choice : natural range 0 to 15;
     variable line_order_address_choice, turn_order_address_choice : natural range 1 to 511;
-    variable line_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 317;
-    variable costsshift_count_phase_choice, costswindow_read_count_phase_choice : natural range 0 to 31;
-    variable costswindow_write_count_phase_choice, pathsleft_read_count_phase_choice : natural range 0 to 31;
-    variable pathsleft_ahead_count_phase_choice, pathsleft_write_count_phase_choice : natural range 0 to 31;
-    variable pathsabove_read_address_count_phase_choice : natural range 0 to 31;
-    variable pathsabove_total_choice : natural_31_1d(0 to 1);  -- pathsabove_total_#_choice
-    variable pathsabove_count_phase_choice, pathsabove_write_address_count_phase_choice : natural range 0 to 31;
-    variable pathsabove_memory_write_words_0_0_choice_2 : natural range 0 to 31;
-    variable pathsabove_memory_write_words_0_1_choice : natural range 0 to 31;
-    variable pathsturn_read_address_count_phase_choice : natural range 0 to 31;
-    variable pathsturn_write_address_count_phase_choice : natural range 0 to 31;
-    variable costsmask_column_sum, winnersmask_column_sum : natural range 1 to 512;
-    variable costsmask_column_choice, winnersmask_column_choice, winners_best_cost_0_0_choice : natural range 0 to 511;
-    variable costsmask_partner_choice, winnersmask_partner_choice : natural range 0 to 512;
     variable paths_smallest_cost_choice : natural range 0 to 21;
-    variable pathsleft_lower_neighbour_value, pathsleft_stay_0_value : natural range 0 to 127;
-    variable pathsleft_stay_choice : natural_127_1d(0 to 1);  -- pathsleft_stay_#_choice
-    variable pathsleft_step_choice : natural_127_1d(0 to 1);  -- pathsleft_step_#_choice
-    variable pathsleft_step_choice_2 : natural_127_1d(0 to 1);  -- pathsleft_step_#_choice_2
-    variable pathsleft_low_0_choice, pathsright_lower_neighbour_value, pathsright_stay_0_value : natural range 0 to 127;
-    variable pathsright_stay_choice : natural_127_1d(0 to 1);  -- pathsright_stay_#_choice
-    variable pathsright_step_choice : natural_127_1d(0 to 1);  -- pathsright_step_#_choice
-    variable pathsright_step_choice_2 : natural_127_1d(0 to 1);  -- pathsright_step_#_choice_2
-    variable pathsright_low_0_choice : natural range 0 to 127;
+    variable pathsleft_stay_choice : natural_127_1d(0 to 3);  -- pathsleft_stay_#_choice
+    variable pathsleft_stay_value : natural_127_1d(1 to 2);  -- pathsleft_stay_#_value
+    variable pathsleft_stay_value_2 : natural_127_1d(1 to 2);  -- pathsleft_stay_#_value_2
+    variable pathsleft_step_choice : natural_127_1d(0 to 3);  -- pathsleft_step_#_choice
+    variable pathsleft_step_0_choice_2, pathsleft_step_3_choice_2, pathsleft_low_0_choice : natural range 0 to 127;
+    variable pathsright_stay_choice : natural_127_1d(0 to 3);  -- pathsright_stay_#_choice
+    variable pathsright_stay_value : natural_127_1d(1 to 2);  -- pathsright_stay_#_value
+    variable pathsright_stay_value_2 : natural_127_1d(1 to 2);  -- pathsright_stay_#_value_2
+    variable pathsright_step_choice : natural_127_1d(0 to 3);  -- pathsright_step_#_choice
+    variable pathsright_step_0_choice_2, pathsright_step_3_choice_2, pathsright_low_0_choice : natural range 0 to 127;
+    variable pathsleft_stay_change_value : natural_7_1d(1 to 2);  -- pathsleft_stay_change_#_value
+    variable pathsright_stay_change_value : natural_7_1d(1 to 2);  -- pathsright_stay_change_#_value
     variable pathsleft_q_choice, pathsleft_q_choice_2, pathsleft_room_left_choice : natural range 0 to 63;
-    variable pathsabove_smallest_total_choice : natural range 0 to 63;
-    variable pathsabove_beside_choice : natural_63_1d(0 to 1);  -- pathsabove_beside_#_choice
-    variable pathsturn_sum_memory_ready_words_1_choice : natural range 0 to 63;
-    variable pathsturn_cost_memory_ready_words_0_choice : natural range 0 to 63;
-    variable pathsturn_sum_memory_write_words_0_1_value, pathsright_q_choice : natural range 0 to 63;
-    variable pathsright_q_choice_2, pathsright_room_left_choice : natural range 0 to 63;
-    variable pathsabove_memory_read_address_0_sum : natural range 1 to 16384;
+    variable pathsabove_smallest_total_choice, pathsabove_beside_0_choice : natural range 0 to 63;
+    variable pathsabove_beside_3_choice, pathsright_q_choice, pathsright_q_choice_2 : natural range 0 to 63;
+    variable pathsright_room_left_choice : natural range 0 to 63;
+    variable pathsabove_memory_read_address_0_sum : natural range 1 to 8192;
     variable pathsabove_memory_read_address_0_choice : natural range 0 to 4095;
-    variable pathsabove_memory_read_address_0_sum_2 : natural range 0 to 16384;
-    variable pathsturn_cost_memory_read_address_0_sum : natural range 0 to 16384;
-    variable pathsabove_memory_read_address_2_choice : natural range 0 to 2047;
-    variable pathsabove_memory_bank_choice, pathsabove_memory_bank_choice_2 : natural range 0 to 16383;
-    variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 16383;
-    variable pathsabove_memory_ready_words_1_choice : natural range 0 to 3;
-    variable pathsabove_memory_write_words_0_0_choice : natural range 0 to 7;
+    variable pathsturn_sum_memory_write_words_0_1_sum : natural range 0 to 4095;
+    variable pathsabove_memory_read_address_0_sum_2, pathsturn_cost_memory_read_address_0_sum : natural range 0 to 8192;
+    variable pathsabove_memory_bank_choice, pathsabove_memory_bank_choice_2 : natural range 0 to 8191;
+    variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
+    variable pathsabove_total_choice : natural_31_1d(0 to 3);  -- pathsabove_total_#_choice
+    variable pathsabove_memory_write_words_0_choice : natural_31_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_choice
+    variable pathsabove_memory_write_words_0_0_choices : natural_31_1d(2 to 3);  -- pathsabove_memory_write_words_0_0_choice_#
+    variable pathsabove_memory_write_words_0_0_sum : natural range 0 to 65535;
+    variable pathsturn_sum_memory_write_words_0_0_sum_2 : natural range 0 to 65535;
     variable pathsturn_sum_memory_write_words_0_0_sum : natural range 0 to 190;
-    variable winnerswinner1_best_cost_0_0_sum, winnerswinner1_best_cost_0_0_sum_2 : natural range 255 to 256;
+    variable winners_best_cost_0_0_choice : natural range 0 to 511;
   begin
     if rising_edge(clock) then
       -- transform
@@ -2914,9 +2927,9 @@ begin
       -- delay
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
       delay_row_inside_1_is_less := raster_place_group < 241;
-      delay_tag_map_column_is_not_less := raster_place_column >= 1;
-      delay_tag_map_column_is_less := raster_place_column < 319;
-      delay_tag_first_column_is_equal := raster_place_column = 1;
+      delay_tag_first_cost_is_equal := raster_place_column = 63;
+      delay_tag_map_column_is_not_less := raster_place_column >= 63;
+      delay_tag_map_column_is_less := raster_place_column < 320;
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
@@ -2924,12 +2937,12 @@ begin
       delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside(2) <= ((raster_place_group mod 16) /= 1) or ((raster_place_group / 16) /= 15);
       delay_tag_valid <= raster_features_valid;
+      delay_tag_border_column <= raster_place_column < 63;
+      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag_output_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less and
-        delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
-      delay_tag_first_column <= delay_tag_first_column_is_equal;
-      delay_tag_start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
-      delay_tag_end_of_line <= raster_place_column = 318;
+      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
+        delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -2942,25 +2955,28 @@ begin
       rows_read_inside(1) <= delay_row_inside(1);
       rows_read_inside(2) <= raster_place_counts;
       rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_border_column <= delay_tag_border_column;
+      rows_read_tag_first_cost <= delay_tag_first_cost;
       rows_read_tag_map_column <= delay_tag_map_column;
       rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_first_column <= delay_tag_first_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_tag_end_of_line <= raster_place_last_column;
       rows_ready_column <= rows_read_column;
       rows_ready_inside(0) <= rows_read_inside(0);
       rows_ready_inside(1) <= rows_read_inside(1);
       rows_ready_inside(2) <= rows_read_inside(2);
       rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_first_cost <= rows_read_tag_first_cost;
       rows_ready_tag_map_column <= rows_read_tag_map_column;
       rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_first_column <= rows_read_tag_first_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
       rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_first_cost <= rows_ready_tag_first_cost;
       rows_tag_map_column <= rows_ready_tag_map_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_first_column <= rows_ready_tag_first_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
       if rows_ready_inside(0) then
@@ -2995,7 +3011,7 @@ begin
       if rows_tag_valid then
         line_centre_map_column_0 <= rows_tag_map_column;
         line_centre_output_column_0 <= rows_tag_output_column;
-        line_centre_first_column_0 <= rows_tag_first_column;
+        line_centre_first_column_0 <= rows_tag_first_cost;
         line_centre_start_of_frame_0 <= rows_tag_start_of_frame;
         line_centre_end_of_line_0 <= rows_tag_end_of_line;
         line_order_inside <= line_centre_map_column_0;
@@ -3008,16 +3024,11 @@ begin
       else
         line_order_address_choice := 1;
       end if;
-      if line_order_falls then
-        line_order_address_choice_2 := 0;
-      else
-        line_order_address_choice_2 := 317;
-      end if;
       if not ((not line_centre_map_column_0) or (not rows_tag_valid)) then
         if line_order_address_any then
           line_order_address <= (line_order_address_choice + line_order_address) mod 512;
         else
-          line_order_address <= line_order_address_choice_2;
+          line_order_address <= as_number((not line_order_falls)) * 256;
         end if;
       end if;
       line_order_falls_all := line_centre_map_column_0 and (not line_order_inside) and rows_tag_valid;
@@ -3029,21 +3040,20 @@ begin
       line_order_turned_valid <= rows_tag_valid;
       line_order_turned_map_column <= line_centre_map_column_0;
       line_order_turned_output_column <= line_order_turned_output_column_choice and line_centre_map_column_0;
-      line_order_turned_first_column <= line_order_falls_all;
       line_order_turned_start_of_frame <= line_centre_map_column_0 and (not line_order_inside) and rows_tag_valid and
         line_order_first and line_order_output and line_order_complete;
       line_order_turned_end_of_line <= line_centre_end_of_line_0;
       line_comes(1) <= line_order_turned_valid;
-      for i in 2 to 77 loop
+      for i in 2 to 47 loop
         line_comes(i) <= line_comes(i - 1);
       end loop;
       line_starts_phases(1) <= line_order_inside and line_order_turned_valid;
-      for i in 2 to 41 loop
+      for i in 2 to 26 loop
         line_starts_phases(i) <= line_starts_phases(i - 1);
       end loop;
-      line_starts_phases(42) <= pathsleft_read_count_phase = 0;
-      line_starts_phases(43) <= pathsleft_is_first;
-      for i in 44 to 77 loop
+      line_starts_phases(27) <= pathsleft_read_count_phase = 0;
+      line_starts_phases(28) <= pathsleft_is_first;
+      for i in 29 to 47 loop
         line_starts_phases(i) <= line_starts_phases(i - 1);
       end loop;
       if line_order_falls then
@@ -3063,24 +3073,22 @@ begin
       end if;
       if line_order_turned_valid then
         line_places_map_column(0) <= line_order_turned_map_column;
-        line_places_first_column(0) <= line_order_turned_first_column;
+        line_places_first_column(0) <= line_newest_first_column;
         line_places_0_top <= line_newest_top;
         line_places_address(0) <= line_order_address;
         line_places_shown_output_column(0) <= line_order_turned_output_column;
-        line_places_shown_first_column(0) <= line_newest_first_column;
         line_places_shown_start_of_frame(0) <= line_order_turned_start_of_frame;
         line_places_shown_end_of_line(0) <= line_order_turned_end_of_line;
       end if;
-      if line_comes(32) then
+      if line_comes(16) then
         line_places_map_column(1) <= line_places_map_column(0);
         line_places_first_column(1) <= line_places_first_column(0);
         line_places_address(1) <= line_places_address(0);
         line_places_shown_output_column(1) <= line_places_shown_output_column(0);
-        line_places_shown_first_column(1) <= line_places_shown_first_column(0);
         line_places_shown_start_of_frame(1) <= line_places_shown_start_of_frame(0);
         line_places_shown_end_of_line(1) <= line_places_shown_end_of_line(0);
       end if;
-      if line_comes(64) then
+      if line_comes(32) then
         line_places_map_column(2) <= line_places_map_column(1);
         line_places_shown_output_column(2) <= line_places_shown_output_column(1);
         line_places_shown_start_of_frame(2) <= line_places_shown_start_of_frame(1);
@@ -3094,25 +3102,27 @@ begin
         costsshift_new_reference(0) <= rows_reference(0);
         costsshift_new_reference(1) <= rows_reference(1);
         costsshift_new_reference(2) <= rows_reference(2);
+        costsshift_new_tag_border_column <= rows_tag_border_column;
       end if;
-      if costsshift_count_phase = 31 then
-        costsshift_count_phase_choice := 31;
+      if costsshift_count_phase = 15 then
+        costsshift_count_phase_choice := 15;
       else
-        costsshift_count_phase_choice := (costsshift_count_phase + 1) mod 32;
+        costsshift_count_phase_choice := (costsshift_count_phase + 1) mod 16;
       end if;
-      costsshift_new_tag_valid <= ((costsshift_count_phase / 2) /= 15) or rows_tag_valid or (not
-        is_set(costsshift_count_phase, 0));
-      costsshift_handed_on(0) <= to_integer(costsshift_read_words(0)(27 downto 14));
-      costsshift_handed_on(1) <= to_integer(costsshift_read_words(1)(27 downto 14));
-      costsshift_handed_on(2) <= to_integer(costsshift_read_words(2)(27 downto 14));
+      costsshift_new_tag_valid <= (costsshift_count_phase /= 15) or rows_tag_valid;
+      costsshift_handed_on(0) <= to_integer(costsshift_read_words(1)(27 downto 14));
+      costsshift_handed_on(1) <= to_integer(costsshift_read_words(3)(27 downto 14));
+      costsshift_handed_on(2) <= to_integer(costsshift_read_words(5)(27 downto 14));
       costsshift_read_reference(0) <= costsshift_new_reference(0);
       costsshift_read_reference(1) <= costsshift_new_reference(1);
       costsshift_read_reference(2) <= costsshift_new_reference(2);
       costsshift_read_tag_valid <= costsshift_new_tag_valid;
+      costsshift_read_tag_border_column <= costsshift_new_tag_border_column;
       costsshift_read_count_phase <= costsshift_count_phase;
       costsshift_reference(0) <= costsshift_read_reference(0);
       costsshift_reference(1) <= costsshift_read_reference(1);
       costsshift_reference(2) <= costsshift_read_reference(2);
+      costsshift_tag_border_column <= costsshift_read_tag_border_column;
       costsshift_write_phase <= costsshift_read_count_phase;
       if rows_tag_valid then
         costsshift_count_phase <= 0;
@@ -3121,9 +3131,11 @@ begin
       end if;
       costsshift_search_0_0_is_equal := costsshift_read_count_phase = 0;
       if costsshift_read_tag_valid then
-        costsshift_search(0, 1) <= to_integer(costsshift_read_words(0)(13 downto 0));
-        costsshift_search(1, 1) <= to_integer(costsshift_read_words(1)(13 downto 0));
-        costsshift_search(2, 1) <= to_integer(costsshift_read_words(2)(13 downto 0));
+        for i in 0 to 2 loop
+          costsshift_search(i, 1) <= to_integer(costsshift_read_words(2 * i)(13 downto 0));
+          costsshift_search(i, 2) <= to_integer(costsshift_read_words(2 * i)(27 downto 14));
+          costsshift_search(i, 3) <= to_integer(costsshift_read_words(2 * i + 1)(13 downto 0));
+        end loop;
         if costsshift_search_0_0_is_equal then
           costsshift_search(0, 0) <= costsshift_newest(0);
           costsshift_search(1, 0) <= costsshift_newest(1);
@@ -3168,53 +3180,71 @@ begin
         costscolumn_pixels_first_count_4(i, 0) <= as_number((is_set(costsshift_reference(i), 13) /=
           is_set(costsshift_search(i, 0), 13))) + as_number((costscolumn_pixels_first_0_count_value(i, 4) /=
           is_set(costsshift_search(i, 0), 12)));
-        costscolumn_pixels_first_count(i, 1, 0) <= as_number((is_set(costsshift_search(i, 1), 0) /=
-          is_set(costsshift_reference(i), 0))) + as_number((is_set(costsshift_search(i, 1), 2) /=
-          costscolumn_pixels_first_0_count_value(i, 0))) + as_number((is_set(costsshift_search(i, 1), 1) /=
-          costscolumn_pixels_first_0_count_value_2(i, 0)));
-        costscolumn_pixels_first_count(i, 1, 1) <= as_number((is_set(costsshift_search(i, 1), 3) /=
-          costscolumn_pixels_first_0_count_value(i, 1))) + as_number((is_set(costsshift_search(i, 1), 5) /=
-          costscolumn_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(costsshift_search(i, 1), 4) /=
-          costscolumn_pixels_first_0_count_1_value_3(i)));
-        costscolumn_pixels_first_count(i, 1, 2) <= (to_integer(((to_unsigned((costsshift_search(i, 1) mod 256), 8)) xor
-          (to_unsigned((costsshift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(costsshift_search(i, 1), 8)
-          /= costscolumn_pixels_first_0_count_value(i, 2))) + as_number((is_set(costsshift_search(i, 1), 6) /=
-          costscolumn_pixels_first_0_count_value_2(i, 2)));
-        costscolumn_pixels_first_count(i, 1, 3) <= as_number((is_set(costsshift_search(i, 1), 9) /=
-          costscolumn_pixels_first_0_count_value(i, 3))) + as_number((is_set(costsshift_search(i, 1), 11) /=
-          costscolumn_pixels_first_0_count_value_2(i, 3))) + as_number((is_set(costsshift_search(i, 1), 10) /=
-          costscolumn_pixels_first_0_count_3_value_3(i)));
-        costscolumn_pixels_first_count_4(i, 1) <= as_number((is_set(costsshift_search(i, 1), 13) /=
-          is_set(costsshift_reference(i), 13))) + as_number((is_set(costsshift_search(i, 1), 12) /=
-          costscolumn_pixels_first_0_count_value(i, 4)));
+        for j in 1 to 3 loop
+          costscolumn_pixels_first_count(i, j, 0) <= as_number((is_set(costsshift_search(i, j), 0) /=
+            is_set(costsshift_reference(i), 0))) + as_number((is_set(costsshift_search(i, j), 2) /=
+            costscolumn_pixels_first_0_count_value(i, 0))) + as_number((is_set(costsshift_search(i, j), 1) /=
+            costscolumn_pixels_first_0_count_value_2(i, 0)));
+          costscolumn_pixels_first_count(i, j, 1) <= as_number((is_set(costsshift_search(i, j), 3) /=
+            costscolumn_pixels_first_0_count_value(i, 1))) + as_number((is_set(costsshift_search(i, j), 5) /=
+            costscolumn_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(costsshift_search(i, j), 4) /=
+            costscolumn_pixels_first_0_count_1_value_3(i)));
+          costscolumn_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((costsshift_search(i, j) mod 256), 8))
+            xor (to_unsigned((costsshift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(costsshift_search(i,
+            j), 8) /= costscolumn_pixels_first_0_count_value(i, 2))) + as_number((is_set(costsshift_search(i, j), 6) /=
+            costscolumn_pixels_first_0_count_value_2(i, 2)));
+          costscolumn_pixels_first_count(i, j, 3) <= as_number((is_set(costsshift_search(i, j), 9) /=
+            costscolumn_pixels_first_0_count_value(i, 3))) + as_number((is_set(costsshift_search(i, j), 11) /=
+            costscolumn_pixels_first_0_count_value_2(i, 3))) + as_number((is_set(costsshift_search(i, j), 10) /=
+            costscolumn_pixels_first_0_count_3_value_3(i)));
+          costscolumn_pixels_first_count_4(i, j) <= as_number((is_set(costsshift_search(i, j), 13) /=
+            is_set(costsshift_reference(i), 13))) + as_number((is_set(costsshift_search(i, j), 12) /=
+            costscolumn_pixels_first_0_count_value(i, 4)));
+        end loop;
       end loop;
+      costscolumn_pixels_first_tag_border_column <= costsshift_tag_border_column;
       for i in 0 to 2 loop
-        costscolumn_pixels_cost(i, 0) <= costscolumn_pixels_first_count(i, 0, 3) + costscolumn_pixels_first_count(i, 0,
-          0) + costscolumn_pixels_first_count(i, 0, 1) + costscolumn_pixels_first_count_4(i, 0) +
-          costscolumn_pixels_first_count(i, 0, 2);
-        costscolumn_pixels_cost(i, 1) <= costscolumn_pixels_first_count(i, 1, 3) + costscolumn_pixels_first_count(i, 1,
-          0) + costscolumn_pixels_first_count(i, 1, 1) + costscolumn_pixels_first_count_4(i, 1) +
-          costscolumn_pixels_first_count(i, 1, 2);
+        for j in 0 to 3 loop
+          costscolumn_pixels_cost(i, j) <= costscolumn_pixels_first_count(i, j, 3) + costscolumn_pixels_first_count(i,
+            j, 0) + costscolumn_pixels_first_count(i, j, 1) + costscolumn_pixels_first_count_4(i, j) +
+            costscolumn_pixels_first_count(i, j, 2);
+        end loop;
       end loop;
+      costscolumn_pixels_tag_border_column <= costscolumn_pixels_first_tag_border_column;
       costscolumn_pair_0(0) <= costscolumn_pixels_cost(1, 0) + costscolumn_pixels_cost(2, 0);
       costscolumn_pair_0(1) <= costscolumn_pixels_cost(1, 1) + costscolumn_pixels_cost(2, 1);
+      costscolumn_pair_0(2) <= costscolumn_pixels_cost(1, 2) + costscolumn_pixels_cost(2, 2);
+      costscolumn_pair_0(3) <= costscolumn_pixels_cost(1, 3) + costscolumn_pixels_cost(2, 3);
       costscolumn_single_0(0) <= costscolumn_pixels_cost(0, 0);
       costscolumn_single_0(1) <= costscolumn_pixels_cost(0, 1);
-      costscolumn_column_0(0) <= costscolumn_pair_0(0) + costscolumn_single_0(0);
-      costscolumn_column_0(1) <= costscolumn_pair_0(1) + costscolumn_single_0(1);
+      costscolumn_single_0(2) <= costscolumn_pixels_cost(0, 2);
+      costscolumn_single_0(3) <= costscolumn_pixels_cost(0, 3);
+      costscolumn_pair_tag_border_column <= costscolumn_pixels_tag_border_column;
+      if costscolumn_pair_tag_border_column then
+        costscolumn_column_0(0) <= 0;
+        costscolumn_column_0(1) <= 0;
+        costscolumn_column_0(2) <= 0;
+        costscolumn_column_0(3) <= 0;
+      else
+        costscolumn_column_0(0) <= costscolumn_pair_0(0) + costscolumn_single_0(0);
+        costscolumn_column_0(1) <= costscolumn_pair_0(1) + costscolumn_single_0(1);
+        costscolumn_column_0(2) <= costscolumn_pair_0(2) + costscolumn_single_0(2);
+        costscolumn_column_0(3) <= costscolumn_pair_0(3) + costscolumn_single_0(3);
+      end if;
       -- costswindow
-      if costswindow_read_count_phase = 31 then
-        costswindow_read_count_phase_choice := 31;
+      if costswindow_read_count_phase = 15 then
+        costswindow_read_count_phase_choice := 15;
       else
-        costswindow_read_count_phase_choice := (costswindow_read_count_phase + 1) mod 32;
+        costswindow_read_count_phase_choice := (costswindow_read_count_phase + 1) mod 16;
       end if;
-      if costswindow_write_count_phase = 31 then
-        costswindow_write_count_phase_choice := 31;
+      if costswindow_write_count_phase = 15 then
+        costswindow_write_count_phase_choice := 15;
       else
-        costswindow_write_count_phase_choice := (costswindow_write_count_phase + 1) mod 32;
+        costswindow_write_count_phase_choice := (costswindow_write_count_phase + 1) mod 16;
       end if;
-      costswindow_sum_0(0) <= to_integer(costswindow_read_words_0(20 downto 14)) + costscolumn_column_0(0);
-      costswindow_sum_0(1) <= to_integer(costswindow_read_words_0(27 downto 21)) + costscolumn_column_0(1);
+      for i in 0 to 3 loop
+        costswindow_sum_0(i) <= costscolumn_column_0(i) + to_integer(costswindow_read_words_1(7 * i + 6 downto 7 * i));
+      end loop;
       if line_comes(4) then
         costswindow_read_count_phase <= 0;
       else
@@ -3225,123 +3255,134 @@ begin
       else
         costswindow_write_count_phase <= costswindow_write_count_phase_choice;
       end if;
-      costswindow_partial_0_any := ((costswindow_write_count_phase / 2) /= 15) or (not
-        is_set(costswindow_write_count_phase, 0)) or line_comes(6);
+      costswindow_partial_0_any := (costswindow_write_count_phase /= 15) or line_comes(6);
       if costswindow_partial_0_any then
         costswindow_partial(0) <= costscolumn_column_0(0);
         costswindow_partial(1) <= costscolumn_column_0(1);
-        costswindow_partials(2) <= costscolumn_column_0(0) + to_integer(costswindow_read_words_0(5 downto 0));
-        costswindow_partials(3) <= to_integer(costswindow_read_words_0(12 downto 7)) + costscolumn_column_0(1);
-      end if;
-      -- costsmask
-      costsmask_column_sum := costsmask_column + 1;
-      if line_places_shown_first_column(0) then
-        costsmask_column_choice := 0;
-      else
-        costsmask_column_choice := costsmask_column_sum mod 512;
-      end if;
-      if line_comes(5) then
-        costsmask_column <= costsmask_column_choice;
-      end if;
-      if line_places_shown_first_column(0) then
-        costsmask_partner_choice := 0;
-      else
-        costsmask_partner_choice := costsmask_column_sum;
-      end if;
-      costsmask_inside(0) <= (((((costsmask_partner / 512) + 127) mod 128) * 512) + (costsmask_partner mod 512)) < 318;
-      costsmask_inside(1) <= (costsmask_partner >= 513) and (costsmask_partner < 831);
-      if line_comes(5) then
-        costsmask_partner <= (((costsmask_partner_choice / 512) + 1) * 512) + costsmask_column_choice;
-      else
-        costsmask_partner <= ((((costsmask_partner / 2) + 1023) mod 1024) * 2) + (costsmask_partner mod 2);
+        costswindow_partial(2) <= costscolumn_column_0(2);
+        costswindow_partial(3) <= costscolumn_column_0(3);
+        for i in 4 to 6 loop
+          costswindow_partials(i) <= costscolumn_column_0(i - 4) + to_integer(costswindow_read_words_0(7 * i - 23
+            downto 7 * i - 28));
+        end loop;
+        costswindow_partials(7) <= to_integer(costswindow_read_words_0(26 downto 21)) + costscolumn_column_0(3);
       end if;
       -- costs
-      for i in 0 to 1 loop
-        if (not (((not is_set(costswindow_sum_0(i), 5)) or (not is_set(costswindow_sum_0(i), 4))) and
-          ((costswindow_sum_0(i) / 64) = 0))) or (not costsmask_inside(i)) then
+      for i in 0 to 3 loop
+        if is_set(costswindow_sum_0(i), 7) or is_set(costswindow_sum_0(i), 6) or (((costswindow_sum_0(i) / 16) mod 4) =
+          3) then
           costs_cost(i) <= 5;
         else
           costs_cost(i) <= costswindow_sum_0(i) / 8;
         end if;
       end loop;
       -- paths
-      if line_comes(9) then
+      if line_comes(10) then
         paths_smallest_cost_choice := 7;
       else
         paths_smallest_cost_choice := paths_smallest_cost;
       end if;
       paths_cost_delay_ring_write_address <= paths_cost_delay_ring_read_address;
       paths_sum(0) <= (pathsturn_sum_memory_ready_words_0 mod 128) + pathsright_cost(0);
-      paths_sum(1) <= (pathsturn_sum_memory_ready_words_1 * 2) + (pathsturn_sum_memory_ready_words_0 / 128) +
-        pathsright_cost(1);
-      if (costs_cost(1) - costs_cost(0)) < 0 then
-        paths_tree_smallest_0 <= costs_cost(1);
+      paths_sum(1) <= ((pathsturn_sum_memory_ready_words_0 / 128) mod 128) + pathsright_cost(1);
+      paths_sum(2) <= ((pathsturn_sum_memory_ready_words_1 mod 32) * 4) + (pathsturn_sum_memory_ready_words_0 / 16384)
+        + pathsright_cost(2);
+      paths_sum(3) <= (pathsturn_sum_memory_ready_words_1 / 32) + pathsright_cost(3);
+      for i in 0 to 1 loop
+        if (costs_cost(2 * i + 1) - costs_cost(2 * i)) < 0 then
+          paths_tree_smallest(i) <= costs_cost(2 * i + 1);
+        else
+          paths_tree_smallest(i) <= costs_cost(2 * i);
+        end if;
+      end loop;
+      if (paths_tree_smallest(1) - paths_tree_smallest(0)) < 0 then
+        paths_tree_next_smallest_0 <= paths_tree_smallest(1);
       else
-        paths_tree_smallest_0 <= costs_cost(0);
+        paths_tree_next_smallest_0 <= paths_tree_smallest(0);
       end if;
-      if (paths_tree_smallest_0 - paths_smallest_cost_choice) < 0 then
-        paths_smallest_cost <= paths_tree_smallest_0;
+      if (paths_tree_next_smallest_0 - paths_smallest_cost_choice) < 0 then
+        paths_smallest_cost <= paths_tree_next_smallest_0;
       else
         paths_smallest_cost <= paths_smallest_cost_choice;
       end if;
-      if paths_cost_delay_ring_read_address = 33 then
+      if paths_cost_delay_ring_read_address = 18 then
         paths_cost_delay_ring_read_address <= 0;
       else
-        paths_cost_delay_ring_read_address <= (paths_cost_delay_ring_read_address + 1) mod 64;
+        paths_cost_delay_ring_read_address <= (paths_cost_delay_ring_read_address + 1) mod 32;
       end if;
       -- pathsleft
-      if line_starts_phases(36) then
+      if line_starts_phases(21) then
         pathsleft_low_address <= (pathsleft_low_address + 1) mod 16;
       end if;
-      pathsleft_read_count_phase_is_equal := pathsleft_read_count_phase = 31;
+      pathsleft_read_count_phase_is_equal := pathsleft_read_count_phase = 15;
       if pathsleft_read_count_phase_is_equal then
-        pathsleft_read_count_phase_choice := 31;
+        pathsleft_read_count_phase_choice := 15;
       else
-        pathsleft_read_count_phase_choice := (pathsleft_read_count_phase + 1) mod 32;
+        pathsleft_read_count_phase_choice := (pathsleft_read_count_phase + 1) mod 16;
       end if;
-      if pathsleft_ahead_count_phase = 31 then
-        pathsleft_ahead_count_phase_choice := 31;
+      if pathsleft_ahead_count_phase = 15 then
+        pathsleft_ahead_count_phase_choice := 15;
       else
-        pathsleft_ahead_count_phase_choice := (pathsleft_ahead_count_phase + 1) mod 32;
+        pathsleft_ahead_count_phase_choice := (pathsleft_ahead_count_phase + 1) mod 16;
       end if;
-      pathsleft_lower_neighbour_value := to_integer(pathsleft_read_words_0(13 downto 7));
-      pathsleft_stay_0_value := to_integer(pathsleft_read_words_0(20 downto 14));
-      if (pathsleft_stay_0_value - to_integer(pathsleft_read_words_0(6 downto 0))) < 0 then
-        pathsleft_stay_choice(0) := pathsleft_stay_0_value;
+      if (to_integer(pathsleft_read_words(1)(6 downto 0)) - to_integer(pathsleft_read_words(0)(6 downto 0))) < 0 then
+        pathsleft_stay_choice(0) := to_integer(pathsleft_read_words(1)(6 downto 0));
       else
-        pathsleft_stay_choice(0) := to_integer(pathsleft_read_words_0(6 downto 0));
+        pathsleft_stay_choice(0) := to_integer(pathsleft_read_words(0)(6 downto 0));
       end if;
-      if (to_integer(pathsleft_read_words_0(27 downto 21)) - pathsleft_lower_neighbour_value) < 0 then
-        pathsleft_stay_choice(1) := to_integer(pathsleft_read_words_0(27 downto 21));
+      for i in 1 to 2 loop
+        pathsleft_stay_value(i) := to_integer(pathsleft_read_words(1)(7 * i + 6 downto 7 * i));
+        pathsleft_stay_value_2(i) := to_integer(pathsleft_read_words(0)(7 * i + 6 downto 7 * i));
+        if (pathsleft_stay_value(i) - pathsleft_stay_value_2(i)) < 0 then
+          pathsleft_stay_choice(i) := pathsleft_stay_value(i);
+        else
+          pathsleft_stay_choice(i) := pathsleft_stay_value_2(i);
+        end if;
+      end loop;
+      if (to_integer(pathsleft_read_words(1)(27 downto 21)) - to_integer(pathsleft_read_words(0)(27 downto 21))) < 0
+        then
+        pathsleft_stay_choice(3) := to_integer(pathsleft_read_words(1)(27 downto 21));
       else
-        pathsleft_stay_choice(1) := pathsleft_lower_neighbour_value;
+        pathsleft_stay_choice(3) := to_integer(pathsleft_read_words(0)(27 downto 21));
       end if;
-      if line_starts_phases(42) then
-        pathsleft_step_choice(0) := pathsleft_lower_neighbour_value;
+      if line_starts_phases(27) then
+        pathsleft_step_choice(0) := pathsleft_stay_value_2(1);
       else
         pathsleft_step_choice(0) := pathsleft_lower_neighbour;
       end if;
-      if (pathsleft_lower_neighbour_value - pathsleft_step_choice(0)) < 0 then
-        pathsleft_step_choice_2(0) := pathsleft_lower_neighbour_value;
+      if (pathsleft_stay_value_2(1) - pathsleft_step_choice(0)) < 0 then
+        pathsleft_step_0_choice_2 := pathsleft_stay_value_2(1);
       else
-        pathsleft_step_choice_2(0) := pathsleft_step_choice(0);
+        pathsleft_step_0_choice_2 := pathsleft_step_choice(0);
+      end if;
+      if (pathsleft_stay_value_2(2) - to_integer(pathsleft_read_words(0)(6 downto 0))) < 0 then
+        pathsleft_step_choice(1) := pathsleft_stay_value_2(2);
+      else
+        pathsleft_step_choice(1) := to_integer(pathsleft_read_words(0)(6 downto 0));
+      end if;
+      if (to_integer(pathsleft_read_words(0)(27 downto 21)) - pathsleft_stay_value_2(1)) < 0 then
+        pathsleft_step_choice(2) := to_integer(pathsleft_read_words(0)(27 downto 21));
+      else
+        pathsleft_step_choice(2) := pathsleft_stay_value_2(1);
       end if;
       if pathsleft_is_last then
-        pathsleft_step_choice(1) := to_integer(pathsleft_read_words_0(6 downto 0));
+        pathsleft_step_choice(3) := pathsleft_stay_value_2(2);
       else
-        pathsleft_step_choice(1) := to_integer(pathsleft_read_neighbour_0);
+        pathsleft_step_choice(3) := to_integer(pathsleft_read_neighbour_0);
       end if;
-      if (pathsleft_step_choice(1) - to_integer(pathsleft_read_words_0(6 downto 0))) < 0 then
-        pathsleft_step_choice_2(1) := pathsleft_step_choice(1);
+      if (pathsleft_step_choice(3) - pathsleft_stay_value_2(2)) < 0 then
+        pathsleft_step_3_choice_2 := pathsleft_step_choice(3);
       else
-        pathsleft_step_choice_2(1) := to_integer(pathsleft_read_words_0(6 downto 0));
+        pathsleft_step_3_choice_2 := pathsleft_stay_value_2(2);
       end if;
-      if pathsleft_write_count_phase = 31 then
-        pathsleft_write_count_phase_choice := 31;
+      pathsleft_stay_change_value(1) := to_integer(paths_cost_delay_held_0(5 downto 0)) / 8;
+      pathsleft_stay_change_value(2) := to_integer(paths_cost_delay_held_0(8 downto 6));
+      if pathsleft_write_count_phase = 15 then
+        pathsleft_write_count_phase_choice := 15;
       else
-        pathsleft_write_count_phase_choice := (pathsleft_write_count_phase + 1) mod 32;
+        pathsleft_write_count_phase_choice := (pathsleft_write_count_phase + 1) mod 16;
       end if;
-      if line_comes(45) then
+      if line_comes(31) then
         pathsleft_low_0_choice := 127;
       else
         pathsleft_low_0_choice := pathsleft_low_0;
@@ -3350,24 +3391,28 @@ begin
       pathsleft_short_of <= ((to_integer(pathsright_lowest_0(5 downto 0)) + pathsright_room) / 64) = 1;
       pathsleft_missing <= (to_integer(pathsleft_lowest_0) + pathsleft_room) mod 64;
       pathsleft_below <= (0 - to_integer(pathsleft_lowest_0)) mod 64;
-      pathsleft_is_first <= line_starts_phases(41);
+      pathsleft_is_first <= line_starts_phases(26);
       pathsleft_is_last <= pathsleft_read_count_phase_is_equal;
-      pathsleft_lower_neighbour <= pathsleft_lower_neighbour_value;
+      pathsleft_lower_neighbour <= to_integer(pathsleft_read_words(0)(27 downto 21));
       pathsleft_stay_change(0) <= (to_integer(paths_cost_delay_held_0(2 downto 0)) - pathsleft_g) mod 128;
-      pathsleft_stay_change(1) <= (to_integer(paths_cost_delay_held_0(5 downto 3)) - pathsleft_g) mod 128;
+      pathsleft_stay_change(1) <= (pathsleft_stay_change_value(1) - pathsleft_g) mod 128;
+      pathsleft_stay_change(2) <= (pathsleft_stay_change_value(2) - pathsleft_g) mod 128;
+      pathsleft_stay_change(3) <= (to_integer(paths_cost_delay_held_0(11 downto 9)) - pathsleft_g) mod 128;
       pathsleft_step_change(0) <= (to_integer(paths_cost_delay_held_0(2 downto 0)) - pathsleft_g_less) mod 128;
-      pathsleft_step_change(1) <= (to_integer(paths_cost_delay_held_0(5 downto 3)) - pathsleft_g_less) mod 128;
-      if line_starts_phases(40) then
+      pathsleft_step_change(1) <= (pathsleft_stay_change_value(1) - pathsleft_g_less) mod 128;
+      pathsleft_step_change(2) <= (pathsleft_stay_change_value(2) - pathsleft_g_less) mod 128;
+      pathsleft_step_change(3) <= (to_integer(paths_cost_delay_held_0(11 downto 9)) - pathsleft_g_less) mod 128;
+      if line_starts_phases(25) then
         pathsleft_read_count_phase <= 0;
       else
         pathsleft_read_count_phase <= pathsleft_read_count_phase_choice;
       end if;
-      if line_starts_phases(39) then
+      if line_starts_phases(24) then
         pathsleft_ahead_count_phase <= 0;
       else
         pathsleft_ahead_count_phase <= pathsleft_ahead_count_phase_choice;
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         if (not is_set(pathsleft_stay_choice(i), 6)) and (not pathsleft_first) then
           pathsleft_stay(i) <= pathsleft_stay_choice(i);
         else
@@ -3377,22 +3422,33 @@ begin
       if pathsleft_first then
         pathsleft_step(0) <= 64;
         pathsleft_step(1) <= 64;
+        pathsleft_step(2) <= 64;
+        pathsleft_step(3) <= 64;
       else
-        pathsleft_step(0) <= pathsleft_step_choice_2(0);
-        pathsleft_step(1) <= pathsleft_step_choice_2(1);
+        pathsleft_step(0) <= pathsleft_step_0_choice_2;
+        pathsleft_step(1) <= pathsleft_step_choice(1);
+        pathsleft_step(2) <= pathsleft_step_choice(2);
+        pathsleft_step(3) <= pathsleft_step_3_choice_2;
       end if;
-      if line_starts_phases(43) then
+      if line_starts_phases(28) then
         pathsleft_write_count_phase <= 0;
       else
         pathsleft_write_count_phase <= pathsleft_write_count_phase_choice;
       end if;
-      if (pathsleft_cost(1) - pathsleft_cost(0)) < 0 then
-        pathsleft_tree_smallest_0 <= pathsleft_cost(1);
+      for i in 0 to 1 loop
+        if (pathsleft_cost(2 * i + 1) - pathsleft_cost(2 * i)) < 0 then
+          pathsleft_tree_smallest(i) <= pathsleft_cost(2 * i + 1);
+        else
+          pathsleft_tree_smallest(i) <= pathsleft_cost(2 * i);
+        end if;
+      end loop;
+      if (pathsleft_tree_smallest(1) - pathsleft_tree_smallest(0)) < 0 then
+        pathsleft_tree_next_smallest_0 <= pathsleft_tree_smallest(1);
       else
-        pathsleft_tree_smallest_0 <= pathsleft_cost(0);
+        pathsleft_tree_next_smallest_0 <= pathsleft_tree_smallest(0);
       end if;
-      if (pathsleft_tree_smallest_0 - pathsleft_low_0_choice) < 0 then
-        pathsleft_low_0 <= pathsleft_tree_smallest_0;
+      if (pathsleft_tree_next_smallest_0 - pathsleft_low_0_choice) < 0 then
+        pathsleft_low_0 <= pathsleft_tree_next_smallest_0;
       else
         pathsleft_low_0 <= pathsleft_low_0_choice;
       end if;
@@ -3411,8 +3467,8 @@ begin
       else
         pathsleft_room_left_choice := pathsleft_room;
       end if;
-      if line_starts_phases(39) then
-        if line_places_shown_first_column(1) then
+      if line_starts_phases(24) then
+        if line_places_first_column(1) then
           pathsleft_q <= 60;
         else
           pathsleft_q <= pathsleft_q_choice_2;
@@ -3423,10 +3479,10 @@ begin
           pathsleft_room_left <= pathsleft_room_left_choice;
         end if;
       end if;
-      if line_starts_phases(40) then
+      if line_starts_phases(25) then
         pathsleft_q_now <= pathsleft_q;
         pathsleft_q_less <= (pathsleft_q + 121) mod 128;
-        if line_places_shown_first_column(1) then
+        if line_places_first_column(1) then
           pathsleft_room <= 0;
           for i in 1 to 8 loop
             pathsleft_start_cost(i) <= 0;
@@ -3439,71 +3495,62 @@ begin
           end loop;
         end if;
       end if;
-      if line_starts_phases(41) then
-        pathsleft_first <= line_places_shown_first_column(1);
+      if line_starts_phases(26) then
+        pathsleft_first <= line_places_first_column(1);
         pathsleft_g <= paths_smallest_cost + pathsleft_q_now;
         pathsleft_g_less <= (paths_smallest_cost + pathsleft_q_less) mod 128;
       end if;
-      pathsleft_cost_0_any := ((pathsleft_write_count_phase / 2) /= 15) or (not is_set(pathsleft_write_count_phase, 0))
-        or line_starts_phases(43);
+      pathsleft_cost_0_any := (pathsleft_write_count_phase /= 15) or line_starts_phases(28);
       if pathsleft_cost_0_any then
         pathsleft_cost(0) <= (pathsleft_stay(0) + pathsleft_stay_change(0)) mod 128;
         pathsleft_cost(1) <= (pathsleft_stay(1) + pathsleft_stay_change(1)) mod 128;
+        pathsleft_cost(2) <= (pathsleft_stay(2) + pathsleft_stay_change(2)) mod 128;
+        pathsleft_cost(3) <= (pathsleft_stay(3) + pathsleft_stay_change(3)) mod 128;
         pathsleft_arrived(0) <= (pathsleft_step(0) + pathsleft_step_change(0)) mod 128;
         pathsleft_arrived(1) <= (pathsleft_step(1) + pathsleft_step_change(1)) mod 128;
+        pathsleft_arrived(2) <= (pathsleft_step(2) + pathsleft_step_change(2)) mod 128;
+        pathsleft_arrived(3) <= (pathsleft_step(3) + pathsleft_step_change(3)) mod 128;
       end if;
-      if line_starts_phases(77) then
+      if line_starts_phases(47) then
         pathsleft_low_write_address <= (pathsleft_low_write_address + 1) mod 16;
       end if;
       -- pathsabove
       pathsabove_memory_read_address_0_sum := pathsabove_read_address_address + 1;
-      if line_places_shown_first_column(0) then
+      if line_places_first_column(0) then
         pathsabove_memory_read_address_0_choice := 0;
       else
         pathsabove_memory_read_address_0_choice := pathsabove_memory_read_address_0_sum mod 4096;
       end if;
-      pathsabove_memory_read_address_0_sum_2 := pathsabove_read_address_address +
-        as_number((((pathsabove_read_address_count_phase / 2) /= 15) or (not
-        is_set(pathsabove_read_address_count_phase, 0))));
-      if line_places_shown_first_column(0) then
-        pathsabove_memory_read_address_2_choice := 0;
+      pathsabove_memory_read_address_0_sum_2 := pathsabove_read_address_address + as_number(((not
+        is_set(pathsabove_read_address_count_phase, 3)) or (not is_set(pathsabove_read_address_count_phase, 2)) or (not
+        is_set(pathsabove_read_address_count_phase, 1)) or (not is_set(pathsabove_read_address_count_phase, 0))));
+      if line_places_first_column(0) then
+        pathsabove_memory_read_address_1_choice := 0;
       else
-        pathsabove_memory_read_address_2_choice := pathsabove_memory_read_address_0_sum mod 2048;
+        pathsabove_memory_read_address_1_choice := pathsabove_memory_read_address_0_sum mod 16;
       end if;
-      if line_places_shown_first_column(0) then
+      if line_places_first_column(0) then
         pathsabove_memory_bank_choice := 0;
       else
-        pathsabove_memory_bank_choice := pathsabove_memory_read_address_0_sum mod 16384;
+        pathsabove_memory_bank_choice := pathsabove_memory_read_address_0_sum mod 8192;
       end if;
       if line_starts_phases(4) then
         pathsabove_memory_bank_choice_2 := pathsabove_memory_bank_choice;
       else
-        pathsabove_memory_bank_choice_2 := pathsabove_memory_read_address_0_sum_2 mod 16384;
+        pathsabove_memory_bank_choice_2 := pathsabove_memory_read_address_0_sum_2 mod 8192;
       end if;
-      pathsabove_memory_ready_words_0_is_equal := pathsabove_memory_held_bank = 2;
-      pathsabove_memory_ready_words_0_is_equal_2 := pathsabove_memory_held_bank = 1;
-      if pathsabove_memory_ready_words_0_is_equal_2 then
-        pathsabove_memory_ready_words_0_choice := pathsabove_memory_held_words_0(1);
+      if pathsabove_read_address_count_phase = 15 then
+        pathsabove_read_address_count_phase_choice := 15;
       else
-        pathsabove_memory_ready_words_0_choice := pathsabove_memory_held_words_0(0);
-      end if;
-      if pathsabove_memory_ready_words_0_is_equal_2 then
-        pathsabove_memory_ready_words_1_choice := pathsabove_memory_held_words_1(1);
-      else
-        pathsabove_memory_ready_words_1_choice := pathsabove_memory_held_words_1(0);
-      end if;
-      if pathsabove_read_address_count_phase = 31 then
-        pathsabove_read_address_count_phase_choice := 31;
-      else
-        pathsabove_read_address_count_phase_choice := (pathsabove_read_address_count_phase + 1) mod 32;
+        pathsabove_read_address_count_phase_choice := (pathsabove_read_address_count_phase + 1) mod 16;
       end if;
       if line_starts_phases(7) then
-        pathsabove_ready_top_choice := line_places_shown_first_column(0) or pathsabove_ready_top;
+        pathsabove_ready_top_choice := line_places_first_column(0) or pathsabove_ready_top;
       else
         pathsabove_ready_top_choice := pathsabove_ready_top;
       end if;
       if line_starts_phases(7) then
-        pathsabove_ready_top_choice_2 := (not line_places_shown_first_column(0)) and pathsabove_ready_top;
+        pathsabove_ready_top_choice_2 := (not line_places_first_column(0)) and pathsabove_ready_top;
       else
         pathsabove_ready_top_choice_2 := pathsabove_ready_top;
       end if;
@@ -3515,322 +3562,365 @@ begin
       if pathsabove_ready_top then
         pathsabove_total_choice(1) := 31;
       else
-        pathsabove_total_choice(1) := (pathsabove_memory_ready_words_1 * 8) + (pathsabove_memory_ready_words_0 / 32);
+        pathsabove_total_choice(1) := (pathsabove_memory_ready_words_0 / 32) mod 32;
       end if;
-      if line_comes(10) then
+      if pathsabove_ready_top then
+        pathsabove_total_choice(2) := 31;
+      else
+        pathsabove_total_choice(2) := (pathsabove_memory_ready_words_0 / 1024) mod 32;
+      end if;
+      if pathsabove_ready_top then
+        pathsabove_total_choice(3) := 31;
+      else
+        pathsabove_total_choice(3) := (pathsabove_memory_ready_words_1 * 2) + (pathsabove_memory_ready_words_0 / 32768);
+      end if;
+      if line_comes(11) then
         pathsabove_smallest_total_choice := 63;
       else
         pathsabove_smallest_total_choice := pathsabove_smallest_total;
       end if;
-      pathsabove_count_phase_is_equal := pathsabove_count_phase = 31;
+      pathsabove_count_phase_is_equal := pathsabove_count_phase = 15;
       if pathsabove_count_phase_is_equal then
-        pathsabove_count_phase_choice := 31;
+        pathsabove_count_phase_choice := 15;
       else
-        pathsabove_count_phase_choice := (pathsabove_count_phase + 1) mod 32;
+        pathsabove_count_phase_choice := (pathsabove_count_phase + 1) mod 16;
       end if;
       if pathsabove_count_phase = 0 then
-        pathsabove_beside_choice(0) := pathsabove_held(1);
+        pathsabove_beside_0_choice := pathsabove_held(1);
       else
-        pathsabove_beside_choice(0) := pathsabove_lower_neighbour;
+        pathsabove_beside_0_choice := pathsabove_lower_neighbour;
       end if;
       if pathsabove_count_phase_is_equal then
-        pathsabove_beside_choice(1) := pathsabove_held(0);
+        pathsabove_beside_3_choice := pathsabove_held(2);
       else
-        pathsabove_beside_choice(1) := pathsabove_cost(0);
+        pathsabove_beside_3_choice := pathsabove_cost(0);
       end if;
-      if line_places_shown_first_column(1) then
+      if line_places_first_column(1) then
         pathsabove_write_address_address_choice := 0;
       else
-        pathsabove_write_address_address_choice := (pathsabove_write_address_address + 1) mod 16384;
+        pathsabove_write_address_address_choice := (pathsabove_write_address_address + 1) mod 8192;
       end if;
-      if pathsabove_write_address_count_phase = 31 then
-        pathsabove_write_address_count_phase_choice := 31;
+      if pathsabove_write_address_count_phase = 15 then
+        pathsabove_write_address_count_phase_choice := 15;
       else
-        pathsabove_write_address_count_phase_choice := (pathsabove_write_address_count_phase + 1) mod 32;
+        pathsabove_write_address_count_phase_choice := (pathsabove_write_address_count_phase + 1) mod 16;
       end if;
-      pathsabove_memory_bank <= pathsabove_memory_bank_choice_2 / 4096;
+      pathsabove_memory_bank <= is_set(pathsabove_memory_bank_choice_2, 12);
       pathsabove_memory_read_bank <= pathsabove_memory_bank;
-      for i in 0 to 2 loop
-        pathsabove_memory_held_words_0(i) <= to_integer(pathsabove_memory_read_words_0(i));
-        pathsabove_memory_held_words_1(i) <= to_integer(pathsabove_memory_read_words_1(i));
-      end loop;
+      pathsabove_memory_held_words_0(0) <= to_integer(pathsabove_memory_read_words_0(0));
+      pathsabove_memory_held_words_1(0) <= to_integer(pathsabove_memory_read_words_1(0));
+      pathsabove_memory_held_words_0(1) <= to_integer(pathsabove_memory_read_words_0(1));
+      pathsabove_memory_held_words_1(1) <= to_integer(pathsabove_memory_read_words_1(1));
       pathsabove_memory_held_bank <= pathsabove_memory_read_bank;
       pathsabove_read_address_address <= pathsabove_memory_bank_choice_2;
       pathsabove_total(0) <= costs_cost(0) + pathsabove_total_choice(0);
       pathsabove_total(1) <= costs_cost(1) + pathsabove_total_choice(1);
+      pathsabove_total(2) <= costs_cost(2) + pathsabove_total_choice(2);
+      pathsabove_total(3) <= costs_cost(3) + pathsabove_total_choice(3);
       pathsabove_cost(0) <= (to_integer(pathsabove_delay_held_0) - pathsabove_smallest) mod 64;
-      pathsabove_cost(1) <= (to_integer(pathsabove_delay_held_0(11 downto 6)) - pathsabove_smallest) mod 64;
+      pathsabove_cost(1) <= (to_integer(pathsabove_delay_held_0(23 downto 6)) - pathsabove_smallest) mod 64;
+      pathsabove_cost(2) <= (to_integer(pathsabove_delay_held_0(23 downto 12)) - pathsabove_smallest) mod 64;
+      pathsabove_cost(3) <= (to_integer(pathsabove_delay_held_0(23 downto 18)) - pathsabove_smallest) mod 64;
       pathsabove_held(0) <= pathsabove_cost(0);
       pathsabove_held(1) <= pathsabove_cost(1);
-      pathsabove_lower_neighbour <= pathsabove_held(1);
-      pathsabove_own_0 <= pathsabove_held(0);
+      pathsabove_held(2) <= pathsabove_cost(2);
+      pathsabove_held(3) <= pathsabove_cost(3);
+      pathsabove_lower_neighbour <= pathsabove_held(3);
+      pathsabove_own(0) <= pathsabove_held(0);
+      pathsabove_own(1) <= pathsabove_held(1);
+      pathsabove_own(2) <= pathsabove_held(2);
       pathsabove_step(0) <= pathsabove_beside(0) + 5;
       pathsabove_step(1) <= pathsabove_beside(1) + 5;
-      pathsabove_write_address_is_here <= (pathsabove_write_address_count_phase /= 31) or line_starts_phases(46);
+      pathsabove_step(2) <= pathsabove_beside(2) + 5;
+      pathsabove_step(3) <= pathsabove_beside(3) + 5;
+      pathsabove_write_address_is_here <= (pathsabove_write_address_count_phase /= 15) or line_starts_phases(31);
       if line_starts_phases(4) then
         pathsabove_memory_read_address_0 <= pathsabove_memory_read_address_0_choice;
-        pathsabove_memory_read_address_2 <= pathsabove_memory_read_address_2_choice;
+        pathsabove_memory_read_address_1 <= pathsabove_memory_read_address_1_choice;
         pathsabove_read_address_count_phase <= 0;
       else
         pathsabove_memory_read_address_0 <= pathsabove_memory_read_address_0_sum_2 mod 4096;
-        pathsabove_memory_read_address_2 <= pathsabove_memory_read_address_0_sum_2 mod 2048;
+        pathsabove_memory_read_address_1 <= pathsabove_memory_read_address_0_sum_2 mod 16;
         pathsabove_read_address_count_phase <= pathsabove_read_address_count_phase_choice;
       end if;
-      if pathsabove_memory_ready_words_0_is_equal then
-        pathsabove_memory_ready_words_0 <= pathsabove_memory_held_words_0(2);
-        pathsabove_memory_ready_words_1 <= pathsabove_memory_held_words_1(2);
+      if pathsabove_memory_held_bank then
+        pathsabove_memory_ready_words_0 <= pathsabove_memory_held_words_0(1);
+        pathsabove_memory_ready_words_1 <= pathsabove_memory_held_words_1(1);
       else
-        pathsabove_memory_ready_words_0 <= pathsabove_memory_ready_words_0_choice;
-        pathsabove_memory_ready_words_1 <= pathsabove_memory_ready_words_1_choice;
+        pathsabove_memory_ready_words_0 <= pathsabove_memory_held_words_0(0);
+        pathsabove_memory_ready_words_1 <= pathsabove_memory_held_words_1(0);
       end if;
       if line_places_0_top then
         pathsabove_ready_top <= pathsabove_ready_top_choice;
       else
         pathsabove_ready_top <= pathsabove_ready_top_choice_2;
       end if;
-      if (pathsabove_total(1) - pathsabove_total(0)) < 0 then
-        pathsabove_tree_smallest_0 <= pathsabove_total(1);
+      for i in 0 to 1 loop
+        if (pathsabove_total(2 * i + 1) - pathsabove_total(2 * i)) < 0 then
+          pathsabove_tree_smallest(i) <= pathsabove_total(2 * i + 1);
+        else
+          pathsabove_tree_smallest(i) <= pathsabove_total(2 * i);
+        end if;
+      end loop;
+      if (pathsabove_tree_smallest(1) - pathsabove_tree_smallest(0)) < 0 then
+        pathsabove_tree_next_smallest_0 <= pathsabove_tree_smallest(1);
       else
-        pathsabove_tree_smallest_0 <= pathsabove_total(0);
+        pathsabove_tree_next_smallest_0 <= pathsabove_tree_smallest(0);
       end if;
-      if (pathsabove_tree_smallest_0 - pathsabove_smallest_total_choice) < 0 then
-        pathsabove_smallest_total <= pathsabove_tree_smallest_0;
+      if (pathsabove_tree_next_smallest_0 - pathsabove_smallest_total_choice) < 0 then
+        pathsabove_smallest_total <= pathsabove_tree_next_smallest_0;
       else
         pathsabove_smallest_total <= pathsabove_smallest_total_choice;
       end if;
-      if line_starts_phases(44) then
+      if line_starts_phases(29) then
         pathsabove_count_phase <= 0;
       else
         pathsabove_count_phase <= pathsabove_count_phase_choice;
       end if;
-      if (pathsabove_held(1) - pathsabove_beside_choice(0)) < 0 then
+      if (pathsabove_held(1) - pathsabove_beside_0_choice) < 0 then
         pathsabove_beside(0) <= pathsabove_held(1);
       else
-        pathsabove_beside(0) <= pathsabove_beside_choice(0);
+        pathsabove_beside(0) <= pathsabove_beside_0_choice;
       end if;
-      if (pathsabove_beside_choice(1) - pathsabove_held(0)) < 0 then
-        pathsabove_beside(1) <= pathsabove_beside_choice(1);
+      for i in 2 to 3 loop
+        if (pathsabove_held(i) - pathsabove_held(i - 2)) < 0 then
+          pathsabove_beside(i - 1) <= pathsabove_held(i);
+        else
+          pathsabove_beside(i - 1) <= pathsabove_held(i - 2);
+        end if;
+      end loop;
+      if (pathsabove_beside_3_choice - pathsabove_held(2)) < 0 then
+        pathsabove_beside(3) <= pathsabove_beside_3_choice;
       else
-        pathsabove_beside(1) <= pathsabove_held(0);
+        pathsabove_beside(3) <= pathsabove_held(2);
       end if;
-      if pathsabove_own_0 < 31 then
-        pathsabove_stay(0) <= pathsabove_own_0 mod 32;
-      else
-        pathsabove_stay(0) <= 31;
-      end if;
+      for i in 0 to 2 loop
+        if pathsabove_own(i) < 31 then
+          pathsabove_stay(i) <= pathsabove_own(i) mod 32;
+        else
+          pathsabove_stay(i) <= 31;
+        end if;
+      end loop;
       if pathsabove_lower_neighbour < 31 then
-        pathsabove_stay(1) <= pathsabove_lower_neighbour mod 32;
+        pathsabove_stay(3) <= pathsabove_lower_neighbour mod 32;
       else
-        pathsabove_stay(1) <= 31;
+        pathsabove_stay(3) <= 31;
       end if;
-      if line_starts_phases(46) then
+      if line_starts_phases(31) then
         pathsabove_write_address_address <= pathsabove_write_address_address_choice;
         pathsabove_write_address_count_phase <= 0;
       else
-        pathsabove_write_address_address <= (pathsabove_write_address_address +
-          as_number((((pathsabove_write_address_count_phase / 2) /= 15) or (not
-          is_set(pathsabove_write_address_count_phase, 0))))) mod 16384;
+        pathsabove_write_address_address <= (pathsabove_write_address_address + as_number(((not
+          is_set(pathsabove_write_address_count_phase, 3)) or (not is_set(pathsabove_write_address_count_phase, 2)) or
+          (not is_set(pathsabove_write_address_count_phase, 1)) or (not is_set(pathsabove_write_address_count_phase,
+          0))))) mod 8192;
         pathsabove_write_address_count_phase <= pathsabove_write_address_count_phase_choice;
       end if;
-      pathsabove_memory_write_words_0_0_is_less := (pathsabove_step(1) - pathsabove_stay(1)) < 0;
-      if pathsabove_memory_write_words_0_0_is_less then
-        pathsabove_memory_write_words_0_0_choice := pathsabove_step(1) mod 8;
+      if (pathsabove_step(1) - pathsabove_stay(1)) < 0 then
+        pathsabove_memory_write_words_0_choice(0) := pathsabove_step(1) mod 32;
       else
-        pathsabove_memory_write_words_0_0_choice := pathsabove_stay(1) mod 8;
+        pathsabove_memory_write_words_0_choice(0) := pathsabove_stay(1);
       end if;
-      if (pathsabove_step(0) - pathsabove_stay(0)) < 0 then
-        pathsabove_memory_write_words_0_0_choice_2 := pathsabove_step(0) mod 32;
-      else
-        pathsabove_memory_write_words_0_0_choice_2 := pathsabove_stay(0);
-      end if;
-      pathsabove_memory_write_words_0_0_sum := (pathsabove_memory_write_words_0_0_choice * 32) +
-        pathsabove_memory_write_words_0_0_choice_2;
+      for i in 2 to 3 loop
+        if (pathsabove_step(2 * i - 4) - pathsabove_stay(2 * i - 4)) < 0 then
+          pathsabove_memory_write_words_0_0_choices(i) := pathsabove_step(2 * i - 4) mod 32;
+        else
+          pathsabove_memory_write_words_0_0_choices(i) := pathsabove_stay(2 * i - 4);
+        end if;
+      end loop;
+      pathsabove_memory_write_words_0_0_is_less := (pathsabove_step(3) - pathsabove_stay(3)) < 0;
       if pathsabove_memory_write_words_0_0_is_less then
-        pathsabove_memory_write_words_0_1_choice := pathsabove_step(1) mod 32;
+        pathsabove_memory_write_words_0_0_choice_4 := is_set(pathsabove_step(3), 0);
       else
-        pathsabove_memory_write_words_0_1_choice := pathsabove_stay(1);
+        pathsabove_memory_write_words_0_0_choice_4 := is_set(pathsabove_stay(3), 0);
+      end if;
+      pathsabove_memory_write_words_0_0_sum := (pathsabove_memory_write_words_0_choice(0) * 32) +
+        pathsabove_memory_write_words_0_0_choices(2) + (pathsabove_memory_write_words_0_0_choices(3) * 1024) +
+        (as_number(pathsabove_memory_write_words_0_0_choice_4) * 32768);
+      if pathsabove_memory_write_words_0_0_is_less then
+        pathsabove_memory_write_words_0_choice(1) := pathsabove_step(3) mod 32;
+      else
+        pathsabove_memory_write_words_0_choice(1) := pathsabove_stay(3);
       end if;
       pathsabove_memory_write_words_0_all(0) := pathsabove_write_address_is_here and (pathsabove_write_address_address
         < 4096);
-      for i in 0 to 1 loop
-        if pathsabove_memory_write_words_0_all(i) then
-          pathsabove_memory_write_words_0(i) <= pathsabove_memory_write_words_0_0_sum;
-          pathsabove_memory_write_words_1(i) <= pathsabove_memory_write_words_0_1_choice / 8;
-          pathsabove_memory_write_address(i) <= pathsabove_write_address_address mod 4096;
-        end if;
-        pathsabove_memory_write_words_0_all(i + 1) := pathsabove_write_address_is_here and
-          ((pathsabove_write_address_address / 4096) = (i + 1));
-      end loop;
-      if pathsabove_memory_write_words_0_all(2) then
-        pathsabove_memory_write_words_0(2) <= pathsabove_memory_write_words_0_0_sum;
-        pathsabove_memory_write_words_1(2) <= pathsabove_memory_write_words_0_1_choice / 8;
-        pathsabove_memory_write_address_2 <= pathsabove_write_address_address mod 2048;
+      if pathsabove_memory_write_words_0_all(0) then
+        pathsabove_memory_write_words_0(0) <= pathsabove_memory_write_words_0_0_sum;
+        pathsabove_memory_write_words_1(0) <= pathsabove_memory_write_words_0_choice(1) / 2;
+        pathsabove_memory_write_address_0 <= pathsabove_write_address_address mod 4096;
       end if;
-      if line_comes(42) then
+      pathsabove_memory_write_words_0_all(1) := (4095 < pathsabove_write_address_address) and
+        pathsabove_write_address_is_here;
+      if pathsabove_memory_write_words_0_all(1) then
+        pathsabove_memory_write_words_0(1) <= pathsabove_memory_write_words_0_0_sum;
+        pathsabove_memory_write_words_1(1) <= pathsabove_memory_write_words_0_choice(1) / 2;
+        pathsabove_memory_write_address_1 <= pathsabove_write_address_address mod 16;
+      end if;
+      if line_comes(27) then
         pathsabove_smallest <= pathsabove_smallest_total;
       end if;
       -- pathsturn
-      pathsturn_sum_memory_ready_words_0_is_equal := pathsturn_sum_memory_held_bank = 2;
-      pathsturn_sum_memory_ready_words_0_is_equal_2 := pathsturn_sum_memory_held_bank = 1;
-      if pathsturn_sum_memory_ready_words_0_is_equal_2 then
-        pathsturn_sum_memory_ready_words_0_choice := pathsturn_sum_memory_held_words_0(1);
+      pathsturn_cost_memory_read_address_0_sum := pathsturn_read_address_address + as_number(((not
+        is_set(pathsturn_read_address_count_phase, 3)) or (not is_set(pathsturn_read_address_count_phase, 2)) or (not
+        is_set(pathsturn_read_address_count_phase, 1)) or (not is_set(pathsturn_read_address_count_phase, 0))));
+      if line_starts_phases(23) then
+        pathsturn_cost_memory_bank_choice := line_places_address(1) * 16;
       else
-        pathsturn_sum_memory_ready_words_0_choice := pathsturn_sum_memory_held_words_0(0);
+        pathsturn_cost_memory_bank_choice := pathsturn_cost_memory_read_address_0_sum mod 8192;
       end if;
-      if pathsturn_sum_memory_ready_words_0_is_equal_2 then
-        pathsturn_sum_memory_ready_words_1_choice := pathsturn_sum_memory_held_words_1(1);
+      if pathsturn_read_address_count_phase = 15 then
+        pathsturn_read_address_count_phase_choice := 15;
       else
-        pathsturn_sum_memory_ready_words_1_choice := pathsturn_sum_memory_held_words_1(0);
+        pathsturn_read_address_count_phase_choice := (pathsturn_read_address_count_phase + 1) mod 16;
       end if;
-      pathsturn_cost_memory_read_address_0_sum := pathsturn_read_address_address +
-        as_number((((pathsturn_read_address_count_phase / 2) /= 15) or (not is_set(pathsturn_read_address_count_phase,
-        0))));
-      if line_starts_phases(38) then
-        pathsturn_cost_memory_bank_choice := line_places_address(1) * 32;
+      if pathsturn_write_address_count_phase = 15 then
+        pathsturn_write_address_count_phase_choice := 15;
       else
-        pathsturn_cost_memory_bank_choice := pathsturn_cost_memory_read_address_0_sum mod 16384;
-      end if;
-      if pathsturn_sum_memory_bank = 1 then
-        pathsturn_cost_memory_ready_words_0_choice := pathsturn_cost_memory_held_words_0(1);
-      else
-        pathsturn_cost_memory_ready_words_0_choice := pathsturn_cost_memory_held_words_0(0);
-      end if;
-      if pathsturn_read_address_count_phase = 31 then
-        pathsturn_read_address_count_phase_choice := 31;
-      else
-        pathsturn_read_address_count_phase_choice := (pathsturn_read_address_count_phase + 1) mod 32;
-      end if;
-      if pathsturn_write_address_count_phase = 31 then
-        pathsturn_write_address_count_phase_choice := 31;
-      else
-        pathsturn_write_address_count_phase_choice := (pathsturn_write_address_count_phase + 1) mod 32;
+        pathsturn_write_address_count_phase_choice := (pathsturn_write_address_count_phase + 1) mod 16;
       end if;
       pathsturn_sum_memory_read_address_0 <= pathsturn_sum_read_address mod 4096;
-      pathsturn_sum_memory_read_address_2 <= pathsturn_sum_read_address mod 2048;
+      pathsturn_sum_memory_read_address_1 <= pathsturn_sum_read_address mod 16;
       pathsturn_sum_memory_bank <= pathsturn_cost_memory_read_bank;
       pathsturn_sum_memory_read_bank <= pathsturn_cost_memory_held_bank;
-      for i in 0 to 2 loop
-        pathsturn_sum_memory_held_words_0(i) <= to_integer(pathsturn_sum_memory_read_words_0(i));
-        pathsturn_sum_memory_held_words_1(i) <= to_integer(pathsturn_sum_memory_read_words_1(i));
-      end loop;
+      pathsturn_sum_memory_held_words_0(0) <= to_integer(pathsturn_sum_memory_read_words_0(0));
+      pathsturn_sum_memory_held_words_1(0) <= to_integer(pathsturn_sum_memory_read_words_1(0));
+      pathsturn_sum_memory_held_words_0(1) <= to_integer(pathsturn_sum_memory_read_words_0(1));
+      pathsturn_sum_memory_held_words_1(1) <= to_integer(pathsturn_sum_memory_read_words_1(1));
       pathsturn_sum_memory_held_bank <= pathsturn_sum_memory_read_bank;
-      pathsturn_cost_memory_bank <= pathsturn_cost_memory_bank_choice / 4096;
+      pathsturn_cost_memory_bank <= is_set(pathsturn_cost_memory_bank_choice, 12);
       pathsturn_cost_memory_read_bank <= pathsturn_cost_memory_bank;
       pathsturn_cost_memory_held_words_0(0) <= to_integer(pathsturn_cost_memory_read_words_0(0));
       pathsturn_cost_memory_held_words_0(1) <= to_integer(pathsturn_cost_memory_read_words_0(1));
-      pathsturn_cost_memory_held_words_0(2) <= to_integer(pathsturn_cost_memory_read_words_0(2));
-      pathsturn_cost_memory_held_bank <= pathsturn_sum_read_address / 4096;
+      pathsturn_cost_memory_held_bank <= is_set(pathsturn_sum_read_address, 12);
       pathsturn_ready_smallest_0 <= to_integer(pathsturn_read_smallest_0);
       pathsturn_read_address_address <= pathsturn_cost_memory_bank_choice;
       pathsturn_sum_read_address <= pathsturn_read_address_address;
       pathsturn_write_smallest_0 <= paths_smallest_cost;
-      pathsturn_write_address_is_here <= (pathsturn_write_address_count_phase /= 31) or line_starts_phases(41);
+      pathsturn_write_address_is_here <= (pathsturn_write_address_count_phase /= 15) or line_starts_phases(26);
       pathsturn_sum_write_address(0) <= pathsturn_write_address_address;
       pathsturn_sum_write_address(1) <= pathsturn_sum_write_address(0);
       pathsturn_writes_sums(0) <= pathsturn_write_address_is_here;
       pathsturn_writes_sums(1) <= pathsturn_writes_sums(0);
-      if pathsturn_sum_memory_ready_words_0_is_equal then
-        pathsturn_sum_memory_ready_words_0 <= pathsturn_sum_memory_held_words_0(2);
-        pathsturn_sum_memory_ready_words_1 <= pathsturn_sum_memory_held_words_1(2);
+      if pathsturn_sum_memory_held_bank then
+        pathsturn_sum_memory_ready_words_0 <= pathsturn_sum_memory_held_words_0(1);
+        pathsturn_sum_memory_ready_words_1 <= pathsturn_sum_memory_held_words_1(1);
       else
-        pathsturn_sum_memory_ready_words_0 <= pathsturn_sum_memory_ready_words_0_choice;
-        pathsturn_sum_memory_ready_words_1 <= pathsturn_sum_memory_ready_words_1_choice;
+        pathsturn_sum_memory_ready_words_0 <= pathsturn_sum_memory_held_words_0(0);
+        pathsturn_sum_memory_ready_words_1 <= pathsturn_sum_memory_held_words_1(0);
       end if;
-      if line_starts_phases(38) then
-        pathsturn_cost_memory_read_address_0 <= (line_places_address(1) mod 128) * 32;
-        pathsturn_cost_memory_read_address_2 <= (line_places_address(1) mod 64) * 32;
+      if line_starts_phases(23) then
+        pathsturn_cost_memory_read_address_0 <= (line_places_address(1) mod 256) * 16;
+        pathsturn_cost_memory_read_address_1 <= 0;
         pathsturn_read_address_count_phase <= 0;
       else
         pathsturn_cost_memory_read_address_0 <= pathsturn_cost_memory_read_address_0_sum mod 4096;
-        pathsturn_cost_memory_read_address_2 <= pathsturn_cost_memory_read_address_0_sum mod 2048;
+        pathsturn_cost_memory_read_address_1 <= pathsturn_cost_memory_read_address_0_sum mod 16;
         pathsturn_read_address_count_phase <= pathsturn_read_address_count_phase_choice;
       end if;
-      if pathsturn_sum_memory_bank = 2 then
-        pathsturn_cost_memory_ready_words_0 <= pathsturn_cost_memory_held_words_0(2);
+      if pathsturn_sum_memory_bank then
+        pathsturn_cost_memory_ready_words_0 <= pathsturn_cost_memory_held_words_0(1);
       else
-        pathsturn_cost_memory_ready_words_0 <= pathsturn_cost_memory_ready_words_0_choice;
+        pathsturn_cost_memory_ready_words_0 <= pathsturn_cost_memory_held_words_0(0);
       end if;
-      if line_starts_phases(41) then
+      if line_starts_phases(26) then
         pathsturn_write_smallest_address <= line_places_address(1);
-        pathsturn_write_address_address <= line_places_address(1) * 32;
+        pathsturn_write_address_address <= line_places_address(1) * 16;
         pathsturn_write_address_count_phase <= 0;
       else
-        pathsturn_write_smallest_address <= 318;
-        pathsturn_write_address_address <= (pathsturn_write_address_address +
-          as_number((((pathsturn_write_address_count_phase / 2) /= 15) or (not
-          is_set(pathsturn_write_address_count_phase, 0))))) mod 16384;
+        pathsturn_write_smallest_address <= 257;
+        pathsturn_write_address_address <= (pathsturn_write_address_address + as_number(((not
+          is_set(pathsturn_write_address_count_phase, 3)) or (not is_set(pathsturn_write_address_count_phase, 2)) or
+          (not is_set(pathsturn_write_address_count_phase, 1)) or (not is_set(pathsturn_write_address_count_phase,
+          0))))) mod 8192;
         pathsturn_write_address_count_phase <= pathsturn_write_address_count_phase_choice;
       end if;
-      pathsturn_sum_memory_write_words_0_0_sum := pathsleft_cost(1) + pathsabove_cost(1);
-      pathsturn_sum_memory_write_words_0_0_sum_2 := ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) +
-        ((pathsturn_sum_memory_write_words_0_0_sum mod 2) * 128);
-      pathsturn_sum_memory_write_words_0_1_value := (pathsturn_sum_memory_write_words_0_0_sum mod 128) / 2;
+      pathsturn_sum_memory_write_words_0_0_sum := pathsleft_cost(2) + pathsabove_cost(2);
+      pathsturn_sum_memory_write_words_0_0_sum_2 := (((pathsleft_cost(1) + pathsabove_cost(1)) mod 128) * 128) +
+        ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) + ((pathsturn_sum_memory_write_words_0_0_sum mod 4) * 16384);
+      pathsturn_sum_memory_write_words_0_1_sum := (((pathsleft_cost(3) + pathsabove_cost(3)) mod 128) * 32) +
+        ((pathsturn_sum_memory_write_words_0_0_sum mod 128) / 4);
       pathsturn_sum_memory_write_words_0_all(0) := (pathsturn_sum_write_address(1) < 4096) and pathsturn_writes_sums(1);
-      for i in 0 to 1 loop
-        if pathsturn_sum_memory_write_words_0_all(i) then
-          pathsturn_sum_memory_write_words_0(i) <= pathsturn_sum_memory_write_words_0_0_sum_2;
-          pathsturn_sum_memory_write_words_1(i) <= pathsturn_sum_memory_write_words_0_1_value;
-          pathsturn_sum_memory_write_address(i) <= pathsturn_sum_write_address(1) mod 4096;
-        end if;
-        pathsturn_sum_memory_write_words_0_all(i + 1) := pathsturn_writes_sums(1) and ((pathsturn_sum_write_address(1)
-          / 4096) = (i + 1));
-      end loop;
-      if pathsturn_sum_memory_write_words_0_all(2) then
-        pathsturn_sum_memory_write_words_0(2) <= pathsturn_sum_memory_write_words_0_0_sum_2;
-        pathsturn_sum_memory_write_words_1(2) <= pathsturn_sum_memory_write_words_0_1_value;
-        pathsturn_sum_memory_write_address_2 <= pathsturn_sum_write_address(1) mod 2048;
+      if pathsturn_sum_memory_write_words_0_all(0) then
+        pathsturn_sum_memory_write_words_0(0) <= pathsturn_sum_memory_write_words_0_0_sum_2;
+        pathsturn_sum_memory_write_words_1(0) <= pathsturn_sum_memory_write_words_0_1_sum;
+        pathsturn_sum_memory_write_address_0 <= pathsturn_sum_write_address(1) mod 4096;
+      end if;
+      pathsturn_sum_memory_write_words_0_all(1) := is_set(pathsturn_sum_write_address(1), 12) and
+        pathsturn_writes_sums(1);
+      if pathsturn_sum_memory_write_words_0_all(1) then
+        pathsturn_sum_memory_write_words_0(1) <= pathsturn_sum_memory_write_words_0_0_sum_2;
+        pathsturn_sum_memory_write_words_1(1) <= pathsturn_sum_memory_write_words_0_1_sum;
+        pathsturn_sum_memory_write_address_1 <= pathsturn_sum_write_address(1) mod 16;
       end if;
       pathsturn_cost_memory_write_words_0_all(0) := pathsturn_write_address_is_here and
         (pathsturn_write_address_address < 4096);
-      for i in 0 to 1 loop
-        if pathsturn_cost_memory_write_words_0_all(i) then
-          pathsturn_cost_memory_write_words_0(i) <= to_integer(paths_cost_delay_held_0);
-          pathsturn_cost_memory_write_address(i) <= pathsturn_write_address_address mod 4096;
-        end if;
-        pathsturn_cost_memory_write_words_0_all(i + 1) := pathsturn_write_address_is_here and
-          ((pathsturn_write_address_address / 4096) = (i + 1));
-      end loop;
-      if pathsturn_cost_memory_write_words_0_all(2) then
-        pathsturn_cost_memory_write_words_0(2) <= to_integer(paths_cost_delay_held_0);
-        pathsturn_cost_memory_write_address_2 <= pathsturn_write_address_address mod 2048;
+      if pathsturn_cost_memory_write_words_0_all(0) then
+        pathsturn_cost_memory_write_words_0(0) <= to_integer(paths_cost_delay_held_0);
+        pathsturn_cost_memory_write_address_0 <= pathsturn_write_address_address mod 4096;
       end if;
-      if line_starts_phases(38) then
+      pathsturn_cost_memory_write_words_0_all(1) := (4095 < pathsturn_write_address_address) and
+        pathsturn_write_address_is_here;
+      if pathsturn_cost_memory_write_words_0_all(1) then
+        pathsturn_cost_memory_write_words_0(1) <= to_integer(paths_cost_delay_held_0);
+        pathsturn_cost_memory_write_address_1 <= pathsturn_write_address_address mod 16;
+      end if;
+      if line_starts_phases(23) then
         pathsturn_smallest_address <= line_places_address(1);
       end if;
       -- pathsright
-      pathsright_lower_neighbour_value := to_integer(pathsright_read_words_0(13 downto 7));
-      pathsright_stay_0_value := to_integer(pathsright_read_words_0(20 downto 14));
-      if (pathsright_stay_0_value - to_integer(pathsright_read_words_0(6 downto 0))) < 0 then
-        pathsright_stay_choice(0) := pathsright_stay_0_value;
+      if (to_integer(pathsright_read_words(1)(6 downto 0)) - to_integer(pathsright_read_words(0)(6 downto 0))) < 0 then
+        pathsright_stay_choice(0) := to_integer(pathsright_read_words(1)(6 downto 0));
       else
-        pathsright_stay_choice(0) := to_integer(pathsright_read_words_0(6 downto 0));
+        pathsright_stay_choice(0) := to_integer(pathsright_read_words(0)(6 downto 0));
       end if;
-      if (to_integer(pathsright_read_words_0(27 downto 21)) - pathsright_lower_neighbour_value) < 0 then
-        pathsright_stay_choice(1) := to_integer(pathsright_read_words_0(27 downto 21));
+      for i in 1 to 2 loop
+        pathsright_stay_value(i) := to_integer(pathsright_read_words(1)(7 * i + 6 downto 7 * i));
+        pathsright_stay_value_2(i) := to_integer(pathsright_read_words(0)(7 * i + 6 downto 7 * i));
+        if (pathsright_stay_value(i) - pathsright_stay_value_2(i)) < 0 then
+          pathsright_stay_choice(i) := pathsright_stay_value(i);
+        else
+          pathsright_stay_choice(i) := pathsright_stay_value_2(i);
+        end if;
+      end loop;
+      if (to_integer(pathsright_read_words(1)(27 downto 21)) - to_integer(pathsright_read_words(0)(27 downto 21))) < 0
+        then
+        pathsright_stay_choice(3) := to_integer(pathsright_read_words(1)(27 downto 21));
       else
-        pathsright_stay_choice(1) := pathsright_lower_neighbour_value;
+        pathsright_stay_choice(3) := to_integer(pathsright_read_words(0)(27 downto 21));
       end if;
-      if line_starts_phases(42) then
-        pathsright_step_choice(0) := pathsright_lower_neighbour_value;
+      if line_starts_phases(27) then
+        pathsright_step_choice(0) := pathsright_stay_value_2(1);
       else
         pathsright_step_choice(0) := pathsright_lower_neighbour;
       end if;
-      if (pathsright_lower_neighbour_value - pathsright_step_choice(0)) < 0 then
-        pathsright_step_choice_2(0) := pathsright_lower_neighbour_value;
+      if (pathsright_stay_value_2(1) - pathsright_step_choice(0)) < 0 then
+        pathsright_step_0_choice_2 := pathsright_stay_value_2(1);
       else
-        pathsright_step_choice_2(0) := pathsright_step_choice(0);
+        pathsright_step_0_choice_2 := pathsright_step_choice(0);
+      end if;
+      if (pathsright_stay_value_2(2) - to_integer(pathsright_read_words(0)(6 downto 0))) < 0 then
+        pathsright_step_choice(1) := pathsright_stay_value_2(2);
+      else
+        pathsright_step_choice(1) := to_integer(pathsright_read_words(0)(6 downto 0));
+      end if;
+      if (to_integer(pathsright_read_words(0)(27 downto 21)) - pathsright_stay_value_2(1)) < 0 then
+        pathsright_step_choice(2) := to_integer(pathsright_read_words(0)(27 downto 21));
+      else
+        pathsright_step_choice(2) := pathsright_stay_value_2(1);
       end if;
       if pathsleft_is_last then
-        pathsright_step_choice(1) := to_integer(pathsright_read_words_0(6 downto 0));
+        pathsright_step_choice(3) := pathsright_stay_value_2(2);
       else
-        pathsright_step_choice(1) := to_integer(pathsright_read_neighbour_0);
+        pathsright_step_choice(3) := to_integer(pathsright_read_neighbour_0);
       end if;
-      if (pathsright_step_choice(1) - to_integer(pathsright_read_words_0(6 downto 0))) < 0 then
-        pathsright_step_choice_2(1) := pathsright_step_choice(1);
+      if (pathsright_step_choice(3) - pathsright_stay_value_2(2)) < 0 then
+        pathsright_step_3_choice_2 := pathsright_step_choice(3);
       else
-        pathsright_step_choice_2(1) := to_integer(pathsright_read_words_0(6 downto 0));
+        pathsright_step_3_choice_2 := pathsright_stay_value_2(2);
       end if;
-      if line_comes(45) then
+      pathsright_stay_change_value(1) := (pathsturn_cost_memory_ready_words_0 mod 64) / 8;
+      pathsright_stay_change_value(2) := (pathsturn_cost_memory_ready_words_0 / 64) mod 8;
+      if line_comes(31) then
         pathsright_low_0_choice := 127;
       else
         pathsright_low_0_choice := pathsright_low_0;
@@ -3839,35 +3929,52 @@ begin
       pathsright_short_of <= ((to_integer(pathsleft_lowest_0(5 downto 0)) + pathsleft_room) / 64) = 1;
       pathsright_missing <= (to_integer(pathsright_lowest_0) + pathsright_room) mod 64;
       pathsright_below <= (0 - to_integer(pathsright_lowest_0)) mod 64;
-      pathsright_lower_neighbour <= pathsright_lower_neighbour_value;
+      pathsright_lower_neighbour <= to_integer(pathsright_read_words(0)(27 downto 21));
       pathsright_stay_change(0) <= ((pathsturn_cost_memory_ready_words_0 mod 8) - pathsright_g) mod 128;
-      pathsright_stay_change(1) <= ((pathsturn_cost_memory_ready_words_0 / 8) - pathsright_g) mod 128;
+      pathsright_stay_change(1) <= (pathsright_stay_change_value(1) - pathsright_g) mod 128;
+      pathsright_stay_change(2) <= (pathsright_stay_change_value(2) - pathsright_g) mod 128;
+      pathsright_stay_change(3) <= ((pathsturn_cost_memory_ready_words_0 / 512) - pathsright_g) mod 128;
       pathsright_step_change(0) <= ((pathsturn_cost_memory_ready_words_0 mod 8) - pathsright_g_less) mod 128;
-      pathsright_step_change(1) <= ((pathsturn_cost_memory_ready_words_0 / 8) - pathsright_g_less) mod 128;
+      pathsright_step_change(1) <= (pathsright_stay_change_value(1) - pathsright_g_less) mod 128;
+      pathsright_step_change(2) <= (pathsright_stay_change_value(2) - pathsright_g_less) mod 128;
+      pathsright_step_change(3) <= ((pathsturn_cost_memory_ready_words_0 / 512) - pathsright_g_less) mod 128;
       if (not pathsleft_first) and (not is_set(pathsright_stay_choice(0), 6)) then
         pathsright_stay(0) <= pathsright_stay_choice(0);
       else
         pathsright_stay(0) <= 64;
       end if;
-      if (not is_set(pathsright_stay_choice(1), 6)) and (not pathsleft_first) then
-        pathsright_stay(1) <= pathsright_stay_choice(1);
-      else
-        pathsright_stay(1) <= 64;
-      end if;
+      for i in 1 to 3 loop
+        if (not is_set(pathsright_stay_choice(i), 6)) and (not pathsleft_first) then
+          pathsright_stay(i) <= pathsright_stay_choice(i);
+        else
+          pathsright_stay(i) <= 64;
+        end if;
+      end loop;
       if pathsleft_first then
         pathsright_step(0) <= 64;
         pathsright_step(1) <= 64;
+        pathsright_step(2) <= 64;
+        pathsright_step(3) <= 64;
       else
-        pathsright_step(0) <= pathsright_step_choice_2(0);
-        pathsright_step(1) <= pathsright_step_choice_2(1);
+        pathsright_step(0) <= pathsright_step_0_choice_2;
+        pathsright_step(1) <= pathsright_step_choice(1);
+        pathsright_step(2) <= pathsright_step_choice(2);
+        pathsright_step(3) <= pathsright_step_3_choice_2;
       end if;
-      if (pathsright_cost(1) - pathsright_cost(0)) < 0 then
-        pathsright_tree_smallest_0 <= pathsright_cost(1);
+      for i in 0 to 1 loop
+        if (pathsright_cost(2 * i + 1) - pathsright_cost(2 * i)) < 0 then
+          pathsright_tree_smallest(i) <= pathsright_cost(2 * i + 1);
+        else
+          pathsright_tree_smallest(i) <= pathsright_cost(2 * i);
+        end if;
+      end loop;
+      if (pathsright_tree_smallest(1) - pathsright_tree_smallest(0)) < 0 then
+        pathsright_tree_next_smallest_0 <= pathsright_tree_smallest(1);
       else
-        pathsright_tree_smallest_0 <= pathsright_cost(0);
+        pathsright_tree_next_smallest_0 <= pathsright_tree_smallest(0);
       end if;
-      if (pathsright_tree_smallest_0 - pathsright_low_0_choice) < 0 then
-        pathsright_low_0 <= pathsright_tree_smallest_0;
+      if (pathsright_tree_next_smallest_0 - pathsright_low_0_choice) < 0 then
+        pathsright_low_0 <= pathsright_tree_next_smallest_0;
       else
         pathsright_low_0 <= pathsright_low_0_choice;
       end if;
@@ -3886,8 +3993,8 @@ begin
       else
         pathsright_room_left_choice := pathsright_room;
       end if;
-      if line_starts_phases(39) then
-        if line_places_shown_first_column(1) then
+      if line_starts_phases(24) then
+        if line_places_first_column(1) then
           pathsright_q <= 60;
         else
           pathsright_q <= pathsright_q_choice_2;
@@ -3898,10 +4005,10 @@ begin
           pathsright_room_left <= pathsright_room_left_choice;
         end if;
       end if;
-      if line_starts_phases(40) then
+      if line_starts_phases(25) then
         pathsright_q_now <= pathsright_q;
         pathsright_q_less <= (pathsright_q + 121) mod 128;
-        if line_places_shown_first_column(1) then
+        if line_places_first_column(1) then
           pathsright_room <= 0;
           for i in 1 to 8 loop
             pathsright_start_cost(i) <= 0;
@@ -3914,130 +4021,98 @@ begin
           end loop;
         end if;
       end if;
-      if line_starts_phases(41) then
+      if line_starts_phases(26) then
         pathsright_g <= pathsturn_ready_smallest_0 + pathsright_q_now;
         pathsright_g_less <= (pathsturn_ready_smallest_0 + pathsright_q_less) mod 128;
       end if;
       if pathsleft_cost_0_any then
         pathsright_cost(0) <= (pathsright_stay(0) + pathsright_stay_change(0)) mod 128;
         pathsright_cost(1) <= (pathsright_stay(1) + pathsright_stay_change(1)) mod 128;
+        pathsright_cost(2) <= (pathsright_stay(2) + pathsright_stay_change(2)) mod 128;
+        pathsright_cost(3) <= (pathsright_stay(3) + pathsright_stay_change(3)) mod 128;
         pathsright_arrived(0) <= (pathsright_step(0) + pathsright_step_change(0)) mod 128;
         pathsright_arrived(1) <= (pathsright_step(1) + pathsright_step_change(1)) mod 128;
-      end if;
-      -- winnersmask
-      winnersmask_column_sum := winnersmask_column + 1;
-      if line_places_first_column(1) then
-        winnersmask_column_choice := 0;
-      else
-        winnersmask_column_choice := winnersmask_column_sum mod 512;
-      end if;
-      if line_comes(43) then
-        winnersmask_column <= winnersmask_column_choice;
-      end if;
-      if line_places_first_column(1) then
-        winnersmask_partner_choice := 0;
-      else
-        winnersmask_partner_choice := winnersmask_column_sum;
-      end if;
-      winnersmask_inside(0) <= (((((winnersmask_partner / 512) + 127) mod 128) * 512) + (winnersmask_partner mod 512))
-        < 318;
-      winnersmask_inside(1) <= (winnersmask_partner >= 511) and (winnersmask_partner < 829);
-      if line_comes(43) then
-        winnersmask_partner <= (((winnersmask_partner_choice / 512) + 1) * 512) + winnersmask_column_choice;
-      else
-        winnersmask_partner <= ((((winnersmask_partner / 2) + 1) mod 1024) * 2) + (winnersmask_partner mod 2);
+        pathsright_arrived(2) <= (pathsright_step(2) + pathsright_step_change(2)) mod 128;
+        pathsright_arrived(3) <= (pathsright_step(3) + pathsright_step_change(3)) mod 128;
       end if;
       -- winnerswinner1
-      winnerswinner1_best_cost_0_0_sum := as_number(winnersmask_inside(1)) + 255;
-      winnerswinner1_best_cost_0_0_any := to_integer(((to_unsigned(paths_sum(1), 8)) or
-        (to_unsigned((winnerswinner1_best_cost_0_0_sum mod 256), 8))));
-      winnerswinner1_best_cost_0_0_sum_2 := as_number(winnersmask_inside(0)) + 255;
-      winnerswinner1_best_cost_0_0_any_2 := to_integer(((to_unsigned(paths_sum(0), 8)) or
-        (to_unsigned((winnerswinner1_best_cost_0_0_sum_2 mod 256), 8))));
-      if is_set(winnerswinner1_best_cost_0_0_sum_2, 0) then
-        winnerswinner1_best_index_0_0_choice := (not is_set(winnerswinner1_best_cost_0_0_sum, 0)) and (not
-          is_set(paths_sum(1), 0));
+      if is_set(paths_sum(0), 0) then
+        winnerswinner1_best_index_0_choice(0) := (not is_set(paths_sum(1), 1)) or (not is_set(paths_sum(1), 0));
       else
-        winnerswinner1_best_index_0_0_choice := is_set(paths_sum(0), 0) and (not
-          is_set(winnerswinner1_best_cost_0_0_sum, 0)) and (not is_set(paths_sum(1), 0));
+        winnerswinner1_best_index_0_choice(0) := not is_set(paths_sum(1), 1);
       end if;
-      winnerswinner1_best_index_0_0_value := (((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 2) mod 2) = 1;
-      winnerswinner1_best_index_0_0_values(2) := is_set(paths_sum(0), 1);
-      if (not ((((winnerswinner1_best_cost_0_0_sum mod 256) / 2) mod 2) = 1)) and (not is_set(paths_sum(1), 1)) then
-        winnerswinner1_best_index_0_0_choices(2) := winnerswinner1_best_index_0_0_choice or
-          winnerswinner1_best_index_0_0_value or winnerswinner1_best_index_0_0_values(2);
+      if is_set(paths_sum(0), 1) then
+        winnerswinner1_best_index_0_0_choices(2) := winnerswinner1_best_index_0_choice(0);
       else
-        winnerswinner1_best_index_0_0_choices(2) := winnerswinner1_best_index_0_0_choice and
-          (winnerswinner1_best_index_0_0_value or winnerswinner1_best_index_0_0_values(2));
+        winnerswinner1_best_index_0_0_choices(2) := is_set(paths_sum(0), 0) and ((paths_sum(1) mod 4) = 0);
       end if;
-      winnerswinner1_best_index_0_0_values(3) := (((winnerswinner1_best_cost_0_0_sum mod 256) / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_0_values(4) := is_set(paths_sum(1), 2);
+      winnerswinner1_best_index_0_value(0) := is_set(paths_sum(1), 2);
       if winnerswinner1_best_index_0_0_choices(2) then
-        winnerswinner1_best_index_0_0_choices(3) := (not ((((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 4) mod 2) =
-          1)) and (not is_set(paths_sum(0), 2)) and (winnerswinner1_best_index_0_0_values(3) or
-          winnerswinner1_best_index_0_0_values(4));
+        winnerswinner1_best_index_0_0_choices(3) := (not is_set(paths_sum(0), 2)) and
+          winnerswinner1_best_index_0_value(0);
       else
-        winnerswinner1_best_index_0_0_choices(3) := ((not ((((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 4) mod 2) =
-          1)) and (not is_set(paths_sum(0), 2))) or winnerswinner1_best_index_0_0_values(3) or
-          winnerswinner1_best_index_0_0_values(4);
+        winnerswinner1_best_index_0_0_choices(3) := (not is_set(paths_sum(0), 2)) or
+          winnerswinner1_best_index_0_value(0);
       end if;
-      winnerswinner1_best_index_0_0_values(5) := (((winnerswinner1_best_cost_0_0_sum mod 256) / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_0_values(6) := is_set(paths_sum(1), 3);
-      if winnerswinner1_best_index_0_0_choices(3) then
-        winnerswinner1_best_index_0_0_choices(4) := ((not ((((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 8) mod 2) =
-          1)) and (not is_set(paths_sum(0), 3))) or winnerswinner1_best_index_0_0_values(5) or
-          winnerswinner1_best_index_0_0_values(6);
+      for i in 2 to 5 loop
+        winnerswinner1_best_index_0_values(0, i) := is_set(paths_sum(1), i + 1);
+        if winnerswinner1_best_index_0_0_choices(i + 1) then
+          winnerswinner1_best_index_0_0_choices(i + 2) := (not is_set(paths_sum(0), i + 1)) or
+            winnerswinner1_best_index_0_values(0, i);
+        else
+          winnerswinner1_best_index_0_0_choices(i + 2) := (not is_set(paths_sum(0), i + 1)) and
+            winnerswinner1_best_index_0_values(0, i);
+        end if;
+      end loop;
+      if is_set(paths_sum(2), 0) then
+        winnerswinner1_best_index_0_choice(1) := (not is_set(paths_sum(3), 1)) or (not is_set(paths_sum(3), 0));
       else
-        winnerswinner1_best_index_0_0_choices(4) := (not ((((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 8) mod 2) =
-          1)) and (not is_set(paths_sum(0), 3)) and (winnerswinner1_best_index_0_0_values(5) or
-          winnerswinner1_best_index_0_0_values(6));
+        winnerswinner1_best_index_0_choice(1) := not is_set(paths_sum(3), 1);
       end if;
-      winnerswinner1_best_index_0_0_values(7) := (((winnerswinner1_best_cost_0_0_sum mod 256) / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_0_values(8) := is_set(paths_sum(1), 4);
-      if winnerswinner1_best_index_0_0_choices(4) then
-        winnerswinner1_best_index_0_0_choices(5) := ((not ((((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 16) mod 2)
-          = 1)) and (not is_set(paths_sum(0), 4))) or winnerswinner1_best_index_0_0_values(7) or
-          winnerswinner1_best_index_0_0_values(8);
+      if is_set(paths_sum(2), 1) then
+        winnerswinner1_best_index_0_1_choices(2) := winnerswinner1_best_index_0_choice(1);
       else
-        winnerswinner1_best_index_0_0_choices(5) := (not ((((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 16) mod 2) =
-          1)) and (not is_set(paths_sum(0), 4)) and (winnerswinner1_best_index_0_0_values(7) or
-          winnerswinner1_best_index_0_0_values(8));
+        winnerswinner1_best_index_0_1_choices(2) := is_set(paths_sum(2), 0) and ((paths_sum(3) mod 4) = 0);
       end if;
-      winnerswinner1_best_index_0_0_values(9) := (((winnerswinner1_best_cost_0_0_sum mod 256) / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_0_values(10) := is_set(paths_sum(1), 5);
-      if winnerswinner1_best_index_0_0_choices(5) then
-        winnerswinner1_best_index_0_0_choices(6) := ((not ((((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 32) mod 2)
-          = 1)) and (not is_set(paths_sum(0), 5))) or winnerswinner1_best_index_0_0_values(9) or
-          winnerswinner1_best_index_0_0_values(10);
+      winnerswinner1_best_index_0_value(1) := is_set(paths_sum(3), 2);
+      if winnerswinner1_best_index_0_1_choices(2) then
+        winnerswinner1_best_index_0_1_choices(3) := (not is_set(paths_sum(2), 2)) and
+          winnerswinner1_best_index_0_value(1);
       else
-        winnerswinner1_best_index_0_0_choices(6) := (not ((((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 32) mod 2) =
-          1)) and (not is_set(paths_sum(0), 5)) and (winnerswinner1_best_index_0_0_values(9) or
-          winnerswinner1_best_index_0_0_values(10));
+        winnerswinner1_best_index_0_1_choices(3) := (not is_set(paths_sum(2), 2)) or
+          winnerswinner1_best_index_0_value(1);
       end if;
-      winnerswinner1_best_index_0_0_values(11) := (((winnerswinner1_best_cost_0_0_sum mod 256) / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_0_values(12) := is_set(paths_sum(1), 6);
-      if winnerswinner1_best_index_0_0_choices(6) then
-        winnerswinner1_best_index_0_0_choices(7) := ((not ((((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 64) mod 2)
-          = 1)) and (not is_set(paths_sum(0), 6))) or winnerswinner1_best_index_0_0_values(11) or
-          winnerswinner1_best_index_0_0_values(12);
+      for i in 2 to 5 loop
+        winnerswinner1_best_index_0_values(1, i) := is_set(paths_sum(3), i + 1);
+        if winnerswinner1_best_index_0_1_choices(i + 1) then
+          winnerswinner1_best_index_0_1_choices(i + 2) := (not is_set(paths_sum(2), i + 1)) or
+            winnerswinner1_best_index_0_values(1, i);
+        else
+          winnerswinner1_best_index_0_1_choices(i + 2) := (not is_set(paths_sum(2), i + 1)) and
+            winnerswinner1_best_index_0_values(1, i);
+        end if;
+      end loop;
+      if winnerswinner1_best_index_0_1_choices(7) then
+        winnerswinner1_best_index_0_1_choices(8) := is_set(paths_sum(2), 7) and (not is_set(paths_sum(3), 7));
       else
-        winnerswinner1_best_index_0_0_choices(7) := (not ((((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 64) mod 2) =
-          1)) and (not is_set(paths_sum(0), 6)) and (winnerswinner1_best_index_0_0_values(11) or
-          winnerswinner1_best_index_0_0_values(12));
+        winnerswinner1_best_index_0_1_choices(8) := is_set(paths_sum(2), 7) or (not is_set(paths_sum(3), 7));
       end if;
-      if (winnerswinner1_best_cost_0_0_any - winnerswinner1_best_cost_0_0_any_2) < 0 then
-        winnerswinner1_best_cost_0_0 <= winnerswinner1_best_cost_0_0_any;
-      else
-        winnerswinner1_best_cost_0_0 <= winnerswinner1_best_cost_0_0_any_2;
-      end if;
+      for i in 0 to 1 loop
+        if (paths_sum(2 * i + 1) - paths_sum(2 * i)) < 0 then
+          winnerswinner1_best_cost_0(i) <= paths_sum(2 * i + 1);
+        else
+          winnerswinner1_best_cost_0(i) <= paths_sum(2 * i);
+        end if;
+      end loop;
       if winnerswinner1_best_index_0_0_choices(7) then
-        winnerswinner1_best_index_0_0 <= (not ((not (((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 128) = 1)) and
-          (not is_set(paths_sum(0), 7)))) and (not (((winnerswinner1_best_cost_0_0_sum mod 256) / 128) = 1)) and (not
-          is_set(paths_sum(1), 7));
+        winnerswinner1_best_index_0_0 <= is_set(paths_sum(0), 7) and (not is_set(paths_sum(1), 7));
       else
-        winnerswinner1_best_index_0_0 <= (not ((not (((winnerswinner1_best_cost_0_0_sum_2 mod 256) / 128) = 1)) and
-          (not is_set(paths_sum(0), 7)))) or ((not (((winnerswinner1_best_cost_0_0_sum mod 256) / 128) = 1)) and (not
-          is_set(paths_sum(1), 7)));
+        winnerswinner1_best_index_0_0 <= is_set(paths_sum(0), 7) or (not is_set(paths_sum(1), 7));
+      end if;
+      if winnerswinner1_best_index_0_1_choices(8) then
+        winnerswinner1_best_index_0_1 <= 3;
+      else
+        winnerswinner1_best_index_0_1 <= 2;
       end if;
       if in_valid then
         if in_start_of_frame then
@@ -4046,31 +4121,79 @@ begin
           winnerswinner1_best_below_0 <= transform_counter_frame_joins;
         end if;
       end if;
+      -- winnerswinner2
+      if is_set(winnerswinner1_best_cost_0(0), 0) then
+        winnerswinner2_best_index_0_0_choice := (not is_set(winnerswinner1_best_cost_0(1), 1)) or (not
+          is_set(winnerswinner1_best_cost_0(1), 0));
+      else
+        winnerswinner2_best_index_0_0_choice := not is_set(winnerswinner1_best_cost_0(1), 1);
+      end if;
+      if is_set(winnerswinner1_best_cost_0(0), 1) then
+        winnerswinner2_best_index_0_0_choices(2) := winnerswinner2_best_index_0_0_choice;
+      else
+        winnerswinner2_best_index_0_0_choices(2) := is_set(winnerswinner1_best_cost_0(0), 0) and
+          ((winnerswinner1_best_cost_0(1) mod 4) = 0);
+      end if;
+      winnerswinner2_best_index_0_0_value := is_set(winnerswinner1_best_cost_0(1), 2);
+      if winnerswinner2_best_index_0_0_choices(2) then
+        winnerswinner2_best_index_0_0_choices(3) := (not is_set(winnerswinner1_best_cost_0(0), 2)) and
+          winnerswinner2_best_index_0_0_value;
+      else
+        winnerswinner2_best_index_0_0_choices(3) := (not is_set(winnerswinner1_best_cost_0(0), 2)) or
+          winnerswinner2_best_index_0_0_value;
+      end if;
+      for i in 2 to 5 loop
+        winnerswinner2_best_index_0_0_values(i) := is_set(winnerswinner1_best_cost_0(1), i + 1);
+        if winnerswinner2_best_index_0_0_choices(i + 1) then
+          winnerswinner2_best_index_0_0_choices(i + 2) := (not is_set(winnerswinner1_best_cost_0(0), i + 1)) or
+            winnerswinner2_best_index_0_0_values(i);
+        else
+          winnerswinner2_best_index_0_0_choices(i + 2) := (not is_set(winnerswinner1_best_cost_0(0), i + 1)) and
+            winnerswinner2_best_index_0_0_values(i);
+        end if;
+      end loop;
+      if winnerswinner2_best_index_0_0_choices(7) then
+        winnerswinner2_best_index_0_0_choices(8) := is_set(winnerswinner1_best_cost_0(0), 7) and (not
+          is_set(winnerswinner1_best_cost_0(1), 7));
+      else
+        winnerswinner2_best_index_0_0_choices(8) := is_set(winnerswinner1_best_cost_0(0), 7) or (not
+          is_set(winnerswinner1_best_cost_0(1), 7));
+      end if;
+      if (winnerswinner1_best_cost_0(1) - winnerswinner1_best_cost_0(0)) < 0 then
+        winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0(1);
+      else
+        winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0(0);
+      end if;
+      if winnerswinner2_best_index_0_0_choices(8) then
+        winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1;
+      else
+        winnerswinner2_best_index_0_0 <= as_number(winnerswinner1_best_index_0_0);
+      end if;
       -- winners
-      if line_comes(46) then
+      if line_comes(32) then
         winners_best_cost_0_0_choice := 511;
       else
         winners_best_cost_0_0_choice := winners_best_cost_0_0;
       end if;
-      if line_comes(46) then
+      if line_comes(32) then
         winners_best_cost_0_0_choice_2 := 255;
       else
         winners_best_cost_0_0_choice_2 := winners_best_cost_0_0;
       end if;
-      winners_best_tag_valid <= line_comes(77);
+      winners_best_tag_valid <= line_comes(47);
       winners_best_tag_map_column <= line_places_map_column(2);
       winners_best_tag_output_column <= line_places_shown_output_column(2);
       winners_best_tag_start_of_frame <= line_places_shown_start_of_frame(2);
       winners_best_tag_end_of_line <= line_places_shown_end_of_line(2);
-      if (winners_best_cost_0_0_choice - winnerswinner1_best_cost_0_0) < 0 then
+      if (winners_best_cost_0_0_choice - winnerswinner2_best_cost_0_0) < 0 then
         winners_best_cost_0_0 <= winners_best_cost_0_0_choice_2;
       else
-        winners_best_cost_0_0 <= winnerswinner1_best_cost_0_0;
+        winners_best_cost_0_0 <= winnerswinner2_best_cost_0_0;
       end if;
-      if (winnerswinner1_best_cost_0_0 - winners_best_cost_0_0_choice) < 0 then
-        winners_best_index_0_0 <= as_number(winnerswinner1_best_index_0_0) + 62;
+      if (winnerswinner2_best_cost_0_0 - winners_best_cost_0_0_choice) < 0 then
+        winners_best_index_0_0 <= winnerswinner2_best_index_0_0 + 60;
       else
-        winners_best_index_0_0 <= ((((winners_best_index_0_0 / 2) + 127) mod 128) * 2) + (winners_best_index_0_0 mod 2);
+        winners_best_index_0_0 <= ((((winners_best_index_0_0 / 4) + 63) mod 64) * 4) + (winners_best_index_0_0 mod 4);
       end if;
       -- turn
       turn_order_address_any := turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid);
@@ -4079,24 +4202,19 @@ begin
       else
         turn_order_address_choice := 1;
       end if;
-      if turn_order_falls then
-        turn_order_address_choice_2 := 0;
-      else
-        turn_order_address_choice_2 := 317;
-      end if;
       turn_order_address_any_2 := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
       if not turn_order_address_any_2 then
         if turn_order_address_any then
           turn_order_address <= (turn_order_address_choice + turn_order_address) mod 512;
         else
-          turn_order_address <= turn_order_address_choice_2;
+          turn_order_address <= as_number((not turn_order_falls)) * 256;
         end if;
       end if;
       turn_order_falls_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
       turn_order_complete_all := winners_best_tag_map_column and winners_best_tag_valid;
       turn_ready_tag_row_start_is_equal := map_counter_group = 240;
       if turn_ready_tag_row_start_is_equal then
-        turn_ready_tag_row_start_choice := (map_counter_column /= 317) and turn_ready_tag_row_start;
+        turn_ready_tag_row_start_choice := (map_counter_column /= 256) and turn_ready_tag_row_start;
       else
         turn_ready_tag_row_start_choice := turn_ready_tag_row_start;
       end if;
@@ -4105,7 +4223,7 @@ begin
       else
         turn_ready_tag_row_start_choices(2) := turn_ready_tag_row_start_choice;
       end if;
-      turn_ready_tag_row_start_is_equals(2) := map_counter_column = 317;
+      turn_ready_tag_row_start_is_equals(2) := map_counter_column = 256;
       turn_ready_tag_row_start_is_equals(3) := map_counter_group = 239;
       turn_ready_tag_row_start_all := turn_ready_tag_row_start_is_equals(2) and turn_ready_tag_row_start_is_equals(3);
       if turn_ready_tag_row_start_choices(2) then
@@ -4118,7 +4236,7 @@ begin
       turn_order_turned_valid <= winners_best_tag_valid;
       turn_order_turned_map_column <= winners_best_tag_map_column;
       turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and
-        winners_best_tag_valid and turn_order_first and turn_order_output and turn_order_complete;
+        winners_best_tag_valid and turn_order_first and turn_order_complete and turn_order_output;
       turn_order_turned_end_of_line <= winners_best_tag_end_of_line;
       turn_newest <= winners_best_index_0_0 + 256;
       turn_comes <= turn_order_complete_all;
@@ -4144,7 +4262,7 @@ begin
       if turn_comes then
         turn_write_place <= turn_order_address;
       else
-        turn_write_place <= 318;
+        turn_write_place <= 257;
       end if;
       if turn_ready_tag_row_start_choices(3) then
         turn_ready_tag_row_start <= turn_ready_tag_row_start or turn_ready_tag_row_start_all_2;
@@ -5014,30 +5132,29 @@ begin
         delay_column <= 0;
         delay_row_inside(2) <= false;
         delay_tag_valid <= false;
+        delay_tag_first_cost <= false;
         delay_tag_map_column <= false;
         delay_tag_output_column <= false;
-        delay_tag_first_column <= false;
         delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
         rows_read_column <= 0;
         rows_read_tag_valid <= false;
+        rows_read_tag_first_cost <= false;
         rows_read_tag_map_column <= false;
         rows_read_tag_output_column <= false;
-        rows_read_tag_first_column <= false;
         rows_read_tag_start_of_frame <= false;
         rows_read_tag_end_of_line <= false;
         rows_ready_column <= 0;
         rows_ready_tag_valid <= false;
+        rows_ready_tag_first_cost <= false;
         rows_ready_tag_map_column <= false;
         rows_ready_tag_output_column <= false;
-        rows_ready_tag_first_column <= false;
         rows_ready_tag_start_of_frame <= false;
         rows_ready_tag_end_of_line <= false;
         rows_write_column <= 0;
         rows_tag_valid <= false;
+        rows_tag_first_cost <= false;
         rows_tag_map_column <= false;
         rows_tag_output_column <= false;
-        rows_tag_first_column <= false;
         rows_tag_start_of_frame <= false;
         rows_tag_end_of_line <= false;
         line_centre_map_column_0 <= false;
@@ -5058,20 +5175,20 @@ begin
         line_order_turned_start_of_frame <= false;
         line_order_turned_end_of_line <= false;
         line_newest_first_column <= false;
-        for i in 1 to 77 loop
+        for i in 1 to 47 loop
           line_comes(i) <= false;
         end loop;
-        for i in 1 to 41 loop
+        for i in 1 to 26 loop
           line_starts_phases(i) <= false;
         end loop;
-        for i in 43 to 77 loop
+        for i in 28 to 47 loop
           line_starts_phases(i) <= false;
         end loop;
         for i in 0 to 1 loop
           line_places_map_column(i) <= false;
+          line_places_first_column(i) <= false;
           line_places_address(i) <= 0;
           line_places_shown_output_column(i) <= false;
-          line_places_shown_first_column(i) <= false;
           line_places_shown_start_of_frame(i) <= false;
           line_places_shown_end_of_line(i) <= false;
         end loop;
@@ -5080,48 +5197,45 @@ begin
         line_places_shown_start_of_frame(2) <= false;
         line_places_shown_end_of_line(2) <= false;
         costsshift_new_tag_valid <= false;
-        costsshift_count_phase <= 31;
+        costsshift_count_phase <= 15;
         costsshift_read_tag_valid <= false;
-        costsshift_read_count_phase <= 31;
-        costsshift_write_phase <= 31;
-        costswindow_read_count_phase <= 31;
-        costswindow_write_count_phase <= 31;
+        costsshift_read_count_phase <= 15;
+        costsshift_write_phase <= 15;
+        costswindow_read_count_phase <= 15;
+        costswindow_write_count_phase <= 15;
         paths_cost_delay_ring_read_address <= 1;
         paths_cost_delay_ring_write_address <= 0;
         pathsleft_low_address <= 5;
-        pathsleft_read_count_phase <= 31;
-        pathsleft_ahead_count_phase <= 31;
+        pathsleft_read_count_phase <= 15;
+        pathsleft_ahead_count_phase <= 15;
         pathsleft_is_first <= false;
-        pathsleft_write_count_phase <= 31;
+        pathsleft_write_count_phase <= 15;
         pathsleft_low_write_address <= 0;
         pathsabove_memory_read_address_0 <= 0;
-        pathsabove_memory_read_address_2 <= 0;
-        pathsabove_memory_write_address(0) <= 0;
-        pathsabove_memory_write_address(1) <= 0;
-        pathsabove_memory_write_address_2 <= 0;
+        pathsabove_memory_read_address_1 <= 0;
+        pathsabove_memory_write_address_0 <= 0;
+        pathsabove_memory_write_address_1 <= 0;
         pathsabove_read_address_address <= 0;
-        pathsabove_read_address_count_phase <= 31;
+        pathsabove_read_address_count_phase <= 15;
         pathsabove_write_address_address <= 0;
         pathsabove_write_address_is_here <= false;
-        pathsabove_write_address_count_phase <= 31;
+        pathsabove_write_address_count_phase <= 15;
         pathsturn_sum_memory_read_address_0 <= 0;
-        pathsturn_sum_memory_read_address_2 <= 0;
-        pathsturn_sum_memory_write_address(0) <= 0;
-        pathsturn_sum_memory_write_address(1) <= 0;
-        pathsturn_sum_memory_write_address_2 <= 0;
+        pathsturn_sum_memory_read_address_1 <= 0;
+        pathsturn_sum_memory_write_address_0 <= 0;
+        pathsturn_sum_memory_write_address_1 <= 0;
         pathsturn_cost_memory_read_address_0 <= 0;
-        pathsturn_cost_memory_read_address_2 <= 0;
-        pathsturn_cost_memory_write_address(0) <= 0;
-        pathsturn_cost_memory_write_address(1) <= 0;
-        pathsturn_cost_memory_write_address_2 <= 0;
+        pathsturn_cost_memory_read_address_1 <= 0;
+        pathsturn_cost_memory_write_address_0 <= 0;
+        pathsturn_cost_memory_write_address_1 <= 0;
         pathsturn_smallest_address <= 0;
         pathsturn_read_address_address <= 0;
-        pathsturn_read_address_count_phase <= 31;
+        pathsturn_read_address_count_phase <= 15;
         pathsturn_sum_read_address <= 0;
         pathsturn_write_smallest_address <= 0;
         pathsturn_write_address_address <= 0;
         pathsturn_write_address_is_here <= false;
-        pathsturn_write_address_count_phase <= 31;
+        pathsturn_write_address_count_phase <= 15;
         pathsturn_sum_write_address(0) <= 0;
         pathsturn_sum_write_address(1) <= 0;
         pathsturn_writes_sums(0) <= false;

@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The core stereo_core_sgm_320_64_f32 between AXI4-Streams: docs/integration.md. Do not edit; made by
---   scripts/instantiate.py --config sgm_320_64_f32
+-- The core stereo_core_sgm_320_64_f16 between AXI4-Streams: docs/integration.md. Do not edit; made by
+--   scripts/instantiate.py --config sgm_320_64_f16
 library ieee;
 use ieee.std_logic_1164.all;
 
-entity stereo_ip_sgm_320_64_f32 is
+entity stereo_ip_sgm_320_64_f16 is
   generic (enabled_at_reset : boolean := true);  -- false: waits for a processor
   port (
     aclk : in std_logic;
@@ -42,7 +42,7 @@ entity stereo_ip_sgm_320_64_f32 is
   );
 end entity;
 
-architecture rtl of stereo_ip_sgm_320_64_f32 is
+architecture rtl of stereo_ip_sgm_320_64_f16 is
   signal reset : std_logic;
   signal left_pixel : std_logic_vector(7 downto 0);
   signal right_pixel : std_logic_vector(7 downto 0);
@@ -61,13 +61,13 @@ begin
       disparities => 64,
       pixels_per_clock => 1,
       disparity_bits => 8,
-      output_width_px => 318,
-      latency_clocks => 105,
-      flush_groups => 1925,
+      output_width_px => 257,
+      latency_clocks => 75,
+      flush_groups => 1926,
       gap_groups => 0,
-      core_id => x"636e97eb",
+      core_id => x"86ac1753",
       enabled_at_reset => enabled_at_reset,
-      clocks_per_group => 32)
+      clocks_per_group => 16)
     port map (
       aclk => aclk,
       aresetn => aresetn,
@@ -112,16 +112,16 @@ begin
       core_disparity_start_of_frame => disparity_start_of_frame,
       core_disparity_end_of_line => disparity_end_of_line);
 
-  core : entity work.stereo_core_sgm_320_64_f32
+  core : entity work.stereo_core_sgm_320_64_f16
     generic map (
       width_px => 320,
       height_px => 240,
       disparities => 64,
       pixels_per_clock => 1,
       disparity_bits => 8,
-      output_width_px => 318,
-      latency_clocks => 105,
-      flush_groups => 1925,
+      output_width_px => 257,
+      latency_clocks => 75,
+      flush_groups => 1926,
       gap_groups => 0)
     port map (
       clock => aclk,
