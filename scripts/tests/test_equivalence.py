@@ -78,7 +78,7 @@ def test_what_synthesis_refuses(provers, tmp_path):
         objection(provers, change, tmp_path)
 
 
-# A proof, and what a second shows; test_mutation.py has a short run of both.
+# One proof and one difference; those of the core are in the slow set.
 FAST_INVISIBLE = ["data without a valid bit"]
 FAST_VISIBLE = ["the second error is lost"]
 

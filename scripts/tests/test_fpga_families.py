@@ -271,7 +271,7 @@ def test_semi_global_matching_is_routed_where_nextpnr_ends():
         assert Configuration("sgm_320_64_f16").clock(name)["frames_per_second"] >= 30
     assert all("does_not_fit" in kept("sgm_320_64_f16", name) for name in ("up5k", "hx8k"))
     assert Configuration("sgm_512_64_f16").clock("gw2ar_18")["frames_per_second"] >= 30
-    assert "does_not_fit" in kept("sgm_640_64_f8_road", "gw2ar_18"), "else 512 columns are not the most"
+    assert "does_not_fit" in kept("sgm_640_64_f8_road", "gw2ar_18"), "the page says so"
 
 
 @pytest.mark.parametrize("target", with_slow([target for target in CASES if kept("tiny", target)], ["up5k"]))

@@ -103,9 +103,8 @@ def summary(found: Sequence[Compared]) -> list[str]:
     rows = [_summary_row("look-up tables", netlists, lambda one: one.luts_error, "12 %")]
     counted = [one for one in netlists if one.block_rams_error is not None]
     wrong = [one for one in counted if one.block_rams_error]
-    worst = ", ".join(
-        f"{code(one.core.name)}: {one.block_rams} instead of {one.core.result['block_rams']}" for one in wrong
-    )
+    said = (f"{code(one.core.name)}: {one.block_rams} instead of {one.core.result['block_rams']}" for one in wrong)
+    worst = ", ".join(dict.fromkeys(said))  # several netlists of a core may say the same
     exact = f"{len(counted) - len(wrong)} exact"
     rows.append(f"| block RAMs | {len(counted)} | {exact} | exact | {worst or UNKNOWN} |")
     return [*rows, _summary_row("clock", found, lambda one: one.mhz_error, "20 %")]
