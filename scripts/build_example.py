@@ -1,34 +1,56 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the bit stream of examples/ecp5 for the ULX3S board: the core of configuration tiny between AXI4-Streams."""
+"""Makes the bit stream of examples/boards for a board: a core, its self test, and a serial line that takes pairs."""
 
 import sys
+from argparse import Namespace
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow.base import files
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, run_command
 from flow.base.options import a_path
 from flow.base.tools import ROOT
-from flow.shell import example
+from flow.boards import boards, build
+from flow.shell import board_vhdl
+
+
+def parse() -> Namespace:
+    parser = ArgumentParser(prog="build_example.py", description=__doc__)
+    parser.add_argument(
+        "--board", default=boards.FIRST, help=f"{', '.join(boards.BOARDS)} (default {boards.FIRST})", metavar="NAME"
+    )
+    own = ", ".join(f"{board.name} {board.config}" for board in boards.BOARDS.values())
+    parser.add_argument("--config", metavar="NAME", help=f"the core (default: {own})")
+    parser.add_argument("--seed", type=int, default=1, help="seed of place and route (default 1)")
+    parser.add_argument(
+        "--out", type=a_path, help="folder of everything that is made (default build/example/BOARD)", metavar="FOLDER"
+    )
+    parser.add_argument(
+        "--core",
+        type=a_path,
+        metavar="FILE",
+        help=f"only write {board_vhdl.CORE_FILE} of the core, for a flow of your own",
+    )
+    return parser.parse_args()
 
 
 def main() -> int:
-    parser = ArgumentParser(prog="build_example.py", description=__doc__)
-    parser.add_argument("--seed", type=int, default=1, help="seed of place and route (default 1)")
-    parser.add_argument(
-        "--out",
-        type=a_path,
-        default=ROOT / "build" / "example",
-        help="folder of everything that is made (default build/example)",
-    )
-    options = parser.parse_args()
-    result = example.build(options.out.resolve(), options.seed)
-    print(
-        f"{result['luts']} LUT sites, {result['flip_flops']} flip-flops, "
-        f"{result['fmax_mhz']} MHz routed where {example.CLOCK_MHZ} are needed"
-    )
-    print(f"bit stream: {result['bit_stream']} ({result['bit_stream'].stat().st_size} bytes)")
-    return EXIT_OK if result["fmax_mhz"] >= example.CLOCK_MHZ else EXIT_MISMATCH
+    options = parse()
+    board = boards.named(options.board)
+    config = options.config or board.config
+    if options.core:
+        files.write(options.core, board_vhdl.core_text(config))
+        return EXIT_OK
+    out = options.out or ROOT / "build" / "example" / board.name
+    result = build.build(board, config, out.resolve(), options.seed)
+    holds = board.target.holds
+    assert holds is not None
+    print(f"{board.title}, {config}: {result.lut_sites} of {holds.lut_sites} LUT sites")
+    print(f"{result.flip_flops} flip-flops, {result.block_rams} of {holds.block_rams} block RAMs")
+    print(f"{result.fmax_mhz} MHz routed where {board.clock_mhz} are needed")
+    print(f"bit stream: {files.shown(result.bit_stream)} ({result.bit_stream.stat().st_size} bytes)")
+    return EXIT_OK if result.fmax_mhz >= board.clock_mhz else EXIT_MISMATCH
 
 
 if __name__ == "__main__":

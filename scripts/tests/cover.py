@@ -19,6 +19,8 @@ COVERED, LEFT_OUT = ("option", "example"), ("study", "system", "planned")
 # Tests that take pages, VHDL and fast models of what they name, but no C++ core: one that does says which is not built.
 WITHOUT_CORES = {
     "stereo_hls_configurations_test",
+    "test_boards",
+    "test_example",
     "test_explore",
     "test_explore_truth",
     "test_features",

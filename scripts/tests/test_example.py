@@ -1,21 +1,31 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The example for an ECP5 board goes through place and route. The fast set routes its core: test_implementation.py."""
+"""The bit streams of examples/boards: each board with its own core and with tiny, whose clock nextpnr reaches."""
 
-import os
+import re
+
+import pytest
 
 from conftest import where_reachable
 from flow.base import committed
+from flow.base.tools import ROOT
+from flow.boards.boards import BOARDS
 from flow.implementation import nextpnr
-from flow.implementation.targets import ECP5
 from flow.synthesis import manifest
 from flow_commands import call
 
 
-def test_example_meets_its_clock(ghdl, yosys, tmp_path):
-    where_reachable(lambda: nextpnr.find_nextpnr(ECP5))
-    process = call("build_example.py", "--out", tmp_path / "example")
+@pytest.mark.parametrize("config", ["tiny", None])
+@pytest.mark.parametrize("board", BOARDS)
+def test_board_meets_its_clock(ghdl, tmp_path, board, config):
+    where_reachable(lambda: nextpnr.find_nextpnr(BOARDS[board].target.family))
+    own = ("--config", config) if config else ()
+    process = call("build_example.py", "--board", board, *own, "--out", tmp_path / "made")
     assert process.returncode == 0, process.stdout + process.stderr
-    # Fewer flip-flops than registers in the core would be an example that was optimised away.
-    flip_flops = int(process.stdout.rpartition(" LUT sites, ")[2].split()[0])
-    assert flip_flops > 0.95 * manifest.read(committed.folder("tiny"))["tool_report"]["register_bits"]
-    assert os.path.getsize(tmp_path / "example" / "example.bit") > 100_000
+    # Fewer flip-flops than registers in the core would be a design that was optimised away.
+    flip_flops = int(re.search(r"^(\d+) flip-flops", process.stdout, re.MULTILINE)[1])
+    folder = committed.folder(config or BOARDS[board].config)
+    assert flip_flops > 0.95 * manifest.read(folder)["tool_report"]["register_bits"]
+    stream = ROOT / re.search(r"^bit stream: (\S+) \(", process.stdout, re.MULTILINE)[1]
+    assert stream.parent == tmp_path / "made" and stream.stat().st_size > 100_000
+    # The pins are all those of the file of constraints, and no others.
+    assert "unconstrained" not in (tmp_path / "made" / "nextpnr.log").read_text().lower()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What others take into their designs: the instantiation, the FuseSoC core, the example and the pictures of the
+"""What others take into their designs: the instantiation, the FuseSoC core and the pictures of the
 documentation."""
 
 import os
@@ -14,7 +14,7 @@ from conftest import where_reachable
 from flow.base import committed, rtl
 from flow.base.ghdl import STANDARD
 from flow.base.tools import ROOT
-from flow.shell import cocotb_runs, design, example, template
+from flow.shell import cocotb_runs, design, template
 from flow.synthesis import manifest
 from flow_commands import call, refused
 
@@ -106,45 +106,7 @@ def test_unknown_configuration():
     refused(call("instantiate.py", "--config", "nonsense"), 2, "no generated VHDL for 'nonsense'")
 
 
-def test_example_has_the_sizes_of_its_core():
-    text = (example.FOLDER / "example_top.vhd").read_text()
-    constants = dict(re.findall(r"constant (\w+) : \w+ := (\d+);", text))
-    values = design.generics(manifest.read(committed.folder(example.CONFIG)))
-    sizes = [name for name in values if name in constants]
-    assert len(sizes) >= 3 and all(int(constants[name]) == values[name] for name in sizes)
-    assert f"entity work.{rtl.ip_entity(example.CONFIG)}" in text
-
-
-def test_example_shows_the_right_disparities(ghdl, tmp_path):
-    files = [
-        *design.vhdl_files("tiny"),
-        *(example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top")),
-    ]
-    process = ghdl_run(ghdl, tmp_path, files, "tb_example_top")
-    assert process.returncode == 0 and "example passed: LEDs 10000100" in process.stdout + process.stderr
-
-
-def test_example_notices_wrong_disparities(ghdl, tmp_path):
-    wrong = tmp_path / "example_top.vhd"
-    wrong.write_text(
-        (example.FOLDER / "example_top.vhd")
-        .read_text()
-        .replace(
-            "map_px => output_width_px * height_px, shift => shift",
-            "map_px => output_width_px * height_px, shift => shift + 1",
-        )
-    )
-    files = [
-        *design.vhdl_files("tiny"),
-        *(example.FOLDER / f"{name}.vhd" for name in example.SOURCES[:-1]),
-        wrong,
-        example.FOLDER / "tb_example_top.vhd",
-    ]
-    process = ghdl_run(ghdl, tmp_path, files, "tb_example_top")
-    assert process.returncode != 0 and "LEDs show 00000100" in process.stdout + process.stderr
-
-
-@pytest.mark.parametrize("target, word", [("sim", "example passed"), ("lint", "ghdl -m")])
+@pytest.mark.parametrize("target, word", [("sim", "self test passed"), ("lint", "ghdl -m")])
 def test_fusesoc(ghdl, fusesoc, tmp_path, target, word):
     environment = {**os.environ, "PATH": f"{fusesoc}{os.pathsep}{os.environ['PATH']}"}
     # A copy: FuseSoC would look for cores in build/, too.

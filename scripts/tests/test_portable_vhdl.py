@@ -12,7 +12,7 @@ from flow.base import committed, ghdl as ghdl_flow, rtl
 from flow.base.configurations import designs
 from flow.base.errors import FlowError
 from flow.release import user_vhdl
-from flow.shell import design, example
+from flow.shell import board_vhdl, design
 from flow.system import template as systems
 from flow_commands import call, refused
 
@@ -31,7 +31,7 @@ def those(in_short):
 
 
 def test_no_file_is_forgotten():
-    folders = [committed.GENERATED_RTL, rtl.HAND_WRITTEN, systems.FOLDER, example.FOLDER]
+    folders = [committed.GENERATED_RTL, rtl.HAND_WRITTEN, systems.FOLDER, board_vhdl.FOLDER]
     folders += map(committed.folder, committed.known_designs())
     there = {file for folder in folders for file in folder.rglob("*.vhd") if not file.name.startswith("tb_")}
     assert there == set(user_vhdl.files(those(in_short=False)))

@@ -11,13 +11,12 @@ from ..base.errors import FlowError
 from ..base.farm import Farm
 from ..base.progress import bar
 from ..base.tools import find_ghdl, run
-from ..shell import design, example, template
+from ..shell import board_vhdl, design, template
 from ..synthesis import manifest
 from ..system import template as systems
 
 # Of those whose generics have no default.
 GENERICS: dict[str, ghdl.Generics] = {"stereo_joiner": {"width_px": 640, "height_px": 480, "depth": 1024}}
-EXAMPLE_FILES = [example.FOLDER / f"{name}.vhd" for name in example.SOURCES]
 
 
 def with_shell(names: Iterable[str]) -> list[str]:
@@ -26,14 +25,14 @@ def with_shell(names: Iterable[str]) -> list[str]:
 
 
 def files(names: Iterable[str]) -> list[Path]:
-    """Those of these configurations, of the shell, the camera systems and the example: in compile order, each once."""
+    """Those of these configurations, of the shell, the camera systems and the boards: in compile order, each once."""
     names = list(names)
     cores = [file for name in names for file in manifest.core_files(name)]
     shells = [template.path(name) for name in with_shell(names)]
     cameras = [file for system in _systems(names) for file in systems.own_files(system)]
     by_hand = [*design.shell_files(), *design.joiner_files()]
-    examples = EXAMPLE_FILES if example.CONFIG in names else []
-    return list(dict.fromkeys([*cores, *by_hand, *shells, *cameras, *examples]))
+    boards = board_vhdl.COMMITTED if board_vhdl.CONFIG in names else []
+    return list(dict.fromkeys([*cores, *by_hand, *shells, *cameras, *boards]))
 
 
 def tops(names: Iterable[str]) -> list[str]:
@@ -41,8 +40,8 @@ def tops(names: Iterable[str]) -> list[str]:
     names = list(names)
     cores = [committed.entity(name) for name in names]
     shells = [rtl.ip_entity(name) for name in with_shell(names)]
-    example_top = ["example_top"] if example.CONFIG in names else []
-    return [*cores, *shells, *(system.entity for system in _systems(names)), "stereo_joiner", *example_top]
+    board_top = [board_vhdl.TOP] if board_vhdl.CONFIG in names else []
+    return [*cores, *shells, *(system.entity for system in _systems(names)), "stereo_joiner", *board_top]
 
 
 def _systems(names: list[str]) -> list[systems.System]:

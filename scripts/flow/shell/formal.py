@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Proofs about the memory cell and the stream blocks of the shell, for all inputs and all times: `ghdl --synth`, yosys,
-and the model checker of yosys-abc (property directed reachability), which finds the invariants by itself."""
+"""Proofs about the memory cell, the stream blocks of the shell and the boards' serial line, for all inputs and all
+times: `ghdl --synth`, yosys, and the model checker of yosys-abc (property directed reachability), which finds the
+invariants by itself."""
+
+from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -8,6 +11,7 @@ from pathlib import Path
 from ..base import aiger, ghdl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT
+from .board_vhdl import FOLDER as BOARDS
 from .design import RTL
 
 HARNESSES = ROOT / "hls_tb" / "formal"
@@ -17,6 +21,13 @@ HARNESSES = ROOT / "hls_tb" / "formal"
 class Proof:
     block: str
     generics: dict[str, int] = field(default_factory=dict)
+    folder: Path = RTL
+    parts: tuple[str, ...] = ()  # of a block of several files
+
+    @property
+    def files(self) -> list[Path]:
+        """The block's."""
+        return [self.folder / f"{name}.vhd" for name in self.parts or (self.block,)]
 
     @property
     def name(self) -> str:
@@ -39,14 +50,16 @@ PROOFS = (
     Proof("stream_credit", {"words": 3, "latency": 2}),
     Proof("stream_credit", {"words": 4, "latency": 1}),
     Proof("stream_credit", {"words": 7, "latency": 3}),
+    Proof("uart", {"clocks_per_bit": 4}, BOARDS, ("uart_transmitter", "uart_receiver")),
 )
 
 
-def prove(proof: Proof, work: Path, rtl: Path = RTL) -> tuple[str, str]:
-    """("proved", "") or ("refuted", in which clock). The block is taken from the folder `rtl`."""
+def prove(proof: Proof, work: Path, folder: Path | None = None) -> tuple[str, str]:
+    """("proved", "") or ("refuted", in which clock). `folder`: one with other files of the block."""
     top = f"prove_{proof.block}"
     work.mkdir(parents=True, exist_ok=True)
-    files = [rtl / f"{proof.block}.vhd", HARNESSES / "reference_queue.vhd", HARNESSES / f"{top}.vhd"]
+    block = [(folder or path.parent) / path.name for path in proof.files]
+    files = [*block, HARNESSES / "reference_queue.vhd", HARNESSES / f"{top}.vhd"]
     aiger.write(ghdl.to_verilog(files, work, top, proof.generics), top, work)
     answer = aiger.prove("read_aiger design.aig; strash", work)
     if answer.proved:

@@ -14,7 +14,7 @@ from ..base import ghdl, rtl
 from ..base.errors import FlowError
 from ..base.tools import ROOT, Say, find_ghdl, find_verilator, find_yosys, run
 from ..synthesis import manifest
-from . import design, example, template
+from . import board_vhdl, design, template
 
 GHDL_WARNINGS = (
     *("binding", "reserved", "nested-comment", "parenthesis", "delayed-checks", "body", "specs", "universal", "port"),
@@ -99,8 +99,7 @@ def check(config: str, work: Path, shell: Path | None = None, say: Say = print) 
     memory, shared, joiner = rtl.MEMORY_CELL, design.shell_files(shell), design.joiner_files(shell)
     written = [*shared, template.path(config)]
     core = [path for path in manifest.core_files(config) if path != memory]
-    examples = [example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top")]
-    examples += [CAMERA_TABLES, CAMERA_DEPTH]
+    examples = [*board_vhdl.COMMITTED, board_vhdl.BENCH, CAMERA_TABLES, CAMERA_DEPTH]
     found = [sentence for path in (memory, *written, *joiner, *examples) for sentence in layout(path)]
     found += analysis([memory], work)
     ghdl.analyse(core, work, "core.log")
@@ -111,6 +110,7 @@ def check(config: str, work: Path, shell: Path | None = None, say: Say = print) 
             sizes = {"width_px": 640, "height_px": 480, "depth": 1024}
             lanes = {"pixel_bits": bits, "lane_bits": template.lane_bits(bits)}
             found += netlist([memory, *shared, *joiner], "stereo_joiner", work, sizes | lanes)
+        found += netlist([memory, *core, *written, *board_vhdl.COMMITTED], board_vhdl.TOP, work)
         nodes: ghdl.Generics = {"table_columns": 41, "table_rows": 31, "depth_entries": 1024, "subpixel": "true"}
         found += netlist([CAMERA_TABLES], "camera_tables", work, nodes)
         found += netlist([memory, CAMERA_DEPTH], "camera_depth", work, {"place_bits": 10, "disparity_bits": 16})

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The sink of the example: counts how many disparities of a frame are `shift`. `good`: in the last frame at least three
+-- The sink of the self test: counts how many disparities of a frame are `shift`. `good`: in the last frame at least three
 -- quarters were, and it had no frame error. Takes a beat in 15 of 16 clocks, so that back-pressure is used.
 library ieee;
 use ieee.std_logic_1164.all;
