@@ -21,6 +21,7 @@ class Board:
     leds_active_low: bool = False
     button_active_low: bool = False
     baud: int = 1_000_000  # clock_mhz is a multiple of it
+    held_high: tuple[str, ...] = ()  # pins that give a 1, beside those of board_top
 
     def generics(self) -> dict[str, int | str]:
         """Of board_top."""
@@ -50,6 +51,7 @@ BOARDS = {
             25,
             "sgm_640_64_f8_road",
             8,
+            held_high=("esp32_gpio0",),
         ),
         Board(
             "ulx3s_25f",
@@ -59,6 +61,7 @@ BOARDS = {
             25,
             "sgm_320_64_f16",
             8,
+            held_high=("esp32_gpio0",),
         ),
         Board(
             "tang_nano_20k",

@@ -42,7 +42,7 @@ def build(board: Board, config: str, work: Path, seed: int = 1, say: Say = print
     (work / f"{board_vhdl.TOP}.v").write_text(ghdl.to_verilog(files, work, board_vhdl.TOP, board.generics()))
     say("yosys ...")
     without_bypass = yosys.memories_without_bypass(manifest.read(committed.folder(config))["parameters"])
-    (work / "synthesis.ys").write_text(_synthesis(family, without_bypass))
+    (work / "synthesis.ys").write_text(_synthesis(family, without_bypass, board.held_high))
     run([*yosys.find_yosys(say), "-s", "synthesis.ys"], cwd=work, log=work / "yosys.log")
     say("nextpnr ...")
     shutil.copy(board_vhdl.FOLDER / board.constraints, work)
@@ -64,13 +64,15 @@ def _find_packer(family: RoutedFamily, router: str) -> str:
     return str(beside) if beside.is_file() else find_tool(family.packer, family.packer.upper())
 
 
-def _synthesis(family: RoutedFamily, without_bypass: str) -> str:
+def _synthesis(family: RoutedFamily, without_bypass: str, held_high: tuple[str, ...]) -> str:
     """yosys's commands, those of implement.py for the core, for the whole board."""
 
     def of_top(commands: str) -> str:
         return commands.replace(f"-top {CORE}", f"-top {board_vhdl.TOP}")
 
     lines = [f"read_verilog {board_vhdl.TOP}.v", of_top(family.prepare)]
+    for pin in held_high:
+        lines += [f"add -output {pin} 1 {board_vhdl.TOP}", f"connect -set {pin} 1'1 {board_vhdl.TOP}"]
     lines += [f"setattr -set no_rw_check 1 {without_bypass}"] if without_bypass else []
     lines += [of_top(family.synthesis), family.buffers or "opt_clean", "write_json netlist.json"]
     return "\n".join(lines) + "\n"
