@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from ..base import places
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
+from ..base.files import write
 from ..base.tools import ROOT, Word
 from ..shell import board_vhdl
 from ..simulation import simulators
@@ -44,7 +45,7 @@ def design(config: str, simulator: str, files: Sequence[Path] | None = None) -> 
     if simulator == "ghdl":
         return Design("tb_board_top", [*made_of, board_vhdl.BENCH])
     wrapper = folder / f"{WRAPPER}.vhd"
-    wrapper.write_text(_wrapper())
+    write(wrapper, _wrapper())
     return Design(WRAPPER, [*made_of, wrapper], [CPP_BENCH])
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from ..base import committed, rtl
 from ..base.errors import FlowError
+from ..base.files import write
 from ..base.tools import ROOT
 from ..synthesis import manifest
 from . import design, template
@@ -86,5 +87,5 @@ def core_text(config: str) -> str:
 def files(config: str, work: Path) -> list[Path]:
     """All in compile order; the core's own file is written into the folder `work`."""
     core = work / CORE_FILE
-    core.write_text(core_text(config))
+    write(core, core_text(config))  # whole: tests side by side share a folder
     return [*design.vhdl_files(config), core, *BY_HAND]
