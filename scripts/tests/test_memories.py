@@ -39,7 +39,7 @@ def random_design(generator, gates=8):
 
 def closed(graph):
     """The same with its memory, as two registers more, which shows only what is seen from outside."""
-    made = differences._Builder(["reset", "pixel"], 6)
+    made = differences.Builder(["reset", "pixel"], 6)
     words = [made.register(4), made.register(5)]
     at = made.register(1)
     read = made.any(made.both(at ^ 1, words[0]), made.both(at, words[1]))

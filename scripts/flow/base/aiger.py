@@ -79,6 +79,13 @@ def prove(commands: str, work: Path, seconds: int | None = None, before: int | N
     return Answer(False, "0" if left == [1] else _refuted(said))
 
 
+def prove_by_all_states(commands: str, work: Path, seconds: int) -> Answer:
+    """The same by the set of all states that can be reached, as a binary decision diagram. Of few registers it is
+    small, and a counter of many steps costs no more than one of few."""
+    said = ask(f"{commands}; reach -r -T {seconds}", work)
+    return Answer("proved unreachable" in said, _refuted(said))
+
+
 def simulate(commands: str, work: Path, seconds: int) -> Answer:
     """The same by random inputs alone, which proves nothing, but finds in a moment what shows after some hundreds of
     clocks, where the search of `prove` may come to no end."""

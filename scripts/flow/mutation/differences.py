@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import random
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -102,7 +102,7 @@ def write(graph: Graph, path: Path) -> None:
     path.write_bytes(f"aig {head}\n{text}".encode() + body + "".join(symbols).encode())
 
 
-class _Builder:
+class Builder:
     """Gates that are made one by one; the same one never twice."""
 
     def __init__(self, inputs: list[str], registers: int) -> None:
@@ -173,7 +173,7 @@ def _known_name(names: str) -> tuple[str, list[int]]:
     return NUMBERED.sub("n_", chosen), numbers[chosen]
 
 
-def _registers_of(original: Graph, changed: Graph) -> list[int] | None:
+def registers_of(original: Graph, changed: Graph) -> list[int] | None:
     """For each register of the changed version the original's that it is; None where not all have one of the same name
     in the other version."""
     names, of_changed = (
@@ -189,11 +189,11 @@ def _registers_of(original: Graph, changed: Graph) -> list[int] | None:
 def one_clock(original: Graph, changed: Graph) -> Graph | None:
     """A graph without registers whose output is 1 where the versions differ in one clock from the same state: in what
     the registers take or in an output. None where the registers have no partners."""
-    of_original = _registers_of(original, changed)
+    of_original = registers_of(original, changed)
     if of_original is None:
         return None
     count = len(original.registers)
-    made = _Builder([*original.inputs, *[""] * count], 0)
+    made = Builder([*original.inputs, *[""] * count], 0)
     state = [2 * node for node in range(1 + len(original.inputs) + count)]
     at_first = 1 + len(original.inputs)
     before = made.values(original, state)
@@ -206,12 +206,12 @@ def one_clock(original: Graph, changed: Graph) -> Graph | None:
 
 def differences(original: Graph, changed: Graph) -> Graph | None:
     """None where not all registers have one of the same name in the other version."""
-    of_original = _registers_of(original, changed)
+    of_original = registers_of(original, changed)
     if of_original is None:
         return None
     count = len(original.registers)
     opened = memories(original.inputs, original.output_names)
-    made = _Builder(original.inputs, 2 * count + sum(1 << len(memory.given_at) for memory in opened))
+    made = Builder(original.inputs, 2 * count + sum(1 << len(memory.given_at) for memory in opened))
     inputs = [2 * node for node in range(1 + len(original.inputs))]
     before, after = made.copied(original), made.values(changed, [*inputs, *(made.register(n) for n in of_original)])
     known = follow_from_control(changed)
@@ -241,7 +241,7 @@ def differences(original: Graph, changed: Graph) -> Graph | None:
 class _Words:
     """For each word of each memory a register: whether it may differ."""
 
-    def __init__(self, made: _Builder, first: int, opened: list[Memory], asked: list[int]) -> None:
+    def __init__(self, made: Builder, first: int, opened: list[Memory], asked: list[int]) -> None:
         """`first`: number of the first of these registers. `asked`: the outputs of the original."""
         self.made, self.opened, self.asked = made, opened, asked
         self.first: list[int] = []  # of each memory
@@ -276,18 +276,27 @@ CLOCKS, RUNS = 1500, 512
 MOST_REGISTERS = 5  # that a predicted gate follows from
 
 
-def quiet(graph: Graph) -> list[int]:
-    """The registers that stay 0 in random runs. In each an input is 1 at its own rate: 1, 16, 112 or 127 in 128."""
-    generator, every = random.Random(1), (1 << RUNS) - 1
-    masks = [[generator.getrandbits(RUNS) for _ in range(2)] for _ in graph.inputs]
-    registers, left = [0] * len(graph.registers), set(range(len(graph.registers)))
-    for _ in range(CLOCKS):
-        values = [0]
+def random_words(inputs: int, clocks: int, runs: int) -> Iterator[list[int]]:
+    """For each clock a word for each input, with a bit for each run. In each run an input is 1 at its own rate: 1, 16,
+    112 or 127 in 128."""
+    generator, every = random.Random(1), (1 << runs) - 1
+    masks = [[generator.getrandbits(runs) for _ in range(2)] for _ in range(inputs)]
+    for _ in range(clocks):
+        words = []
         for is_often, is_extreme in masks:
-            some = generator.getrandbits(RUNS)
+            some = generator.getrandbits(runs)
             for number in range(1, 7):
-                some &= generator.getrandbits(RUNS) | (0 if number < 3 else every ^ is_extreme)
-            values.append(some ^ is_often)
+                some &= generator.getrandbits(runs) | (0 if number < 3 else every ^ is_extreme)
+            words.append(some ^ is_often)
+        yield words
+
+
+def quiet(graph: Graph) -> list[int]:
+    """The registers that stay 0 in random runs."""
+    every = (1 << RUNS) - 1
+    registers, left = [0] * len(graph.registers), set(range(len(graph.registers)))
+    for words in random_words(len(graph.inputs), CLOCKS, RUNS):
+        values = [0, *words]
         values += registers
         for first, second in graph.gates:
             values.append((values[first >> 1] ^ every * (first & 1)) & (values[second >> 1] ^ every * (second & 1)))
@@ -298,7 +307,7 @@ def quiet(graph: Graph) -> list[int]:
 
 def asked_for(graph: Graph, numbers: list[int]) -> Graph:
     """The same with another output: that one of these registers is 1."""
-    made = _Builder(graph.inputs, len(graph.registers))
+    made = Builder(graph.inputs, len(graph.registers))
     edges = made.copied(graph)
     made.graph.registers = [at(edges, edge) for edge in graph.registers]
     made.graph.outputs = [made.any(*(made.register(number) for number in numbers))]
@@ -307,7 +316,7 @@ def asked_for(graph: Graph, numbers: list[int]) -> Graph:
 
 def without(graph: Graph, numbers: list[int]) -> Graph:
     """The same where these registers are known to stay 0."""
-    made = _Builder(graph.inputs, len(graph.registers))
+    made = Builder(graph.inputs, len(graph.registers))
     edges = made.copied(graph, set(numbers))
     made.graph.registers = [0 if number in numbers else at(edges, edge) for number, edge in enumerate(graph.registers)]
     made.graph.outputs = [at(edges, edge) for edge in graph.outputs]
@@ -316,7 +325,7 @@ def without(graph: Graph, numbers: list[int]) -> Graph:
 
 def with_inputs(graph: Graph, known: Mapping[str, int]) -> Graph:
     """The same where these inputs have these values."""
-    made = _Builder(graph.inputs, len(graph.registers))
+    made = Builder(graph.inputs, len(graph.registers))
     inputs = [known.get(name, 2 * node) for node, name in enumerate(graph.inputs, 1)]
     edges = made.values(graph, [0, *inputs, *map(made.register, range(len(graph.registers)))])
     made.graph.registers = [at(edges, edge) for edge in graph.registers]
@@ -337,12 +346,12 @@ def with_predictions(graph: Graph) -> Graph:
         for node in range(graph.first_gate, len(support))
         if 2 <= len(support[node]) <= MOST_REGISTERS and min(support[node]) >= behind_inputs
     ]
-    made = _Builder(graph.inputs, len(graph.registers) + len(chosen))
+    made = Builder(graph.inputs, len(graph.registers) + len(chosen))
     now = made.copied(graph)
     made.graph.registers = [at(now, edge) for edge in graph.registers]
     made.graph.outputs = [at(now, edge) for edge in graph.outputs]
     next_clock = made.values(graph, [*now[:behind_inputs], *made.graph.registers])
-    at_start = _Builder([], 0).values(graph, [0] * graph.first_gate)
+    at_start = Builder([], 0).values(graph, [0] * graph.first_gate)
     # One that is 1 at the start is held inverted, as registers start at 0.
     made.graph.registers += [next_clock[node] ^ at_start[node] for node in chosen]
     return made.graph

@@ -4,7 +4,8 @@
 The design with the fault and the design without run side by side, in yosys-abc. It merges the registers that are equal
 in both (induction over all of them at once: lcorr, scorr), runs what is left with random inputs (sim3), and proves it
 with invariants that it finds by itself (property directed reachability: pdr). First it tries the same with where the
-two may differ instead of what they do (differences.py), which leaves the arithmetic out.
+two may differ instead of what they do (differences.py), which leaves the arithmetic out, and with registers that serve
+both (shared.py).
 
 Assumed: registers and memories start at 0, as in an FPGA, and the first clock is one of reset. From then on every input
 is free in every clock, resets and broken streams too. Compared: all outputs in every clock, those that go with a valid
@@ -23,12 +24,14 @@ from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..shell import template
 from ..synthesis import manifest
 from ..synthesis.presentation import scalars
-from . import differences
+from . import differences, shared
 
 SECONDS = 30  # for what is left after the merging of registers
 SIMULATED_SECONDS = 3
 MERGING_SECONDS = 120  # for the merging of registers
 SHORT_SECONDS, LONG_SECONDS = 10, 200  # the same of where the versions may differ, at first and at last
+MOST_LEFT_OVER = 600  # registers of a proof with registers that serve both versions, for a long one
+MOST_FOR_ALL_STATES = 100  # registers of a proof by the set of all states
 MOST_ALONE = 40  # registers of which each is proved to stay 0, where all at once are not
 VALID = {  # bit: the outputs that say something while it is '1'
     "rectified_valid": ("rectified_left", "rectified_right", "rectified_start_of_frame"),
@@ -125,10 +128,33 @@ def compare(original: Path, changed: Path, work: Path) -> str:
 def are_the_same(original: Path, changed: Path, work: Path) -> bool:
     """Whether it is proved that both, whose memories are left out (memories.py), show the same for ever."""
     is_proved, differs = _differences(original, changed, work)
-    if is_proved or (differs and differs.never_with_lemmas()):
+    if is_proved or _with_shared_registers(original, changed, work) or (differs and differs.never_with_lemmas()):
         return True
     merged = aiger.ask(f"miter {original} {changed}; scleanup; lcorr; scorr; write both.aig", work, MERGING_SECONDS)
     return bool(merged) and aiger.prove("read both.aig", work, SECONDS).proved
+
+
+def _with_shared_registers(original: Path, changed: Path, work: Path) -> bool:
+    """The proof with registers that serve both versions (shared.py). Where few are left it takes the set of all states,
+    then predictions."""
+    both = shared.shared(differences.read(original), differences.read(changed))
+    if both is None:
+        return False
+    differences.write(both, work / "shared.aig")
+    (work / "left_over.aig").unlink(missing_ok=True)
+    commands = "read shared.aig; scleanup; lcorr; scorr; write left_over.aig"
+    answer = aiger.prove(commands, work, SHORT_SECONDS, MERGING_SECONDS)
+    if answer.proved or answer.clock or not (work / "left_over.aig").is_file():
+        return answer.proved
+    graph = differences.read(work / "left_over.aig")
+    if len(graph.registers) > MOST_LEFT_OVER:
+        return False
+    if len(graph.registers) <= MOST_FOR_ALL_STATES:
+        answer = aiger.prove_by_all_states("read left_over.aig; strash; dc2", work, SECONDS)
+        if answer.proved or answer.clock:
+            return answer.proved
+    differences.write(differences.with_predictions(graph), work / "shared.aig")
+    return aiger.prove("read shared.aig; strash", work, LONG_SECONDS).proved
 
 
 def _differences(original: Path, changed: Path, work: Path) -> tuple[bool, Differences | None]:

@@ -23,7 +23,7 @@ from ..shell import broken, cocotb_runs, contract, design, formal, pool, script,
 from ..simulation import simulation, simulators as programs
 from ..synthesis import manifest
 from ..synthesis.presentation import scalars
-from . import arguments, batch, differences, equivalence, judges, memories, mutants, record, schemata
+from . import arguments, batch, differences, equivalence, judges, memories, mutants, record, schemata, shared
 from .batch import Batch
 from .equivalence import Design, NotSynthesizedError, Prover
 from .judges import CONFIG_OF_SHORT_FRAMES, WORK, Core, Shell, compiles, refuted, shell_stages
@@ -66,7 +66,7 @@ class EarlierVerdicts:
         of_base = (aiger, ghdl, simulation, programs)
         of_shell = (broken, cocotb_runs, contract, design, formal, pool, script, selections)
         of_cosim = (bench, checker, simulators, vectors)
-        of_mutation = (batch, differences, equivalence, judges, memories, mutants, schemata)
+        of_mutation = (batch, differences, equivalence, judges, memories, mutants, schemata, shared)
         modules = (*of_base, *of_shell, *of_cosim, *of_mutation)
         benches = sorted((ROOT / "hls_tb" / "shell").glob("*.py"))
         return [
