@@ -54,7 +54,7 @@ def test_the_prover_says_the_same(tmp_path, monkeypatch, most):
 
 @pytest.mark.parametrize("bits, answer", [(9, (True, "")), (8, (False, "256"))])
 def test_all_states_of_a_long_counter(tmp_path, bits, answer):
-    """A counter of 256 steps that stops at its last one: whether the bit above is ever 1. And one that does not stop."""
+    """A counter of 256 steps that stops at its last one, and one that does not: whether the bit above is ever 1."""
     need("yosys-abc", "YOSYS_ABC")
     made = differences.Builder(["go"], 9)
     carry = 1 if bits == 8 else made.any(*(made.register(number) ^ 1 for number in range(8)))

@@ -80,8 +80,8 @@ def prove(commands: str, work: Path, seconds: int | None = None, before: int | N
 
 
 def prove_by_all_states(commands: str, work: Path, seconds: int) -> Answer:
-    """The same by the set of all states that can be reached, as a binary decision diagram. Of few registers it is
-    small, and a counter of many steps costs no more than one of few."""
+    """The same by the set of all states that can be reached, as a binary decision diagram. Of few registers it
+    is small, and a counter of many steps costs no more than one of few."""
     said = ask(f"{commands}; reach -r -T {seconds}", work)
     return Answer("proved unreachable" in said, _refuted(said))
 
