@@ -13,6 +13,7 @@ from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, 
 from flow.base.options import a_path
 from flow.base.tools import ROOT
 from flow.implementation import nextpnr
+from flow.implementation.targets import ROUTED
 from flow.system import frame, implementation, record, streams, summary
 from flow.system.play import WORK
 from flow.system.template import SYSTEMS, System, text, vhdl_files
@@ -24,7 +25,7 @@ def parse() -> Namespace:
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--write", action="store_true", help="write camera_system_NAME.vhd again")
     what.add_argument("--check", action="store_true", help="write nothing; exit code 1 if a file is not up to date")
-    what.add_argument("--implement", action="store_true", help="area and clock on ECP5, by yosys and nextpnr")
+    what.add_argument("--implement", action="store_true", help="area and clock on an FPGA, by yosys and nextpnr")
     what.add_argument(
         "--frame", action="store_true", help="one whole frame of 640x480 in Verilator, and the latency of its rows"
     )
@@ -34,7 +35,10 @@ def parse() -> Namespace:
     parser.add_argument(
         "--seeds", type=int, nargs="+", default=[1], metavar="N", help="seed of place and route (default 1)"
     )
-    parser.add_argument("--router", choices=nextpnr.ROUTERS, default=nextpnr.ROUTERS[0], help="of nextpnr")
+    parser.add_argument("--router", choices=nextpnr.ROUTERS, help="of nextpnr (default: that of the family)")
+    parser.add_argument(
+        "--target", metavar="TARGET", help=f"of --implement: {', '.join(ROUTED)} (default: that of the system)"
+    )
     parser.add_argument(
         "--pair", type=a_path, metavar="FOLDER", help="of --frame: left.png and right.png instead of a generated scene"
     )
@@ -54,6 +58,12 @@ def check(options: Namespace) -> None:
         raise FlowError("--record keeps a result of --implement, --frame or --streams")
     if options.pair and (options.record or not options.frame):
         raise FlowError("--pair goes with --frame, without --record: the pair is not part of this repository")
+    if options.target and not options.implement:
+        raise FlowError("--target goes with --implement")
+    if options.target and options.target not in ROUTED:
+        raise FlowError(f"unknown target '{options.target}'; known are: {', '.join(ROUTED)}")
+    if options.target and options.record:
+        raise FlowError("--record keeps a result of the system's own target, without --target")
     if options.streams is not None and options.streams < 1:
         raise FlowError("--streams must be 1 or more")
     if min(options.seeds) < 1:
@@ -68,7 +78,8 @@ def measure(system: System, options: Namespace) -> int:
             record.keep(system, section, content, made_of)
 
     if options.implement:
-        keep("implementation", implementation.implement(system, sorted(set(options.seeds)), options.router))
+        target = options.target or system.target
+        keep("implementation", implementation.implement(system, sorted(set(options.seeds)), options.router, target))
         return EXIT_OK
     if options.frame:
         seen = frame.run_frame(system, options.pair, work / "frame")

@@ -59,6 +59,12 @@ def test_committed_vhdl_follows_from_the_manifests(name):
             "no_such_folder/left.png: No such file or directory",
         ),
         (["--system", "vga", "--implement", "--seeds", "0"], "--seeds must be 1 or more"),
+        (["--system", "vga", "--frame", "--target", "ecp5"], "--target goes with --implement"),
+        (["--system", "vga", "--implement", "--target", "xc7"], "unknown target 'xc7'; known are: ecp5, "),
+        (
+            ["--system", "vga", "--implement", "--target", "ecp5", "--record"],
+            "--record keeps a result of the system's own",
+        ),
     ],
 )
 def test_bad_options_are_refused(words, sentence):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Area and clock of a whole camera_system, by the tools that implement the cores."""
 
+from __future__ import annotations
+
 from pathlib import Path
 
 from ..base import committed
@@ -13,7 +15,7 @@ from ..synthesis import manifest
 from .template import CORE, System, vhdl_files
 
 
-def design(system: System, seeds: list[int], router: str) -> job.Design:
+def design(system: System, seeds: list[int], router: str | None) -> job.Design:
     """`bypasses` stay around the memories outside the matching core."""
     files: list[Path] = vhdl_files(system)
     parameters = manifest.read(committed.folder(system.matching))["parameters"]
@@ -21,12 +23,12 @@ def design(system: System, seeds: list[int], router: str) -> job.Design:
     return job.Design(system.entity, files, seeds, router, without_bypass)
 
 
-def implement(system: System, seeds: list[int], router: str) -> dict[str, Result]:
-    """{target: result}; prints what it found."""
+def implement(system: System, seeds: list[int], router: str | None, target: str) -> dict[str, Result]:
+    """{target: result}; prints what it found. Without a router it is that of the target's family."""
     find_ghdl()
     yosys.find_yosys()
-    result, lost = job.implement_target(design(system, seeds, router), TARGETS[system.target], {})
-    print("\n".join(job.area_and_clock(system.entity, system.target, result)), flush=True)
+    result, lost = job.implement_target(design(system, seeds, router), TARGETS[target], {})
+    print("\n".join(job.area_and_clock(system.entity, target, result)), flush=True)
     if lost:
         raise FlowError(f"{system.entity}: a memory became flip-flops instead of RAM: {', '.join(lost)}", EXIT_MISMATCH)
-    return {system.target: result}
+    return {target: result}
