@@ -82,7 +82,7 @@ def prove(commands: str, work: Path, seconds: int | None = None, before: int | N
 def prove_by_all_states(commands: str, work: Path, seconds: int) -> Answer:
     """The same by the set of all states that can be reached, as a binary decision diagram. Of few registers it
     is small, and a counter of many steps costs no more than one of few."""
-    said = ask(f"{commands}; reach -r -T {seconds}", work)
+    said = ask(f"{commands}; reach -r -T {seconds}", work, 2 * seconds)  # it looks at the time between two steps only
     return Answer("proved unreachable" in said, _refuted(said))
 
 
@@ -93,9 +93,9 @@ def simulate(commands: str, work: Path, seconds: int) -> Answer:
 
 
 def _refuted(said: str) -> str:
-    """In which clock, or nothing."""
-    match = re.search(r"asserted in frame (\d+)", said)
-    return match[1] if match else ""
+    """In which clock, or nothing. yosys-abc's `reach` calls the first one -1."""
+    match = re.search(r"asserted in frame (-?\d+)", said)
+    return str(max(0, int(match[1]))) if match else ""
 
 
 def outputs(path: Path) -> list[int]:

@@ -36,6 +36,7 @@ def opened(port: str, baud: int) -> Iterator[int]:
     try:
         try:
             *_, characters = termios.tcgetattr(line)
+            # Two stop bits: a pair takes longer than its disparity, whatever the two clocks are.
             control = termios.CS8 | termios.CREAD | termios.CLOCAL | termios.CSTOPB
             termios.tcsetattr(line, termios.TCSANOW, [0, 0, control, 0, speed, speed, characters])
         except termios.error as error:

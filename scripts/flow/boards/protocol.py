@@ -10,7 +10,6 @@ from ..base.errors import EXIT_TOOL_FAILED, FlowError
 
 LETTERS = b"SP"
 BYTES = 2  # of a pair, and of a disparity
-STOP_BITS = 2  # of what the board receives: a pair takes longer than its disparity, whatever the two clocks are
 QUIET_SECONDS = 0.25  # after so long the board waits for a frame's letters: twice quiet_ms of board_top
 VALID, START, END, ERROR = 1, 2, 4, 8
 MARK = 0xA0

@@ -276,31 +276,30 @@ CLOCKS, RUNS = 1500, 512
 MOST_REGISTERS = 5  # that a predicted gate follows from
 
 
-def random_words(inputs: int, clocks: int, runs: int) -> Iterator[list[int]]:
-    """For each clock a word for each input, with a bit for each run. In each run an input is 1 at its own rate: 1, 16,
-    112 or 127 in 128."""
+def random_runs(graph: Graph, clocks: int, runs: int) -> Iterator[list[int]]:
+    """For each clock a word for each register, with a bit for each run: what it holds after that clock. In each run an
+    input is 1 at its own rate: 1, 16, 112 or 127 in 128."""
     generator, every = random.Random(1), (1 << runs) - 1
-    masks = [[generator.getrandbits(runs) for _ in range(2)] for _ in range(inputs)]
+    masks = [[generator.getrandbits(runs) for _ in range(2)] for _ in graph.inputs]
+    registers = [0] * len(graph.registers)
     for _ in range(clocks):
-        words = []
+        values = [0]
         for is_often, is_extreme in masks:
             some = generator.getrandbits(runs)
             for number in range(1, 7):
                 some &= generator.getrandbits(runs) | (0 if number < 3 else every ^ is_extreme)
-            words.append(some ^ is_often)
-        yield words
-
-
-def quiet(graph: Graph) -> list[int]:
-    """The registers that stay 0 in random runs."""
-    every = (1 << RUNS) - 1
-    registers, left = [0] * len(graph.registers), set(range(len(graph.registers)))
-    for words in random_words(len(graph.inputs), CLOCKS, RUNS):
-        values = [0, *words]
+            values.append(some ^ is_often)
         values += registers
         for first, second in graph.gates:
             values.append((values[first >> 1] ^ every * (first & 1)) & (values[second >> 1] ^ every * (second & 1)))
         registers = [values[edge >> 1] ^ every * (edge & 1) for edge in graph.registers]
+        yield registers
+
+
+def quiet(graph: Graph) -> list[int]:
+    """The registers that stay 0 in random runs."""
+    left = set(range(len(graph.registers)))
+    for registers in random_runs(graph, CLOCKS, RUNS):
         left = {number for number in left if not registers[number]}
     return sorted(left)
 

@@ -109,7 +109,7 @@ def graph(design: Design, core: list[Path], shell: list[Path], work: Path) -> Pa
 
 def compare(original: Path, changed: Path, work: Path) -> str:
     """Nothing when both show the same for ever; else in which clock they differ, or that the proof came to no end."""
-    is_proved, differs = _differences(original, changed, work)
+    is_proved, differs = _differences(differences.read(original), differences.read(changed), work)
     if is_proved:
         return ""
     both = f"miter {original} {changed}; scleanup"
@@ -127,17 +127,18 @@ def compare(original: Path, changed: Path, work: Path) -> str:
 
 def are_the_same(original: Path, changed: Path, work: Path) -> bool:
     """Whether it is proved that both, whose memories are left out (memories.py), show the same for ever."""
-    is_proved, differs = _differences(original, changed, work)
-    if is_proved or _with_shared_registers(original, changed, work) or (differs and differs.never_with_lemmas()):
+    graphs = differences.read(original), differences.read(changed)
+    is_proved, differs = _differences(*graphs, work)
+    if is_proved or _with_shared_registers(*graphs, work) or (differs and differs.never_with_lemmas()):
         return True
     merged = aiger.ask(f"miter {original} {changed}; scleanup; lcorr; scorr; write both.aig", work, MERGING_SECONDS)
     return bool(merged) and aiger.prove("read both.aig", work, SECONDS).proved
 
 
-def _with_shared_registers(original: Path, changed: Path, work: Path) -> bool:
+def _with_shared_registers(original: differences.Graph, changed: differences.Graph, work: Path) -> bool:
     """The proof with registers that serve both versions (shared.py). Where few are left it takes the set of all states,
     then predictions."""
-    both = shared.shared(differences.read(original), differences.read(changed))
+    both = shared.shared(original, changed)
     if both is None:
         return False
     differences.write(both, work / "shared.aig")
@@ -157,12 +158,13 @@ def _with_shared_registers(original: Path, changed: Path, work: Path) -> bool:
     return aiger.prove("read shared.aig; strash", work, LONG_SECONDS).proved
 
 
-def _differences(original: Path, changed: Path, work: Path) -> tuple[bool, Differences | None]:
+def _differences(
+    original: differences.Graph, changed: differences.Graph, work: Path
+) -> tuple[bool, Differences | None]:
     """(whether the short proofs show that both are the same, where they may differ)"""
-    graphs = differences.read(original), differences.read(changed)
-    if _same_in_each_clock(*graphs, work):
+    if _same_in_each_clock(original, changed, work):
         return True, None
-    where = differences.differences(*graphs)
+    where = differences.differences(original, changed)
     differs = Differences(where, work) if where else None
     return bool(differs and differs.never()), differs
 

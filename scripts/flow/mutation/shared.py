@@ -11,7 +11,7 @@ What differs is often a counter and some tags, so a proof has some dozens of reg
 
 from __future__ import annotations
 
-from .differences import Builder, Graph, at, random_words, registers_of
+from .differences import Builder, Graph, at, random_runs, registers_of
 
 CLOCKS, RUNS = 500, 512
 
@@ -27,13 +27,7 @@ def in_which_they_differ(original: Graph, changed: Graph, of_original: list[int]
     for number, edge in zip(of_original, changed.registers):
         made.graph.registers[count + number] = at(after, edge)
     differ: set[int] = set()
-    every = (1 << RUNS) - 1
-    registers = [0] * (2 * count)
-    for words in random_words(len(original.inputs), CLOCKS, RUNS):
-        values = [0, *words, *registers]
-        for first, second in made.graph.gates:
-            values.append((values[first >> 1] ^ every * (first & 1)) & (values[second >> 1] ^ every * (second & 1)))
-        registers = [values[edge >> 1] ^ every * (edge & 1) for edge in made.graph.registers]
+    for registers in random_runs(made.graph, CLOCKS, RUNS):
         if registers[:count] != registers[count:]:
             differ.update(number for number in range(count) if registers[number] != registers[count + number])
     return differ
