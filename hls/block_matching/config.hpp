@@ -212,7 +212,6 @@ struct Config : Image, Matching, Structure {
       if (sign_memory) return "with several clocks a pixel pair there is no sign memory";
       if (full_width) return "with several clocks a pixel pair there is no map of full width";
       if (run_time_size) return "with several clocks a pixel pair there is no run-time size";
-      if (has_post_processing()) return "with several clocks a pixel pair there is no post-processing";
       if (!passes_fit())
          return "with so many clocks a pixel pair the image must be wider for its passes to fit in a row";
       return {};

@@ -220,6 +220,8 @@ STEREO_ROW(tiny_f3_front, option, tiny_f3_census, front_clocks = 2);
 STEREO_ROW(tiny_f4_left, option, tiny, width_px = 48, window_px = 7, min_disparity = -2, reference = Reference::left,
            uniqueness_percent = 10, subpixel = true, aggregation = Aggregation::recursive, clocks_per_pixel = 4);
 STEREO_ROW(tiny_f4_all, option, tiny_all, width_px = 60, disparities = 12, pixel_bits = 10, clocks_per_pixel = 4);
+STEREO_ROW(tiny_f4_dense, option, tiny_f4_all, left_right_threshold = 1, support_threshold = 4, confidence = true, margin_shift = 2,
+           fill_holes = true);
 STEREO_ROW(tiny_f4_settings, option, tiny_all_recursive, width_px = 60, height_px = 16, disparities = 12,
            reference = Reference::left, run_time_settings = true, clocks_per_pixel = 4);
 // clang-format on

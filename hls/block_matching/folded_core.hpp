@@ -21,8 +21,9 @@ struct Core<C> {
 
    using Lanes = DisparitySlice<kLanes<C>>;
    using TextureBlock = Texture<kLanes<C>, Lanes::kClocks + RowBest<C>::kClocks>;
-   using MapBlock = std::conditional_t<C.median, Median<C>, Optional<C.subpixel, MapRegister<C>>>;
-   static constexpr bool kHasMapBlock = C.median || C.subpixel;
+   using MapBlock = std::conditional_t<C.has_post_processing(), PostProcessor<C>,
+                                       std::conditional_t<C.median, Median<C>, Optional<C.subpixel, MapRegister<C>>>>;
+   static constexpr bool kHasMapBlock = C.median || C.subpixel || C.has_post_processing();
    using Settings = block_matching::Settings;
    using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
 
@@ -38,7 +39,7 @@ struct Core<C> {
    //               |    /              .
    //           winners               2           two rows: one is made in the last pass, one leaves
    //           check                 3 or none   also from the slices: the other image's winners of two rows
-   //           map                   11, 1, none median or register
+   //           map                   11, 1, none median or register; or PostProcessor::kClocks
    //               |
    //           a disparity                       once in F clocks
 #define STEREO_BLOCKS(BLOCK, BESIDE, PORTS)                            \
@@ -67,15 +68,15 @@ struct Core<C> {
    static_assert(RowPasses<C>::kClocksToShow + Lanes::kClocks + RowBest<C>::kClocks + Refinement<C>::kClocks + 2 <=
                      C.clocks_to_pass_result(),
                  "the bound in Config is too low");
-   static_assert(!C.run_time_settings || kSchedule.latency_clocks < C.clocks_to_last_check(),
+   static_assert(!C.run_time_settings || kBlocks.before(map_number).clocks < C.clocks_to_last_check(),
                  "the bound in Config is too low");
 
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE StereoOutput output() const { return shown(shown_group()); }
+   HLS_INLINE auto output() const { return shown(shown_group()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (C.median) map.clock(checked(), FixedSize<C>());
+      if constexpr (C.median || C.has_post_processing()) map.clock(checked(), FixedSize<C>());
       else if constexpr (kHasMapBlock) map.clock(checked());
       if constexpr (C.has_left_right_check()) check.clock(slices.last(), winners, settings);
       winners.clock(refinement.output(best, texture), passes);
@@ -107,7 +108,8 @@ struct Core<C> {
    }
 
    HLS_INLINE MapGroup<C> shown_group() const {
-      if constexpr (kHasMapBlock) return map.out;
+      if constexpr (C.has_post_processing()) return map.group();
+      else if constexpr (kHasMapBlock) return map.out;
       else return map_group<C>(checked());
    }
 };

@@ -17,7 +17,8 @@ struct RowWinners {
    static constexpr int kDisparityBits = bits_for(C.disparities - 1);
    static constexpr int kFractionBits = C.subpixel ? 5 : 0;
    static constexpr int kPassedBits = C.has_check() ? 1 : 0;
-   using Pack = Packed<kDisparityBits + kFractionBits + kPassedBits, 1>;
+   static constexpr int kMarginPlace = kDisparityBits + kFractionBits + kPassedBits;
+   using Pack = Packed<kMarginPlace + (kHasMargin<C> ? kMarginBits : 0), 1>;
    using Word = typename Pack::Word;
    using Memory = MemoryBank<Word, Rows::kPlaces, 1>;
    static constexpr int kMemories = Memory::kMemories;
@@ -96,6 +97,7 @@ struct RowWinners {
       Word word = Word(in.disparity[0]);
       if constexpr (C.subpixel) word = Word(word | Word(in.fraction[0]) << kDisparityBits);
       if constexpr (C.has_check()) word = Word(word | Word(in.passed[0]) << (kDisparityBits + kFractionBits));
+      if constexpr (kHasMargin<C>) word = Word(word | Word(in.margin.value[0]) << kMarginPlace);
       return word;
    }
    static HLS_INLINE Winners<C> unpacked(Word word) {
@@ -104,6 +106,7 @@ struct RowWinners {
       if constexpr (C.subpixel) out.fraction[0] = uint8_t(word >> kDisparityBits & 31);
       if constexpr (C.has_check()) out.passed[0] = (word >> (kDisparityBits + kFractionBits) & 1) != 0;
       else out.passed[0] = true;
+      if constexpr (kHasMargin<C>) out.margin.value[0] = uint8_t(word >> kMarginPlace & ((1u << kMarginBits) - 1));
       return out;
    }
 };

@@ -4,6 +4,7 @@
 #include "block_matching/config.hpp"
 #include "dynamic_range/matching.hpp"
 #include "phase_correlation/config.hpp"
+#include "postprocessing/limits.hpp"
 #include "support/image.hpp"
 
 namespace stereo::dynamic_range {
@@ -11,6 +12,13 @@ namespace stereo::dynamic_range {
 /// How the core is built. The slices are those of the coarse search.
 struct Structure : OptionGroups<SliceSize, WinnerGroup> {
    using OptionGroups::OptionGroups;
+};
+
+/// What the post-processing is a template over: a map of the whole range.
+struct MapConfig : Image, OptionGroups<DisparityCount, WindowRange, ReferenceImage, SubpixelSteps, MedianFilter, PostProcessing> {
+   constexpr int output_width_px() const { return width_px - window_disparities; }
+   constexpr int disparity_bits() const { return (subpixel || fill_holes ? 16 : 8) + (confidence ? 8 : 0); }
+   constexpr int steps_per_pixel() const { return subpixel ? 16 : 1; }
 };
 
 /// One hardware configuration of the core with a dynamic range. The named ones are in configurations.hpp.
@@ -49,9 +57,15 @@ struct Config : Image, Matching, Structure {
    constexpr int block_columns() const { return width_px / kBlock; }
    constexpr int block_rows() const { return height_px / kBlock; }
 
-   constexpr int output_width_px() const { return width_px - window_disparities; }
-   constexpr int disparity_bits() const { return subpixel ? 16 : 8; }
-   constexpr int steps_per_pixel() const { return subpixel ? 16 : 1; }
+   constexpr MapConfig map() const {
+      MapConfig config{Image(*this)};
+      config.share(*this);
+      return config;
+   }
+   constexpr bool has_map_block() const { return median || has_post_processing(); }
+   constexpr int output_width_px() const { return map().output_width_px(); }
+   constexpr int disparity_bits() const { return map().disparity_bits(); }
+   constexpr int steps_per_pixel() const { return map().steps_per_pixel(); }
 
    /// Groups by which the windows follow the newest codes: the searched pixels of the whole range must have come.
    constexpr int ahead_groups() const { return last_base() + kBank; }
@@ -83,6 +97,7 @@ struct Config : Image, Matching, Structure {
          return "the width and height of the images must be multiples of 8";
       if (coarse_rows() < kCoarseWindow) return "the images must have 32 rows or more";
       if (width_px <= disparities) return "the image width must exceed the disparity range";
+      if (const Sentence sentence = post_processing_problem(map()); !sentence.empty()) return sentence;
       if ((window_px + 2) * width_px / kBank * 8 * code_bytes() > kMostMemoryBits)
          return "the rows of searched codes need larger memories than the tool takes: fewer columns or a smaller "
                 "window";
@@ -101,6 +116,9 @@ inline constexpr auto kCoarseConfig = [] {
    if constexpr (C.codes == Codes::phase) return C.coarse_phase_config();
    else return C.coarse_census_config();
 }();
+
+template <const Config& C>
+inline constexpr MapConfig kMapConfig = C.map();
 
 /// What the blocks of a search window are templates over.
 template <const Config& C>

@@ -21,6 +21,8 @@ STEREO_ROW(tiny_dynamic_subpixel, option, tiny_dynamic, subpixel = true, window_
 STEREO_ROW(tiny_dynamic_census, option, tiny_dynamic, codes = Codes::census);
 STEREO_ROW(tiny_dynamic_12bit, option, tiny_dynamic, pixel_bits = 12);
 STEREO_ROW(tiny_dynamic_10bit, option, tiny_dynamic, pixel_bits = 10, codes = Codes::census);
+STEREO_ROW(tiny_dynamic_dense, option, tiny_dynamic, subpixel = true, median = true, support_threshold = 6,
+           confidence = true, support_weight = 7, fill_holes = true);
 // planned: their VHDL is not made yet.
 STEREO_ROW(tiny_dynamic_three_scales, planned, tiny_dynamic, phase_scales = 3, height_px = 40);
 STEREO_ROW(tiny_dynamic_wide, planned, tiny_dynamic, width_px = 96, disparities = 64, window_disparities = 24,

@@ -19,7 +19,9 @@
 #include "frontend/transform.hpp"
 #include "phase_correlation/phase_distance.hpp"
 #include "phase_correlation/phase_transform.hpp"
+#include "postprocessing/post_processor.hpp"
 #include "support/blocks.hpp"
+#include "support/optional_block.hpp"
 #include "support/pixel_bits.hpp"
 #include "support/schedule.hpp"
 #include "winner/refinement.hpp"
@@ -100,6 +102,7 @@ struct Core {
    //            choice                    1           the better one
    //            refinement                0 or 12     subpixel
    //            map                       1
+   //            post                      PostProcessor::kClocks or none
    //                 |
    //            a disparity
 #define STEREO_BLOCKS(BLOCK, BESIDE, PORTS)                            \
@@ -120,7 +123,8 @@ struct Core {
    BESIDE(centre, Centre)                                              \
    BLOCK(choice, TrackChoice<C, kWindowConfig<C>>)                     \
    BLOCK(refinement, Refine)                                           \
-   BLOCK(map, ShownMap<C, kWindowConfig<C>, Refine::kClocks>)
+   BLOCK(map, ShownMap<C, kWindowConfig<C>, Refine::kClocks>)          \
+   BLOCK(post, Optional<C.has_map_block(), PostProcessor<kMapConfig<C>>>)
    STEREO_CORE(STEREO_BLOCKS);
 #undef STEREO_BLOCKS
 
@@ -135,10 +139,14 @@ struct Core {
    }();
 
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE StereoOutput output() const { return shown(map.map); }
+   HLS_INLINE auto output() const {
+      if constexpr (C.has_map_block()) return shown(post.group());
+      else return shown(map.map);
+   }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
+      if constexpr (C.has_map_block()) post.clock(map.map, FixedSize<kWindowConfig<C>>());
       map.clock(refinement, choice);
       refinement.clock(choice, NoTexture());
       const auto &low_root = low.winner.root(), &high_root = high.winner.root();

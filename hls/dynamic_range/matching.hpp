@@ -34,13 +34,14 @@ using phase_correlation::PhaseScales;
 /// disparity range is the total one, T, a multiple of 4; the matching window has an odd side. The reference is the
 /// right image. Models take it with images of any size from 8 rows on.
 struct Matching : OptionGroups<Default<DisparityCount{128}>, WindowRange, Default<MatchingWindow{9}>, PixelFormat,
-                               ComparedCodes, PhaseScales, CensusWindow, SubpixelSteps> {
+                               ComparedCodes, PhaseScales, CensusWindow, SubpixelSteps, MedianFilter, PostProcessing> {
    using OptionGroups::OptionGroups;
 
    static constexpr int kLeastDisparities = 32;
    static constexpr int kLeastWindow = 3, kLargestWindow = 31;
 
-   constexpr bool has_check() const { return false; }
+   /// Without one every pixel is valid.
+   constexpr bool has_check() const { return has_support_filter(); }
 
    /// Pixels of the images to one of those in which the whole range is searched, along each axis.
    static constexpr int kCoarse = 4;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <type_traits>
+
 #include "dynamic_range/config.hpp"
+#include "postprocessing/map_column.hpp"
 #include "winner/map_group.hpp"
 
 namespace stereo::dynamic_range {
@@ -11,9 +14,11 @@ namespace stereo::dynamic_range {
 template <const Config& C, const auto& W, int Clocks>
 struct ShownMap {
    static constexpr int kClocks = 1;
+   /// For the ports, or for the stages behind it.
+   using Map = std::conditional_t<C.has_map_block(), MapColumn<kMapConfig<C>>, MapGroup<W>>;
 
    uint16_t base[Clocks + 1];  ///< [j]: of the choice j clocks ago; [0] is not used
-   MapGroup<W> map;
+   Map map;
 
    HLS_INLINE ShownMap() { fill(base, uint16_t(0)); }
 
@@ -27,7 +32,8 @@ struct ShownMap {
    /// refined: the winner's refinement, of the choices before.
    template <class Refined, class Choice>
    HLS_INLINE void clock(const Refined& refined, const Choice& choice) {
-      map = map_group<W>(refined.output(choice, NoTexture()));
+      if constexpr (C.has_map_block()) map = map_column<kMapConfig<C>>(refined.output(choice, NoTexture()));
+      else map = map_group<W>(refined.output(choice, NoTexture()));
       map.disparity[0] = uint16_t(map.disparity[0] + C.steps_per_pixel() * base_of_winner(choice));
       HLS_UNROLL
       for (int j = Clocks; j > 0; --j) base[j] = j == 1 ? choice.base : base[j - 1];

@@ -70,7 +70,7 @@ struct Config : Image, Matching, Structure {
    constexpr bool has_check() const { return Matching::has_check() || codes().has_lost_pixels(); }
 
    constexpr int output_width_px() const { return codes().output_width_px(); }
-   constexpr int disparity_bits() const { return subpixel ? 16 : 8; }
+   constexpr int disparity_bits() const { return codes().disparity_bits(); }
    constexpr int steps_per_pixel() const { return subpixel ? 16 : 1; }
 
    template <class Self, class Visitor>

@@ -27,6 +27,8 @@ STEREO_ROW(tiny_phase_checks, option, tiny_phase, window_px = 4, min_disparity =
 STEREO_ROW(tiny_phase_10bit, option, tiny_phase, pixel_bits = 10);
 STEREO_ROW(tiny_phase_12bit, option, tiny_phase_three_scales, pixel_bits = 12);
 STEREO_ROW(tiny_phase_full, option, tiny_phase, full_width = true);
+STEREO_ROW(tiny_phase_dense, option, tiny_phase_checks, full_width = true, subpixel = true, support_threshold = 5,
+           confidence = true, margin_shift = 1, fill_holes = true);
 STEREO_ROW(tiny_phase_settings, option, tiny_phase_checks, run_time_settings = true);
 STEREO_ROW(tiny_phase_size, option, tiny_phase, height_px = 24, run_time_size = true);
 STEREO_ROW(tiny_phase_size_all, option, tiny_phase_checks, height_px = 26, full_width = true, run_time_settings = true,

@@ -10,6 +10,7 @@
 #include "phase_correlation/phase_distance.hpp"
 #include "phase_correlation/phase_transform.hpp"
 #include "phase_correlation/settings.hpp"
+#include "postprocessing/post_processor.hpp"
 #include "support/blocks.hpp"
 #include "support/optional_block.hpp"
 #include "support/pixel_bits.hpp"
@@ -37,9 +38,10 @@ struct Core {
    using Slices = block_matching::DisparitySlice<kCodeConfig<C>>;
    using Refine = Refinement<kCodeConfig<C>>;
    /// What makes the map of the winners. Whole disparities without a median are ready as they are.
-   using MapBlock =
-       std::conditional_t<C.median, Median<kCodeConfig<C>>, Optional<C.subpixel, MapRegister<kCodeConfig<C>>>>;
-   static constexpr bool kHasMapBlock = C.median || C.subpixel;
+   using MapBlock = std::conditional_t<
+       C.has_post_processing(), PostProcessor<kCodeConfig<C>>,
+       std::conditional_t<C.median, Median<kCodeConfig<C>>, Optional<C.subpixel, MapRegister<kCodeConfig<C>>>>>;
+   static constexpr bool kHasMapBlock = C.median || C.subpixel || C.has_post_processing();
    using Settings =
        std::conditional_t<C.run_time_size, SizedSettings<phase_correlation::Settings>, phase_correlation::Settings>;
    using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
@@ -54,7 +56,7 @@ struct Core {
    //            slices                    Slices::kClocks: phase differences, local weighting, peak
    //            refinement                0, 4, 12    uniqueness, subpixel
    //            leftright                 4 or none   also from the slices, ahead of the refinement
-   //            map                       11, 1, none median or register
+   //            map                       11, 1, none median or register; or PostProcessor::kClocks
    //                 |
    //            a disparity
    // Phase codes have no texture to check.
@@ -75,15 +77,15 @@ struct Core {
 #undef STEREO_BLOCKS
 
    static constexpr Schedule kSchedule = window_schedule(C, kCodes, kBlocks.all());
-   static_assert(!C.run_time_settings || kSchedule.latency_clocks < kCodes.clocks_to_last_check(),
+   static_assert(!C.run_time_settings || kBlocks.before(map_number).clocks < kCodes.clocks_to_last_check(),
                  "the bound in Config is too low");
 
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE StereoOutput output() const { return shown(shown_group()); }
+   HLS_INLINE auto output() const { return shown(shown_group()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (C.median) map.clock(checked(), size);
+      if constexpr (C.median || C.has_post_processing()) map.clock(checked(), size);
       else if constexpr (kHasMapBlock) map.clock(checked());
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(slices.last(), texture, settings);
@@ -115,7 +117,8 @@ struct Core {
    }
 
    HLS_INLINE MapGroup<kCodeConfig<C>> shown_group() const {
-      if constexpr (kHasMapBlock) return map.out;
+      if constexpr (C.has_post_processing()) return map.group();
+      else if constexpr (kHasMapBlock) return map.out;
       else return map_group<kCodeConfig<C>>(checked());
    }
 };

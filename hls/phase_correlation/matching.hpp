@@ -18,7 +18,7 @@ struct PhaseScales {
 /// of the local weighting. Models take it with images of any size.
 struct Matching : OptionGroups<DisparityCount, Default<MatchingWindow{9}>, SmallestDisparity, PixelFormat,
                                ReferenceImage, PhaseScales, TieRule, LeftRightThreshold, UniquenessPercent,
-                               SubpixelSteps, MedianFilter, FullWidth> {
+                               SubpixelSteps, MedianFilter, FullWidth, PostProcessing> {
    using OptionGroups::OptionGroups;
 
    /// Any of them: without one every pixel is valid.

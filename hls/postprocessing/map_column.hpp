@@ -36,7 +36,14 @@ struct MapColumn {
    }
 };
 
-/// Of the winners of a family. W: the configuration of their blocks.
+/// How far the runner-up was, where winners say so.
+template <const auto& W>
+HLS_INLINE uint8_t margin_of(const Winners<W>& in, int p) {
+   if constexpr (kHasMargin<W>) return in.margin.value[p];
+   else return 0;
+}
+
+/// Of the winners of a family. W: the configuration of their blocks. Without a margin it is 0.
 template <const auto& C, const auto& W>
 HLS_INLINE MapColumn<C> map_column(const Winners<W>& in) {
    MapColumn<C> out;
@@ -44,7 +51,7 @@ HLS_INLINE MapColumn<C> map_column(const Winners<W>& in) {
    for (int p = 0; p < C.pixels_per_clock; ++p) {
       out.disparity[p] = C.subpixel ? uint16_t(16 * in.disparity[p] + in.fraction[p] - 8) : in.disparity[p];
       out.passed[p] = in.passed[p];
-      if constexpr (C.has_confidence()) out.sure[p] = in.margin.value[p];
+      if constexpr (C.has_confidence()) out.sure[p] = margin_of(in, p);
    }
    out.tag = in.tag;
    return out;

@@ -15,7 +15,8 @@ inline constexpr bool kPostProcesses = [] {
    else return false;
 }();
 
-/// The post-processing behind the checks of any family: what makes the map of the winners. Each stage may be absent.
+/// The post-processing behind the checks of any family: what makes the map of the winners. Each stage may be absent, but
+/// not all of them.
 ///
 ///              winners
 ///                 |
@@ -58,8 +59,12 @@ struct PostProcessor {
    /// size: of the map, as the blocks of the core have it.
    template <const auto& W, class Size>
    HLS_INLINE void clock(const Winners<W>& in, const Size& size) {
-      const MapColumn<C> column = map_column<C>(in);
-      if constexpr (C.median) median.clock(shown(), size);
+      clock(map_column<C>(in), size);
+   }
+   template <class Size>
+   HLS_INLINE void clock(const MapColumn<C>& column, const Size& size) {
+      if constexpr (C.median && C.has_post_processing()) median.clock(shown(), size);
+      else if constexpr (C.median) median.clock(column, size);
       if constexpr (C.fill_holes && C.has_support_filter()) fill.clock(support.out, size.map);
       else if constexpr (C.fill_holes) fill.clock(column, size.map);
       if constexpr (C.has_support_filter()) support.clock(column, size.map);

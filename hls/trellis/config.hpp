@@ -21,8 +21,16 @@ struct Config : Image, Matching, Structure {
       return {Image(*this), matching, structure};
    }
 
+   /// What the post-processing is a template over.
+   constexpr semi_global::Config map() const {
+      semi_global::Config config = costs();
+      config.confidence = confidence;
+      config.run_time_settings = run_time_settings;
+      return config;
+   }
+
    constexpr int output_width_px() const { return costs().output_width_px(); }
-   constexpr int disparity_bits() const { return 8; }
+   constexpr int disparity_bits() const { return map().disparity_bits(); }
    constexpr int steps_per_pixel() const { return 1; }
 
    constexpr bool has_far_drop() const { return far_drop < disparities; }
@@ -74,6 +82,8 @@ struct Config : Image, Matching, Structure {
 
 template <const auto& C>
 inline constexpr auto kCostConfig = C.costs();
+template <const auto& C>
+inline constexpr auto kMapConfig = C.map();
 
 template <const auto& C>
 using PathCost = semi_global::PathCost<kCostConfig<C>>;

@@ -27,6 +27,8 @@ STEREO_ROW(tiny_trellis_12bit, option, tiny_trellis_sad, pixel_bits = 12, cost_s
 STEREO_ROW(tiny_trellis_min3, option, tiny_trellis, min_disparity = 3);
 STEREO_ROW(tiny_trellis_d19, option, tiny_trellis, width_px = 47, disparities = 19, slice_disparities = 6,
            winner_group = 3);
+STEREO_ROW(tiny_trellis_dense, option, tiny_trellis, median = true, support_threshold = 4, confidence = true,
+           support_weight = 7, fill_holes = true);
 // Settings and sizes from ports.
 STEREO_ROW(tiny_trellis_settings, option, tiny_trellis, run_time_settings = true);
 STEREO_ROW(tiny_trellis_size, option, tiny_trellis_median, height_px = 16, drop_cost = 6, occlusion_cost = 12,

@@ -7,6 +7,7 @@
 #include "frontend/raster.hpp"
 #include "frontend/single_row.hpp"
 #include "frontend/transform.hpp"
+#include "postprocessing/post_processor.hpp"
 #include "semi_global/cost_slice.hpp"
 #include "semi_global/path_entry.hpp"
 #include "semi_global/winner_turn.hpp"
@@ -44,6 +45,10 @@ struct Core {
    using Size =
        std::conditional_t<C.run_time_size, RunTimeSize<kWindowConfig<kCosts>>, FixedSize<kWindowConfig<kCosts>>>;
 
+   /// What makes the map of the traced paths.
+   using MapBlock = std::conditional_t<C.has_post_processing(), PostProcessor<kMapConfig<C>>,
+                                       Optional<C.median, Median<semi_global::kSumConfig<kCosts>>>>;
+
    //            a pixel pair
    //                 |
    //   clocks   transform                 6 or none   x-Sobel or census
@@ -59,7 +64,7 @@ struct Core {
    //                 |                    from here on, clocks again
    //            turn                      3           rows turned back
    //            fill                      1           occluded pixels
-   //            map                       7 or none   median
+   //            map                       11 or none  median; or PostProcessor::kClocks
    //                 |
    //            a disparity
 #define STEREO_BLOCKS(BLOCK, BESIDE, PORTS)                                                  \
@@ -78,7 +83,7 @@ struct Core {
    BLOCK(traceback, Traceback<C>)                                                            \
    BLOCK(turn, semi_global::WinnerTurn<kCosts>)                                              \
    BLOCK(fill, OcclusionFill<C>)                                                             \
-   BLOCK(map, Optional<C.median, Median<semi_global::kSumConfig<kCosts>>>)
+   BLOCK(map, MapBlock)
    STEREO_CORE(STEREO_BLOCKS);
 #undef STEREO_BLOCKS
 
@@ -87,11 +92,11 @@ struct Core {
                  "the bound in Config is too low");
 
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE StereoOutput output() const { return shown(shown_group()); }
+   HLS_INLINE auto output() const { return shown(shown_group()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (C.median) map.clock(fill.out, size);
+      if constexpr (C.median || C.has_post_processing()) map.clock(fill.out, size);
       fill.clock(turn.output());
       turn.clock(traceback.out, size);
       traceback.clock(entry, decisions, last);
@@ -119,8 +124,9 @@ struct Core {
    }
 
   private:
-   HLS_INLINE MapGroup<semi_global::kSumConfig<kCosts>> shown_group() const {
-      if constexpr (C.median) return map.out;
+   HLS_INLINE auto shown_group() const {
+      if constexpr (C.has_post_processing()) return map.group();
+      else if constexpr (C.median) return map.out;
       else return map_group<semi_global::kSumConfig<kCosts>>(fill.out);
    }
 };

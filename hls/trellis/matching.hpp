@@ -24,17 +24,19 @@ struct Drops {
 /// with images of any size.
 struct Matching
     : OptionGroups<DisparityCount, MatchingWindow, SmallestDisparity, PixelFormat, Default<Comparison{Cost::census}>,
-                   CensusWindow, Prefiltering, CostScale, Drops, MedianFilter> {
+                   CensusWindow, Prefiltering, CostScale, Drops, MedianFilter, PostProcessing> {
    using OptionGroups::OptionGroups;
 
    static constexpr int kLeastDisparities = 2;
 
-   constexpr bool has_check() const { return mark_occluded; }
+   /// Any of them: without one every pixel is valid.
+   constexpr bool has_check() const { return mark_occluded || has_support_filter(); }
 
    /// Semi-global matching whose costs are the ones here.
    constexpr semi_global::Matching path_costs() const {
       semi_global::Matching matching = shared_options<semi_global::Matching>(*this);
       matching.reference = Reference::left;
+      matching.confidence = false;  // paths of the trellis have no runner-up
       return matching;
    }
 

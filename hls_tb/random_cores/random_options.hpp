@@ -97,8 +97,7 @@ void fold(Config& config, Random& random) {
       config.sign_memory = config.run_time_size = false;
    }
    if constexpr (requires { &Config::pass_disparities; }) {
-      config.support_threshold = 0;
-      config.fill_holes = config.confidence = config.full_width = false;
+      config.full_width = false;
    }
    if constexpr (requires { &Config::phase_disparities; }) {
       config.aggregation = Aggregation::direct;

@@ -6,6 +6,7 @@
 #include "definition/dynamic_range/matching_input.hpp"
 #include "definition/dynamic_range/search_windows.hpp"
 #include "definition/phase_correlation/reference_model.hpp"
+#include "definition/postprocessing.hpp"
 
 namespace stereo::dynamic_range {
 namespace {
@@ -59,7 +60,9 @@ DisparityMap match(const Image& left, const Image& right, const Matching& matchi
          const Track& track = far ? low : high;
          map.at(x, y) = uint16_t(map.steps_per_pixel() * track.bases.at(x, y) + track.refined.at(x, y));
       }
-   return map;
+   const GrayImage no_margins(map.width, map.height);
+   map = post_processed(map, no_margins, matching);
+   return matching.median ? median_filtered(map) : map;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "definition/block_matching/matching_input.hpp"
 #include "definition/mirror.hpp"
 #include "definition/phase_correlation/matching_input.hpp"
+#include "definition/postprocessing.hpp"
 
 namespace stereo::phase_correlation {
 namespace {
@@ -92,8 +93,9 @@ DisparityMap match(const Image& left, const Image& right, const Matching& matchi
                                : window_sums(costs, matching.window_px);
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
-   if (matching.median) map = median_filtered(map);
    keep_checked(map, sums, best, sums, matching);
+   map = post_processed(map, margins(sums, best, matching.margin_shift), matching);
+   if (matching.median) map = median_filtered(map);
    return map;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "definition/mirror.hpp"
+#include "definition/postprocessing.hpp"
 #include "definition/semi_global/matching_input.hpp"
 #include "definition/semi_global/reference_model.hpp"
 #include "definition/trellis/matching_input.hpp"
@@ -113,6 +114,8 @@ DisparityMap matched(const Image& left, const Image& right, const Matching& matc
          map.valid_at(x, y) = matching.mark_occluded && found[std::size_t(x)] == kNoPartner ? 0 : 1;
       }
    }
+   const GrayImage no_margins(map.width, map.height);
+   map = mirrored(post_processed(mirrored(map), no_margins, matching));  // its reference is the right image
    return matching.median ? median_filtered(map) : map;
 }
 

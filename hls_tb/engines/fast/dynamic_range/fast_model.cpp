@@ -11,7 +11,9 @@
 #include "definition/phase_correlation/models.hpp"
 #include "definition/stages.hpp"
 #include "engines/fast/bands.hpp"
+#include "engines/fast/median.hpp"
 #include "engines/fast/phase_correlation/phase_codes.hpp"
+#include "engines/fast/postprocessing.hpp"
 
 namespace stereo::dynamic_range {
 namespace {
@@ -127,7 +129,9 @@ DisparityMap match(const Image& left, const Image& right, const Matching& matchi
          for (int x = 0; x < map.width; ++x) map.at(x, y) = better(low, high, x, y, matching.subpixel);
       }
    });
-   return map;
+   if (matching.has_confidence()) map.confidence.assign(map.valid.size(), 0);  // the windows tell no runner-up
+   fast::post_process(map, Reference::right, matching, threads);
+   return matching.median ? fast::median_3x3(map, threads) : map;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "scene/random.hpp"
 #include "scene/scene.hpp"
 #include "testing/map_compare.hpp"
+#include "testing/random_post_processing.hpp"
 #include "testing/seed.hpp"
 #include "testing/test_pairs.hpp"
 
@@ -30,6 +31,8 @@ Matching random_options(Random& random) {
    m.census_height_px = 3 + 2 * random.below(3);
    m.census_pattern = CensusPattern(random.below(m.census_width_px + m.census_height_px == 6 ? 3 : 4));
    m.subpixel = random.percent(50);
+   m.median = random.percent(40);
+   draw_post_processing(random, m);
    return m;
 }
 

@@ -6,11 +6,12 @@
 #include "engines/fast/block_matching/general_matcher.hpp"
 #include "engines/fast/median.hpp"
 #include "engines/fast/phase_correlation/phase_codes.hpp"
+#include "engines/fast/postprocessing.hpp"
 
 namespace stereo::phase_correlation {
 namespace {
 
-/// All but the median, the right image as reference.
+/// All but post-processing and median, the right image as reference.
 template <class Image>
 DisparityMap match_right(const Image& left, const Image& right, const Matching& matching, int threads) {
    return block_matching::match_codes(fast::weighted_phase_codes(left, matching.phase_scales),
@@ -24,6 +25,7 @@ DisparityMap match(const Image& left, const Image& right, const Matching& matchi
    DisparityMap map = matching.reference == Reference::right
                           ? match_right(left, right, matching, threads)
                           : mirrored(match_right(mirrored(right), mirrored(left), matching, threads));
+   fast::post_process(map, matching.reference, matching, threads);
    if (matching.median) map = fast::median_3x3(map, threads);
    return map;
 }

@@ -10,6 +10,7 @@
 #include "definition/phase_correlation/models.hpp"
 #include "scene/random.hpp"
 #include "testing/map_compare.hpp"
+#include "testing/random_post_processing.hpp"
 #include "testing/seed.hpp"
 #include "testing/test_pairs.hpp"
 
@@ -36,6 +37,7 @@ Matching random_options(Random& random, int width) {
       m.first_disparity = random.below(m.disparities);
       m.last_disparity = random.below(m.disparities + 1) - 1;
    }
+   draw_post_processing(random, m);
    return m;
 }
 

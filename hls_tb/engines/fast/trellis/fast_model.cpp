@@ -6,6 +6,7 @@
 #include "definition/trellis/matching_input.hpp"
 #include "engines/fast/bands.hpp"
 #include "engines/fast/median.hpp"
+#include "engines/fast/postprocessing.hpp"
 #include "engines/fast/semi_global/path_costs.hpp"
 
 namespace stereo::trellis {
@@ -142,6 +143,8 @@ DisparityMap matched(const Rows& pixels, const semi_global::Matching& costs, con
    DisparityMap map(pixels.columns, pixels.height);
    fast::for_each_band(map.height, threads,
                        [&](int first, int end) { match(pixels, costs, matching, map, first, end); });
+   if (matching.has_confidence()) map.confidence.assign(map.valid.size(), 0);  // there is no runner-up
+   fast::post_process(map, Reference::left, matching, threads);
    return matching.median ? fast::median_3x3(map, threads) : map;
 }
 

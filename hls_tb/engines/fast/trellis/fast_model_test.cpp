@@ -10,6 +10,7 @@
 #include "definition/trellis/models.hpp"
 #include "scene/random.hpp"
 #include "testing/map_compare.hpp"
+#include "testing/random_post_processing.hpp"
 #include "testing/seed.hpp"
 #include "testing/test_pairs.hpp"
 
@@ -36,6 +37,7 @@ Matching random_options(Random& random, int width) {
    m.far_drop = 2 + random.below(random.percent(70) ? 10 : 254);
    m.mark_occluded = random.percent(70);
    m.median = random.percent(40);
+   draw_post_processing(random, m);
    return m;
 }
 
