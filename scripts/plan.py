@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Says which configurations serve a camera on a device: each algorithm of docs/quality.md at the camera's size, with as
 many clocks a pixel pair as its frames a second leave. Of each it shows clocks a frame, the needed and the expected
-clock, look-up tables, block RAMs and wrong pixels, and whether a number is measured or an estimate; then the row to add
-and the commands that make, check and implement it. Runs no tool. Exit code 1: nothing fits."""
+clock, look-up tables, flip-flops, block RAMs and wrong pixels, and whether a number is measured or an estimate; then
+the row to add and the commands that make, check and implement it. Runs no tool. Exit code 1: nothing fits."""
 
 import json
 import re
@@ -62,6 +62,9 @@ def parse() -> Namespace:
     )
     parser.add_argument("--luts", type=count, metavar="N", help="look-up tables there are (default all of the device)")
     parser.add_argument(
+        "--flip-flops", type=count, metavar="N", help="flip-flops there are (default all of the device)"
+    )
+    parser.add_argument(
         "--block-rams", type=count, metavar="N", help="block RAMs there are (default all of the device)"
     )
     parser.add_argument("--size", type=size, metavar="WxH", help="of the images, such as 640x480")
@@ -89,7 +92,7 @@ def parse() -> Namespace:
         type=lambda text: number(text, 1, 100),
         default=85.0,
         metavar="PERCENT",
-        help="of the look-up tables that the core may take (default 85)",
+        help="of the look-up tables and of the flip-flops that the core may take (default 85)",
     )
     parser.add_argument(
         "--margin",
@@ -134,13 +137,14 @@ def camera_of(options: Namespace) -> Camera:
 
 def place_of(options: Namespace) -> search.Place:
     known = devices.device_of(options.device)
-    if known is None and (options.luts is None or options.block_rams is None):
-        raise FlowError(f"what {options.device} holds is not known: give --luts and --block-rams")
+    if known is None and None in (options.luts, options.flip_flops, options.block_rams):
+        raise FlowError(f"what {options.device} holds is not known: give --luts, --flip-flops and --block-rams")
+    flip_flops = options.flip_flops if options.flip_flops is not None else known.flip_flops if known else 0
     luts = options.luts if options.luts is not None else known.lut_sites if known else 0
     block_rams = options.block_rams if options.block_rams is not None else known.block_rams if known else 0
     if luts == 0:
         raise FlowError("--luts must be 1 or more")
-    return search.Place(options.device, devices.Device(luts, block_rams), options.fill, options.margin)
+    return search.Place(options.device, devices.Device(luts, flip_flops, block_rams), options.fill, options.margin)
 
 
 def main() -> int:

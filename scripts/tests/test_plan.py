@@ -6,21 +6,25 @@ import importlib
 import json
 import math
 import re
+import statistics
 import sys
 
 import pytest
 
+from flow.base import committed
 from flow.base.configurations import configurations
 from flow.base.errors import FlowError
 from flow.pages import plan as page, plan_picture
 from flow.pages.plan_algorithms import algorithms
-from flow.planning import candidates, compared, devices, plan_text, search
+from flow.planning import candidates, compared, cores, devices, plan_text, ram, search
 from flow.planning.candidates import Camera
 from flow.planning.least_squares import fit
-from flow.planning.model import Core, Implemented, Model, implemented
+from flow.planning.model import REGISTERS, Core, Implemented, Model, implemented
+from flow.planning.registers import Registers, registers_of
 from flow.planning.search import Number
 from flow.planning.window_shape import WindowShape
 from flow.planning.work import work_of
+from flow.synthesis import manifest
 from flow_commands import call, refused
 
 VGA = ("--size", "640x480", "--fps", "30", "--disparities", "64")
@@ -58,6 +62,7 @@ def test_bars_on_the_estimates(errors):
     without model and one of which the bits that are left decide (test_plan_shapes.py)."""
     assert len(errors) > 50
     assert compared.size_of(one.luts_error for one in errors) < 0.12
+    assert compared.size_of(one.flip_flops_error for one in errors) < 0.12
     assert compared.size_of(one.mhz_error for one in errors) < 0.20
     assert {one.core.name for one in errors if one.block_rams_error} <= {"masrani_640", "sgm_320_64_f16"}
 
@@ -65,7 +70,7 @@ def test_bars_on_the_estimates(errors):
 def test_a_core_is_left_out_of_its_own_estimate(planner):
     """Others decide: a core whose record is ten times too large is estimated as before, and shows."""
     spoiled = [
-        dataclasses.replace(core, result={**core.result, "luts": 10 * core.luts})
+        dataclasses.replace(core, result={**core.result, "luts": 10 * core.luts, "ffs": 10 * core.flip_flops})
         if core.name == "yi_270" and "luts" in core.result
         else core
         for core in planner.known
@@ -74,11 +79,17 @@ def test_a_core_is_left_out_of_its_own_estimate(planner):
         next(one for one in compared.compare(known) if one.core.name == "yi_270") for known in (planner.known, spoiled)
     )
     assert after.luts == before.luts and after.luts_error == pytest.approx((1 + before.luts_error) / 10 - 1)
+    assert after.flip_flops == before.flip_flops
+    assert after.flip_flops_error == pytest.approx((1 + before.flip_flops_error) / 10 - 1)
 
 
 def test_factors_mean_something(planner):
     model = planner.model
     assert all(0.5 < luts < 2 for luts in model.work_luts), "a bit of work is about a look-up table"
+    bits = dict(zip(REGISTERS, model.register_flip_flops))
+    assert all(0.5 < bits[kind] < 1.5 for kind in Registers._fields[:4]), "a bit of a register is about a flip-flop"
+    assert all(0.9 < scale < 1.1 for scale in model.family_flip_flops.values())
+    assert model.covered_ffs.keys() == {"gowin"} and 0 < model.covered_ffs["gowin"] < 1, "a carry cell is a LUT, too"
     grades = model.grades()
     assert 1 == grades["ecp5"] > grades["ecp5_grade6"] > grades[SMALL]
     slope, beside = model.sites["ecp5"]
@@ -96,6 +107,7 @@ def test_factors_mean_something(planner):
 def test_what_is_not_synthesised_is_not_estimated(planner):
     core = Core(WindowShape(configurations()["tiny"]))
     model = Model([one for one in planner.known if one.target == "ecp5"])
+    assert model.flip_flops(core, "xc7") is model.flip_flop_sites(core, "xc7") is None
     assert model.luts(core, "xc7") is None and model.luts(core, "ecp5") > 0
     assert model.mhz(core, SMALL) is None and model.mhz(core, "ecp5") > 0
     assert model.luts(core, SMALL) == model.luts(core, "ecp5"), "the same netlist"
@@ -105,6 +117,70 @@ def test_work_follows_the_disparities_of_a_clock():
     row = configurations()["ambrosch2007_f5"]
     five, ten = (work_of(WindowShape({**row, "clocks_per_pixel": clocks})) for clocks in (5, 10))
     assert (five.costs, five.sums) == (2 * ten.costs, 2 * ten.sums) and five.beside == ten.beside
+
+
+def registers(name, **changes):
+    shape = cores.shape_of({**configurations()[name], **changes})
+    return registers_of(shape, cores.memories_of(shape))
+
+
+def test_registers_follow_the_options():
+    """16 disparities of 5 taps: with a second clock for the costs each has a difference of 9 bits; with a third one two
+    pairs of 9 bits and a deferred carry, and a single tap of 8 bits and one."""
+    one, two, three = (registers("study", cost_clocks=clocks) for clocks in (1, 2, 3))
+    assert two._replace(costs=one.costs) == three._replace(costs=one.costs) == one
+    assert two.costs - one.costs == 16 * 5 * 9 and three.costs - two.costs == 16 * (2 * (9 + 1) + 9)
+    assert one.sums == 16 * (11 + 11 + 12 + 12 + 13 + 13), "a column, one to four of them, five"
+    assert registers("study", winner_group=4).winners < one.winners - 16 * 2 * 13, "no losers to clear, fewer levels"
+    assert registers("study", median=True).words > one.words and one.paths == 0 < registers("tiny_sgm").paths
+
+
+def test_registers_are_near_those_of_the_compiler():
+    """Half of the cores have between 0.8 and 1.25 times the bits that Bambu counts, before any factor."""
+    found = []
+    for name in committed.known_configurations():
+        row = configurations()[name]
+        if row["family"] in cores.FAMILIES:
+            said = manifest.read(committed.folder(name))["tool_report"]["register_bits"]
+            found.append(abs(math.log(sum(registers(name)) / said)))
+    assert len(found) > 50 and statistics.median(found) < math.log(1.25)
+
+
+def test_registers_follow_the_disparities_of_a_clock():
+    five, ten = (registers("ambrosch2007_f5", clocks_per_pixel=clocks) for clocks in (5, 10))
+    assert five.sums == 2 * ten.sums and five.costs > 1.8 * ten.costs and five.words == ten.words
+
+
+def test_flip_flops_that_have_no_place_on_gowin(planner):
+    """Each LUT RAM takes the six of its tile, each carry cell one; elsewhere a core takes what it has."""
+    records = {(core.name, core.target): core for core in planner.known}
+    one = records["sgm_320_64_f16", "gw2ar_18"]
+    cells = one.result["cells"]
+    assert one.flip_flop_sites == one.flip_flops + 6 * cells["RAM16SDP4"] + cells["ALU"] == 6_589
+    assert devices.covered_ffs("gowin")["RAM16SDP4"] == ram.FAMILIES["gowin"].covered_ffs
+    assert all(
+        core.flip_flop_sites == core.flip_flops
+        for core in planner.known
+        if devices.netlist_of(core.target) != devices.netlist_of("gw2ar_18")
+    )
+    for core in planner.known:
+        if core.target == "gw2ar_18":
+            said = planner.model.flip_flop_sites(Core(cores.shape_of(core.options)), core.target)
+            assert 0.88 < said / core.flip_flop_sites < 1.12, core.name
+
+
+def test_every_device_has_flip_flops():
+    """As nextpnr counts them: as many as LUT sites, but on Gowin six for eight."""
+    for target in devices.targets():
+        device = devices.device_of(target)
+        eighths = 6 if devices.netlist_of(target) == "gowin" else 8
+        assert device.flip_flops == device.lut_sites * eighths // 8, target
+
+
+def test_what_was_routed_has_its_flip_flops(planner):
+    routed = [core for core in planner.known if core.mhz]
+    assert len(routed) > 80
+    assert all(core.flip_flop_sites <= devices.device_of(core.target).flip_flops for core in routed)
 
 
 # --- what fits --------------------------------------------------------------------------------------------------------
@@ -181,6 +257,7 @@ def test_a_smaller_device_and_a_larger_margin_hold_less(planner):
     every = fitting(place("ecp5"))
     for less in (
         place("ecp5", lut_sites=8000),
+        place("ecp5", flip_flops=8000),
         place("ecp5", block_rams=20),
         place("ecp5", fill=10),
         place("ecp5", margin=150),
@@ -190,6 +267,30 @@ def test_a_smaller_device_and_a_larger_margin_hold_less(planner):
     nothing = planner.plan(camera, place("ecp5", block_rams=0))
     assert not any(planned.fits for planned in nothing)
     assert all("of 0 block RAMs" in " ".join(p.reasons) for p in nothing if not p.candidate.problem)
+
+
+def test_too_few_flip_flops_are_named(planner):
+    """As many as a core takes of the share that it may take, and one fewer."""
+    camera = Camera(640, 480, 64, 30, settings={"clocks_per_pixel": 8})
+
+    def planned(flip_flops):
+        where = place("ecp5", fill=100, flip_flops=flip_flops)
+        return next(p for p in planner.plan(camera, where) if p.row == "sgm_640_64_f8")
+
+    needed = planned(80_000).numbers.flip_flop_sites
+    record = next(c for c in planner.known if (c.name, c.target) == ("sgm_640_64_f8", "ecp5"))
+    assert needed == Number(record.flip_flops, record.name)
+    assert planned(needed.value).fits and not planned(needed.value - 1).fits
+    assert planned(needed.value - 1).reasons == (f"{needed.value:,} of {needed.value - 1:,} flip-flop sites",)
+
+
+def test_semi_global_matching_does_not_fit_the_smallest_gowin(planner):
+    """Of the size and range that nextpnr was given in vain."""
+    where = place("gw1nr_9")
+    plans = [p for p in planner.plan(Camera(320, 240, 64, 10), where) if p.candidate.family == "semi_global"]
+    assert len(plans) > 20 and not any(p.fits for p in plans)
+    (one,) = [p for p in plans if p.row == "sgm_320_64_f16"]
+    assert "6,589 of 5,508 flip-flop sites" in one.reasons
 
 
 def test_recommended_is_small_and_nearly_best(planner):
@@ -233,7 +334,8 @@ def test_text():
     process = call("plan.py", *VGA)
     assert process.returncode == 0, process.stderr
     assert process.stdout.startswith(
-        "640x480, 30 frames a second, 64 disparities, on ecp5_25f_grade6: 24,288 LUT sites"
+        "640x480, 30 frames a second, 64 disparities, on ecp5_25f_grade6: 24,288 LUT sites and 24,288 "
+        "flip-flops, of them 85 %, 56 block RAMs"
     )
     for word in ("MHz needed", "block RAMs", "Does not fit", "STEREO_ROW(my_sgm_640_64_f8, system, sgm_450, ", "* an"):
         assert word in process.stdout
@@ -254,6 +356,7 @@ def test_json():
             "measured",
             "estimate",
         }
+        assert 0 < one["flip_flops"]["value"] == one["flip_flop_sites"]["value"] < plan["device"]["flip_flops"]
         assert one["luts"]["value"] > 0 and isinstance(one["block_rams"]["value"], int)
         assert one["mhz"]["value"] >= 1.2 * one["needed_mhz"] - 0.1
     assert plan["add"]["row"].startswith("STEREO_ROW(my_") and len(plan["add"]["commands"]) == 5
@@ -283,6 +386,15 @@ def test_a_row_that_was_not_asked_for_does_not_serve(planner, clocks, row):
     plans = planner.plan(Camera(640, 480, 64, 30, settings=settings), place())
     rows = {planned.row for planned in plans if planned.candidate.algorithm.config == "sgm_640"}
     assert rows == {row}
+
+
+def test_flip_flops_that_another_design_leaves():
+    """LUTs and block RAMs are those of the device."""
+    plan = json.loads(call("plan.py", *VGA, "--flip-flops", 3000, "--json").stdout)
+    assert plan["device"]["flip_flops"] == 3000 and plan["device"]["lut_sites"] == 24_288
+    assert all(one["flip_flop_sites"]["value"] <= 0.85 * 3000 for one in plan["fits"])
+    short = [one["reasons"] for one in plan["does_not_fit"]]
+    assert short and any("of 2,550 flip-flop sites" in " ".join(reasons) for reasons in short)
 
 
 def test_nothing_fits():
@@ -329,7 +441,7 @@ def test_a_device_of_unknown_size_needs_both_numbers(monkeypatch):
     command = importlib.import_module("plan")
     monkeypatch.setattr(devices, "device_of", lambda target: None)
     monkeypatch.setattr(sys, "argv", ["plan.py", *VGA, "--luts", "5000"])
-    with pytest.raises(FlowError, match="give --luts and --block-rams"):
+    with pytest.raises(FlowError, match="give --luts, --flip-flops and --block-rams"):
         command.main()
 
 
@@ -370,13 +482,15 @@ def test_summary_names_the_worst():
     """Of cores of our making: the median of the errors' sizes, and the largest one."""
 
     def one(name, luts, mhz):
-        result = {"luts": 100, "block_rams": 4, "fmax_mhz": {"median": 100.0}, "device": "x"}
-        return compared.Compared(Implemented(name, {}, "ecp5", result), luts, 5 if name == "b" else 4, mhz)
+        result = {"luts": 100, "ffs": 200, "block_rams": 4, "fmax_mhz": {"median": 100.0}, "device": "x"}
+        core, block_rams = Implemented(name, {}, "ecp5", result), 5 if name == "b" else 4
+        return compared.Compared(core, luts, block_rams, mhz, luts and 2 * luts + 2)
 
     rows = page.summary([one("a", 110, 101.0), one("b", 70, 99.0), one("c", 105, 150.0), one("d", None, None)])
     assert rows[0] == "| look-up tables | 3 | 10.0 % | 12 % | -30 %, `b`, 85F, grade 8 |"
-    assert rows[1] == "| block RAMs | 4 | 3 exact | exact | `b`: 5 instead of 4 |"
-    assert rows[2] == "| clock | 3 | 1.0 % | 20 % | +50 %, `c`, 85F, grade 8 |"
+    assert rows[1] == "| flip-flops | 3 | 11.0 % | 12 % | -29 %, `b`, 85F, grade 8 |"
+    assert rows[2] == "| block RAMs | 4 | 3 exact | exact | `b`: 5 instead of 4 |"
+    assert rows[3] == "| clock | 3 | 1.0 % | 20 % | +50 %, `c`, 85F, grade 8 |"
 
 
 def test_picture_has_every_system_on_every_device(planner):

@@ -45,7 +45,7 @@ BOARDS = {
                 ECP5,
                 "LFE5U-85F-6BG381",
                 ("--85k", "--package", "CABGA381", "--speed", "6"),
-                holds=Device(83_640, 208),
+                holds=Device(83_640, 83_640, 208),
             ),
             "ulx3s.lpf",
             25,

@@ -16,9 +16,12 @@ from .families.nexus import Nexus
 
 
 class Device(NamedTuple):
-    """What a device holds, as nextpnr counts it."""
+    """What a device holds, as nextpnr counts it: its log and its report name the cells that are available, those of
+    flip-flops TRELLIS_FF (LFE5U), DFF (Gowin), OXIDE_FF (LIFCL) and CPE_FF (GateMate). On iCE40 each logic cell has one
+    (ICESTORM_LC); that of the LFE5U-45F follows from its siblings, two in a slice of two LUTs."""
 
     lut_sites: int
+    flip_flops: int
     block_rams: int  # on GateMate of 20 kbit, two of which can be one
 
 
@@ -46,7 +49,7 @@ TARGETS = {
             "LFE5U-85F-8BG756",
             ("--85k", "--package", "CABGA756", "--speed", "8"),
             short="85F, grade 8",
-            holds=Device(83_640, 208),
+            holds=Device(83_640, 83_640, 208),
         ),
         Target("cyclonev", CycloneV()),
         Target("xc7", Series7()),
@@ -56,7 +59,7 @@ TARGETS = {
             "LFE5U-85F-6BG756",
             ("--85k", "--package", "CABGA756", "--speed", "6"),
             short="85F, grade 6",
-            holds=Device(83_640, 208),
+            holds=Device(83_640, 83_640, 208),
         ),
         Target(
             "ecp5_25f_grade6",
@@ -64,7 +67,7 @@ TARGETS = {
             "LFE5U-25F-6BG381",
             ("--25k", "--package", "CABGA381", "--speed", "6"),
             short="25F, grade 6",
-            holds=Device(24_288, 56),
+            holds=Device(24_288, 24_288, 56),
         ),
         Target(
             "ecp5_45f_grade6",
@@ -72,7 +75,7 @@ TARGETS = {
             "LFE5U-45F-6BG381",
             ("--45k", "--package", "CABGA381", "--speed", "6"),
             short="45F, grade 6",
-            holds=Device(43_848, 108),
+            holds=Device(43_848, 43_848, 108),
         ),
         # The Tang Nano 20K and 9K.
         Target(
@@ -82,7 +85,7 @@ TARGETS = {
             ("--device", "GW2AR-LV18QN88C8/I7", "--vopt", "family=GW2A-18C"),
             ("4", "25", "26"),
             "GW2AR-18",
-            Device(20_736, 46),
+            Device(20_736, 15_552, 46),
         ),
         Target(
             "gw1nr_9",
@@ -91,7 +94,7 @@ TARGETS = {
             ("--device", "GW1NR-LV9QN88PC6/I5", "--vopt", "family=GW1N-9C"),
             ("52", "25", "26"),
             "GW1NR-9",
-            Device(8_640, 26),
+            Device(8_640, 6_480, 26),
         ),
         Target(
             "up5k",
@@ -99,7 +102,7 @@ TARGETS = {
             "iCE40UP5K-SG48",
             ("--up5k", "--package", "sg48"),
             short="iCE40 UP5K",
-            holds=Device(5_280, 30),
+            holds=Device(5_280, 5_280, 30),
         ),
         Target(
             "hx8k",
@@ -107,7 +110,7 @@ TARGETS = {
             "iCE40HX8K-CT256",
             ("--hx8k", "--package", "ct256"),
             short="iCE40 HX8K",
-            holds=Device(7_680, 32),
+            holds=Device(7_680, 7_680, 32),
         ),
         Target(
             "lifcl_40",
@@ -116,9 +119,11 @@ TARGETS = {
             ("--device", "LIFCL-40-9BG400C"),
             ("L13", "G14", "E17"),
             "LIFCL-40, grade 9",
-            Device(32_256, 84),
+            Device(32_256, 32_256, 84),
         ),
-        Target("ccgm1a1", _GATEMATE, "CCGM1A1", ("--device", "CCGM1A1"), short="CCGM1A1", holds=Device(40_960, 64)),
+        Target(
+            "ccgm1a1", _GATEMATE, "CCGM1A1", ("--device", "CCGM1A1"), short="CCGM1A1", holds=Device(40_960, 40_960, 64)
+        ),
     )
 }
 USUAL = ("ecp5", "cyclonev", "xc7")  # what implement.py takes when no target is named

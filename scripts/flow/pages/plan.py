@@ -12,7 +12,7 @@ from ..planning import plan_text, search
 from ..planning.candidates import Camera
 from ..planning.compared import Compared, compare, size_of
 from ..planning.devices import device_of, lut_name, netlist_of, targets, title_of
-from ..planning.model import BASE, CLOCK, WORK, Model
+from ..planning.model import BASE, CLOCK, REGISTERS, WORK, Model
 from . import plan_picture
 from .plan_algorithms import algorithms
 
@@ -37,6 +37,11 @@ def pages() -> dict[Path, str]:
         devices="\n".join(_device_row(planner, target) for target in targets() if device_of(target)),
         work="\n".join(f"| {word} | {luts:.2f} |" for word, luts in zip(WORK, planner.model.work_luts)),
         families=_families(planner.model),
+        registers="\n".join(
+            f"| {word} | {factor:.2f} |" for word, factor in zip(REGISTERS, planner.model.register_flip_flops)
+        ),
+        register_families=_register_families(planner.model),
+        covered=_covered(planner.model),
         clock="\n".join(_clock_rows(planner.model)),
         sites=_sites(planner.model),
         summary="\n".join(summary(found)),
@@ -62,8 +67,9 @@ def _device_row(planner: search.Planner, target: str) -> str:
 def _taken(planned: search.Planned) -> str:
     """The algorithm, and what it takes."""
     row = f", {code(planned.row)}" if planned.row else ""
-    luts, block_rams = (one.value if one else None for one in (planned.numbers.luts, planned.numbers.block_rams))
-    taken = f"{number(luts)} LUTs, {number(block_rams)} block RAMs"
+    n = planned.numbers
+    luts, flip_flops, block_rams = (one.value if one else None for one in (n.luts, n.flip_flops, n.block_rams))
+    taken = f"{number(luts)} LUTs, {number(flip_flops)} flip-flops, {number(block_rams)} block RAMs"
     title, config = planned.candidate.algorithm.title, code(planned.candidate.algorithm.config)
     name = title if config in title else f"{config}, {title}"
     return f"{name}, {plan_text.speed(planned)}: {taken}{row}"
@@ -72,6 +78,15 @@ def _taken(planned: search.Planned) -> str:
 def _families(model: Model) -> str:
     others = {name: scale for name, scale in model.family_luts.items() if name != BASE}
     return ", ".join(f"{scale:.2f} {lut_name(name)} on {name}" for name, scale in others.items()) or "none yet"
+
+
+def _register_families(model: Model) -> str:
+    others = {name: scale for name, scale in model.family_flip_flops.items() if name != BASE}
+    return ", ".join(f"{scale:.2f} on {name}" for name, scale in others.items()) or "none yet"
+
+
+def _covered(model: Model) -> str:
+    return ", ".join(f"{factor:.2f} on {name}" for name, factor in model.covered_ffs.items()) or "none yet"
 
 
 def _sites(model: Model) -> str:
@@ -98,9 +113,10 @@ def _netlists(found: Iterable[Compared]) -> list[Compared]:
 
 
 def summary(found: Sequence[Compared]) -> list[str]:
-    """Of LUTs, block RAMs and clock: how many cores, the median error, the bar, the worst."""
+    """Of LUTs, flip-flops, block RAMs and clock: how many cores, the median error, the bar, the worst."""
     netlists = _netlists(found)
     rows = [_summary_row("look-up tables", netlists, lambda one: one.luts_error, "12 %")]
+    rows.append(_summary_row("flip-flops", netlists, lambda one: one.flip_flops_error, "12 %"))
     counted = [one for one in netlists if one.block_rams_error is not None]
     wrong = [one for one in counted if one.block_rams_error]
     said = (f"{code(one.core.name)}: {one.block_rams} instead of {one.core.result['block_rams']}" for one in wrong)
@@ -132,6 +148,9 @@ def _core_row(one: Compared) -> str:
         number(one.core.luts),
         number(one.luts),
         _percent(one.luts_error),
+        number(one.core.flip_flops),
+        number(one.flip_flops),
+        _percent(one.flip_flops_error),
         number(one.core.result["block_rams"]),
         number(one.block_rams),
         number(one.core.mhz, 1),

@@ -44,7 +44,12 @@ def _cell(planner: search.Planner, name: str, row: dict[str, Any], target: str, 
         return Cell(target, name, UNKNOWN, NOT_KNOWN)
     numbers = planner.numbers(row if row["family"] in cores.FAMILIES else None, target, of_name)
     sites = numbers.lut_sites or numbers.luts
-    taken = ((sites.value if sites else None, device.lut_sites), (numbers.blocks, device.block_rams))
+    registers = numbers.flip_flop_sites
+    taken = (
+        (sites.value if sites else None, device.lut_sites),
+        (registers.value if registers else None, device.flip_flops),
+        (numbers.blocks, device.block_rams),
+    )
     shares = [part / there for part, there in taken if part is not None]
     if not shares:
         return Cell(target, name, UNKNOWN, NOT_KNOWN)

