@@ -237,7 +237,7 @@ struct Config : Image, Matching, Structure {
    /// Whether the first disparity of a frame is checked before the next frame can start.
    constexpr bool holds_settings() const {
       const int check = has_left_right_check() ? disparities - 1 : 0;
-      return groups_to_first_window() + check + clocks_to_last_check() < row_groups() * width_px;
+      return groups_to_first_window() + check + clocks_to_last_check() + support_lag(*this) < row_groups() * width_px;
    }
    /// Whether all disparities fit at as many columns as a window has. In narrower images a column would leave the
    /// windows of a row after the row's end, and with full_width a row's first pixel would lack candidates on both

@@ -107,7 +107,8 @@ struct Core {
 
   private:
    HLS_INLINE void clock_map() {
-      if constexpr (C.median || C.has_post_processing()) map.clock(checked(), size);
+      if constexpr (C.has_post_processing()) map.clock(checked(), size, settings);
+      else if constexpr (C.median) map.clock(checked(), size);
       else map.clock(checked());
    }
 

@@ -76,7 +76,8 @@ struct Core<C> {
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (C.median || C.has_post_processing()) map.clock(checked(), FixedSize<C>());
+      if constexpr (C.has_post_processing()) map.clock(checked(), FixedSize<C>(), settings);
+      else if constexpr (C.median) map.clock(checked(), FixedSize<C>());
       else if constexpr (kHasMapBlock) map.clock(checked());
       if constexpr (C.has_left_right_check()) check.clock(slices.last(), winners, settings);
       winners.clock(refinement.output(best, texture), passes);

@@ -11,7 +11,8 @@ namespace stereo::block_matching {
    SETTING(uint16_t, texture_threshold, AsShown, C.has_texture_check(), 0,     \
            (C.prefilter_cap * C.window_px * C.window_px), C.texture_threshold) \
    STEREO_UNIQUENESS_PERCENT(SETTING)                                          \
-   STEREO_CHECKED_AND_SEARCHED(SETTING)
+   STEREO_CHECKED_AND_SEARCHED(SETTING)                                        \
+   STEREO_SUPPORT_THRESHOLD(SETTING)
 
 STEREO_DEFINE_SETTINGS(STEREO_SETTINGS_block_matching);
 

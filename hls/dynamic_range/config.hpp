@@ -15,7 +15,10 @@ struct Structure : OptionGroups<SliceSize, WinnerGroup> {
 };
 
 /// What the post-processing is a template over: a map of the whole range.
-struct MapConfig : Image, OptionGroups<DisparityCount, WindowRange, ReferenceImage, SubpixelSteps, MedianFilter, PostProcessing> {
+struct MapConfig
+    : Image,
+      OptionGroups<DisparityCount, WindowRange, ReferenceImage, SubpixelSteps, MedianFilter, PostProcessing> {
+   static constexpr bool has_runner_up() { return false; }
    constexpr int output_width_px() const { return width_px - window_disparities; }
    constexpr int disparity_bits() const { return (subpixel || fill_holes ? 16 : 8) + (confidence ? 8 : 0); }
    constexpr int steps_per_pixel() const { return subpixel ? 16 : 1; }

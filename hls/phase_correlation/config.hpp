@@ -47,7 +47,8 @@ struct CodeConfig : block_matching::Config {
    constexpr bool holds_settings() const {
       const int filters = transform_groups() * width_px + transform_columns();
       const int check = has_left_right_check() ? disparities - 1 : 0;
-      return filters + groups_behind_transform() + check + clocks_to_last_check() < row_groups() * width_px;
+      return filters + groups_behind_transform() + check + clocks_to_last_check() + support_lag(*this) <
+             row_groups() * width_px;
    }
 
    /// As for block matching: recursive sums need whole rows between two frames, and as many as the filters wait for.

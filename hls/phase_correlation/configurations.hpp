@@ -33,6 +33,7 @@ STEREO_ROW(tiny_phase_settings, option, tiny_phase_checks, run_time_settings = t
 STEREO_ROW(tiny_phase_size, option, tiny_phase, height_px = 24, run_time_size = true);
 STEREO_ROW(tiny_phase_size_all, option, tiny_phase_checks, height_px = 26, full_width = true, run_time_settings = true,
            run_time_size = true, aggregation = Aggregation::recursive);
+STEREO_ROW(tiny_phase_dense_settings, option, tiny_phase_dense, height_px = 26, run_time_settings = true);
 // clang-format on
 
 }  // namespace stereo::phase_correlation::configurations

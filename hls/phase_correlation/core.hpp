@@ -85,7 +85,8 @@ struct Core {
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (C.median || C.has_post_processing()) map.clock(checked(), size);
+      if constexpr (C.has_post_processing()) map.clock(checked(), size, settings);
+      else if constexpr (C.median) map.clock(checked(), size);
       else if constexpr (kHasMapBlock) map.clock(checked());
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(slices.last(), texture, settings);

@@ -9,7 +9,8 @@ namespace stereo::phase_correlation {
 
 #define STEREO_SETTINGS_phase_correlation(SETTING) \
    STEREO_UNIQUENESS_PERCENT(SETTING)              \
-   STEREO_CHECKED_AND_SEARCHED(SETTING)
+   STEREO_CHECKED_AND_SEARCHED(SETTING)            \
+   STEREO_SUPPORT_THRESHOLD(SETTING)
 
 STEREO_DEFINE_SETTINGS(STEREO_SETTINGS_phase_correlation);
 

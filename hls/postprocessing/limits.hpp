@@ -12,6 +12,14 @@ inline constexpr int kSupportColumns = 6;  ///< left and right of it
 /// Groups of rows that a pixel waits for.
 constexpr int support_groups(int pixels_per_clock) { return (kSupportRows + pixels_per_clock - 1) / pixels_per_clock; }
 
+/// Groups and clocks that are enough from the check of a pixel to its support filter.
+template <class Config>
+constexpr int support_lag(const Config& config) {
+   constexpr int kClocks = 10;
+   if (!config.has_support_filter()) return 0;
+   return support_groups(config.pixels_per_clock) * config.width_px + kSupportColumns + kClocks;
+}
+
 /// Why the post-processing of a configuration cannot be built; empty when it can.
 template <class Config>
 constexpr Sentence post_processing_problem(const Config& config) {

@@ -15,6 +15,13 @@ inline constexpr int kMapBits = bits_for(C.steps_per_pixel() * (C.disparities - 
 template <const auto& C>
 inline constexpr int kSureBits = C.has_confidence() ? 8 : 0;
 
+/// Whether the family tells how far the runner-up was; the margin of a confidence is 0 where it does not.
+template <const auto& C>
+inline constexpr bool kHasRunnerUp = [] {
+   if constexpr (requires { C.has_runner_up(); }) return C.has_runner_up();
+   else return true;
+}();
+
 /// One column of a group of rows of the map, between the stages of the post-processing.
 template <const auto& C>
 struct MapColumn {
@@ -36,14 +43,7 @@ struct MapColumn {
    }
 };
 
-/// How far the runner-up was, where winners say so.
-template <const auto& W>
-HLS_INLINE uint8_t margin_of(const Winners<W>& in, int p) {
-   if constexpr (kHasMargin<W>) return in.margin.value[p];
-   else return 0;
-}
-
-/// Of the winners of a family. W: the configuration of their blocks. Without a margin it is 0.
+/// Of the winners of a family. W: the configuration of their blocks.
 template <const auto& C, const auto& W>
 HLS_INLINE MapColumn<C> map_column(const Winners<W>& in) {
    MapColumn<C> out;
@@ -51,7 +51,7 @@ HLS_INLINE MapColumn<C> map_column(const Winners<W>& in) {
    for (int p = 0; p < C.pixels_per_clock; ++p) {
       out.disparity[p] = C.subpixel ? uint16_t(16 * in.disparity[p] + in.fraction[p] - 8) : in.disparity[p];
       out.passed[p] = in.passed[p];
-      if constexpr (C.has_confidence()) out.sure[p] = margin_of(in, p);
+      if constexpr (C.has_confidence() && kHasRunnerUp<C>) out.sure[p] = in.margin.value[p];
    }
    out.tag = in.tag;
    return out;

@@ -15,8 +15,8 @@ inline constexpr bool kPostProcesses = [] {
    else return false;
 }();
 
-/// The post-processing behind the checks of any family: what makes the map of the winners. Each stage may be absent, but
-/// not all of them.
+/// The post-processing behind the checks of any family: what makes the map of the winners. Each stage may be absent,
+/// but not all of them.
 ///
 ///              winners
 ///                 |
@@ -47,7 +47,7 @@ struct PostProcessor {
    template <class Visitor>
    HLS_INLINE void groups(Visitor& visit) {
       if constexpr (C.has_support_filter()) visit.block("support", support);
-      if constexpr (C.fill_holes) visit.block("fill", fill);
+      if constexpr (C.fill_holes) visit.block(fill_name(), fill);
       if constexpr (C.median) visit.block("median", median);
    }
 
@@ -57,20 +57,24 @@ struct PostProcessor {
    }
 
    /// size: of the map, as the blocks of the core have it.
-   template <const auto& W, class Size>
-   HLS_INLINE void clock(const Winners<W>& in, const Size& size) {
-      clock(map_column<C>(in), size);
+   template <const auto& W, class Size, class Settings = NoSettings>
+   HLS_INLINE void clock(const Winners<W>& in, const Size& size, const Settings& settings = Settings()) {
+      clock(map_column<C>(in), size, settings);
    }
-   template <class Size>
-   HLS_INLINE void clock(const MapColumn<C>& column, const Size& size) {
+   template <class Size, class Settings = NoSettings>
+   HLS_INLINE void clock(const MapColumn<C>& column, const Size& size, const Settings& settings = Settings()) {
       if constexpr (C.median && C.has_post_processing()) median.clock(shown(), size);
       else if constexpr (C.median) median.clock(column, size);
       if constexpr (C.fill_holes && C.has_support_filter()) fill.clock(support.out, size.map);
       else if constexpr (C.fill_holes) fill.clock(column, size.map);
-      if constexpr (C.has_support_filter()) support.clock(column, size.map);
+      if constexpr (C.has_support_filter()) support.clock(column, size.map, settings);
    }
 
   private:
+   static constexpr const char* fill_name() {
+      if constexpr (requires { C.kHolesBlock; }) return C.kHolesBlock;
+      else return "fill";
+   }
    HLS_INLINE const MapColumn<C>& shown() const {
       if constexpr (C.fill_holes) return fill.out;
       else return support.out;

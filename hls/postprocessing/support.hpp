@@ -7,6 +7,7 @@
 #include "support/memory_bank.hpp"
 #include "support/optional_block.hpp"
 #include "support/row_buffer.hpp"
+#include "support/settings.hpp"
 
 namespace stereo {
 
@@ -29,7 +30,8 @@ struct Support {
    static constexpr int kCompared = kSupportColumns + 1;  ///< columns of a window that are compared
    static constexpr int kWholeBits = bits_for(C.disparities - 1);
    static constexpr int kFractionBits = C.subpixel ? 4 : 0;
-   static constexpr int kRestBits = kFractionBits + (C.has_confidence() ? kMarginBits : 0);
+   static constexpr bool kTakesMargin = C.has_confidence() && kHasRunnerUp<C>;
+   static constexpr int kRestBits = kFractionBits + (kTakesMargin ? kMarginBits : 0);
    static constexpr bool kHasRest = kRestBits > 0;
    using Counter = RasterCounter<kWidth, kGroups, kDelay, true>;
    using Rows = RowBuffer<kWholeBits + 1, kPixels, kDelay * kPixels + kSupportRows, kWidth>;
@@ -103,6 +105,7 @@ struct Support {
    uint8_t partial[kPixels][kCompared];
    // clock 8
    uint8_t count[kPixels];
+   [[no_unique_address]] TakenOver<C, uint8_t> threshold;
    // clock 9
    bool enough[kPixels];
    uint16_t sum[kPixels];
@@ -146,6 +149,7 @@ struct Support {
       visit("like", like);
       visit("partial", partial);
       visit("count", count);
+      if constexpr (kSetAtRunTime<C>) visit("threshold", threshold.value, C.support_threshold);
       visit("enough", enough);
       if constexpr (C.has_confidence()) visit("sum", sum);
       visit("centre", centre);
@@ -156,9 +160,9 @@ struct Support {
    }
 
    /// map: the limits of the map's rows and columns.
-   template <class Map>
-   HLS_INLINE void clock(const MapColumn<C>& in, const Map& map) {
-      finish();
+   template <class Map, class Settings = NoSettings>
+   HLS_INLINE void clock(const MapColumn<C>& in, const Map& map, const Settings& settings = Settings()) {
+      finish(settings);
       count_like();
       move_window();
       take_column();
@@ -188,7 +192,7 @@ struct Support {
          newest[p] = Cell(whole | select<Cell>(in.passed[p], kValid, 0));
          if constexpr (kHasRest) {
             RestLane lane = RestLane(rounded % unsigned(kSteps));
-            if constexpr (C.has_confidence()) lane = RestLane(lane | RestLane(in.sure[p]) << kFractionBits);
+            if constexpr (kTakesMargin) lane = RestLane(lane | RestLane(in.sure[p]) << kFractionBits);
             newest_rest[p] = lane;
          }
       }
@@ -316,7 +320,14 @@ struct Support {
       return ((cell & kValid) != 0) & ((difference & unsigned(2 * kValid - 1)) <= 2u);
    }
 
-   HLS_INLINE void finish() {
+   template <class Settings>
+   HLS_INLINE void finish(const Settings& settings) {
+      unsigned least = unsigned(C.support_threshold);
+      if constexpr (kSetAtRunTime<C>) {
+         least = threshold.value;
+         const bool starts = centre_moved[1] & centre_moment[1].start_of_frame;  // compared in the next clock
+         threshold.value = select<uint8_t>(starts, settings.support_threshold, threshold.value);
+      }
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          const unsigned whole = unsigned(centre[3][p] & Cell(kValid - 1));
@@ -328,11 +339,12 @@ struct Support {
             const uint8_t bounded =
                 select<uint8_t>(sum[p] > C.kLargestConfidence, C.kLargestConfidence, uint8_t(sum[p]));
             out.sure[p] = select<uint8_t>(enough[p], bounded, 0);
-            const unsigned margin = unsigned(centre_rest[2][p] >> kFractionBits);
+            unsigned margin = 0;
+            if constexpr (kTakesMargin) margin = unsigned(centre_rest[2][p] >> kFractionBits);
             sum[p] =
                 uint16_t(unsigned(C.margin_weight) * margin + unsigned(C.support_weight) * unsigned(count[p])) & 1023;
          }
-         enough[p] = ((centre[2][p] & kValid) != 0) & (count[p] >= C.support_threshold);
+         enough[p] = ((centre[2][p] & kValid) != 0) & (count[p] >= least);
       }
       out.tag.valid = centre_moved[3];
       out.tag.map_column = centre_moment[3].map_column;

@@ -84,7 +84,10 @@ package stereo_register_map is
   constant above_p2_word : natural := 22;
   constant above_p2_value_bits : positive := 16;
   constant above_p2_largest_bits : positive := 16;
-  constant setting_count : positive := 11;
+  constant support_threshold_word : natural := 23;
+  constant support_threshold_value_bits : positive := 16;
+  constant support_threshold_largest_bits : positive := 16;
+  constant setting_count : positive := 12;
   constant first_setting_word : natural := texture_threshold_word;
   type setting_words is array (0 to setting_count - 1) of std_logic_vector(15 downto 0);
   type setting_values is array (0 to setting_count - 1) of natural;

@@ -147,6 +147,7 @@ begin
     first_setting_word + 8 => setting_word(setting(8), settings_largest(8)),
     first_setting_word + 9 => setting_word(setting(9), settings_largest(9)),
     first_setting_word + 10 => setting_word(setting(10), settings_largest(10)),
+    first_setting_word + 11 => setting_word(setting(11), settings_largest(11)),
     others => (others => '0'));
 
   writes <= have_address and have_data and not bvalid;

@@ -136,7 +136,9 @@ struct Config : Image, Matching, Structure {
       if (pixels_per_clock != 1) return "the semi-global core takes one pixel pair a clock";
       if (const Sentence sentence = folding_problem(); !sentence.empty()) return sentence;
       if (disparities < 8) return "the disparity range must be 8 ... 256";
-      if (run_time_settings && groups_to_last_check() + clocks_to_last_check() >= row_groups() * width_px)
+      const int turned = path_right && has_support_filter() ? width_px : 0;
+      if (run_time_settings &&
+          groups_to_last_check() + clocks_to_last_check() + turned + support_lag(*this) >= row_groups() * width_px)
          return "with run-time settings the image must be higher, for a frame's first disparity to leave before the "
                 "next one";
       if (full_width && width_px < turn_columns() + 4) {

@@ -48,7 +48,8 @@ HLS_INLINE auto shown_group(const Core& core) {
 /// The clock edge of what stands behind the check.
 template <const Config& C, class Core, class Size>
 HLS_INLINE void clock_map(Core& core, const Size& size) {
-   if constexpr (C.median || C.has_post_processing()) core.map.clock(turned<C>(core), size);
+   if constexpr (C.has_post_processing()) core.map.clock(turned<C>(core), size, core.settings);
+   else if constexpr (C.median) core.map.clock(turned<C>(core), size);
    else if constexpr (kHasMapBlock<C>) core.map.clock(turned<C>(core));
    if constexpr (C.path_right) core.turn.clock(checked<C>(core), size);
 }

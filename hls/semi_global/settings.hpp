@@ -16,7 +16,8 @@ namespace stereo::semi_global {
    SETTING(uint16_t, above_p2, Clamped, C.has_penalties_above(), 0, C.p2_above(), C.p2_above())        \
    SETTING(uint16_t, uniqueness_distance, Masked, C.has_uniqueness_check(), 0, C.largest_uniqueness(), \
            C.uniqueness_distance)                                                                      \
-   STEREO_CHECKED_AND_SEARCHED(SETTING)
+   STEREO_CHECKED_AND_SEARCHED(SETTING)                                                                \
+   STEREO_SUPPORT_THRESHOLD(SETTING)
 
 STEREO_DEFINE_SETTINGS(STEREO_SETTINGS_semi_global);
 

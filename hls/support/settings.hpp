@@ -153,6 +153,9 @@ struct Clamped {
    SETTING(uint8_t, last_disparity, AsShown, C.full_width, 0, C.disparities - 1,                     \
            C.last_disparity < 0 ? C.disparities - 1 : C.last_disparity)
 
+#define STEREO_SUPPORT_THRESHOLD(SETTING) \
+   SETTING(uint8_t, support_threshold, Clamped, C.has_support_filter(), 1, C.kMostNeighbours, C.support_threshold)
+
 /// Of a core with run_time_size, behind the others.
 #define STEREO_SETTINGS_OF_SIZE(SETTING) SETTING(uint16_t, image_width) SETTING(uint16_t, image_height)
 

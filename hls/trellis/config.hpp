@@ -9,6 +9,13 @@ namespace stereo::trellis {
 using semi_global::kWindowConfig;
 using semi_global::Structure;
 
+/// What the post-processing is a template over.
+struct MapConfig : semi_global::Config {
+   static constexpr const char* kHolesBlock = "holes";  ///< the core's own block `fill` has the other name
+
+   static constexpr bool has_runner_up() { return false; }
+};
+
 /// One hardware configuration of the trellis core. The named ones are in configurations.hpp.
 struct Config : Image, Matching, Structure {
    /// The core of semi-global matching whose costs come in. It has the path from the right only: its rows go out as the
@@ -21,9 +28,8 @@ struct Config : Image, Matching, Structure {
       return {Image(*this), matching, structure};
    }
 
-   /// What the post-processing is a template over.
-   constexpr semi_global::Config map() const {
-      semi_global::Config config = costs();
+   constexpr MapConfig map() const {
+      MapConfig config{costs()};
       config.confidence = confidence;
       config.run_time_settings = run_time_settings;
       return config;
@@ -72,8 +78,10 @@ struct Config : Image, Matching, Structure {
       if (const Sentence sentence = Matching::problem(); !sentence.empty()) return sentence;
       if (const Sentence sentence = costs().problem(); !sentence.empty()) return sentence;
       if (costs().is_folded()) return "the trellis takes a pixel pair a clock";
+      const int traced = has_support_filter() ? 2 * width_px : 0;
       if (run_time_settings &&
-          costs().windows().groups_to_first_window() + clocks_to_forward() >= row_groups() * width_px)
+          costs().windows().groups_to_first_window() + clocks_to_forward() + traced + support_lag(*this) >=
+              row_groups() * width_px)
          return "with run-time settings the image must be higher, for a frame's first column to be there before the "
                 "next one";
       return {};
@@ -83,7 +91,7 @@ struct Config : Image, Matching, Structure {
 template <const auto& C>
 inline constexpr auto kCostConfig = C.costs();
 template <const auto& C>
-inline constexpr auto kMapConfig = C.map();
+inline constexpr MapConfig kMapConfig = C.map();
 
 template <const auto& C>
 using PathCost = semi_global::PathCost<kCostConfig<C>>;

@@ -33,6 +33,8 @@ STEREO_ROW(tiny_trellis_dense, option, tiny_trellis, median = true, support_thre
 STEREO_ROW(tiny_trellis_settings, option, tiny_trellis, run_time_settings = true);
 STEREO_ROW(tiny_trellis_size, option, tiny_trellis_median, height_px = 16, drop_cost = 6, occlusion_cost = 12,
            run_time_settings = true, run_time_size = true);
+STEREO_ROW(tiny_trellis_dense_size, option, tiny_trellis_dense, height_px = 16, run_time_settings = true,
+           run_time_size = true);
 // clang-format on
 
 }  // namespace stereo::trellis::configurations

@@ -96,7 +96,8 @@ struct Core {
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (C.median || C.has_post_processing()) map.clock(fill.out, size);
+      if constexpr (C.has_post_processing()) map.clock(fill.out, size, settings);
+      else if constexpr (C.median) map.clock(fill.out, size);
       fill.clock(turn.output());
       turn.clock(traceback.out, size);
       traceback.clock(entry, decisions, last);

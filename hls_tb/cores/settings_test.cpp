@@ -44,7 +44,7 @@ std::shared_ptr<const Algorithm> set(std::shared_ptr<const Algorithm> algorithm,
 }
 
 TEST_P(SettingsTest, EachFrameHasTheSettingsOfItsStart) {
-   constexpr int kFrames = 60;
+   constexpr int kFrames = 120;
    const CoreShape& shape = core().shape;
    const Image& image = shape.image;
    const int disparities = configuration().algorithm->map_geometry(image.width_px).disparities;

@@ -201,8 +201,6 @@ def _window_problem(shape: WindowShape) -> str:
     if s.is_folded:
         if s.full_width:
             return "with several clocks a pixel pair there is no map of full width"
-        if s.post_processes:
-            return "with several clocks a pixel pair there is no post-processing"
         if not s.passes_fit:
             return "with so many clocks a pixel pair the image must be wider"
     return ""

@@ -124,8 +124,9 @@ def passes(shape: WindowShape) -> list[Memory]:
     found += bank(columns, best)
     if s.has_second:
         found += bank(columns, packed(bits_for((1 << s.window_bits) - 1), 2))
-    has_check = s.left_right or s.unique or s.texture
-    found.append(Memory(2 * columns, s.disparity_bits + (5 if s.subpixel else 0) + has_check))
+    has_check = s.left_right or s.unique or s.texture or s.supports
+    beside = (5 if s.subpixel else 0) + (MARGIN_BITS if s.confidence else 0)
+    found.append(Memory(2 * columns, s.disparity_bits + beside + has_check))
     if s.left_right:
         found += bank(columns, packed(lane, 2, min(lane, DISPARITY_BITS))) + [Memory(2 * columns, DISPARITY_BITS)]
     return found

@@ -55,7 +55,6 @@ class WindowShape:
         self.texture: bool = o.get("texture_threshold", 0) > 0
         self.fills: bool = o.get("fill_holes", False)
         self.supports: bool = o.get("support_threshold", 0) > 0 or self.confidence
-        self.post_processes = self.fills or self.supports
         self.has_transform: bool = self.is_census or o["prefilter"] != "none"
 
     # The window around a pixel, and the offset between the images.
