@@ -149,7 +149,8 @@ struct Support {
       visit("like", like);
       visit("partial", partial);
       visit("count", count);
-      if constexpr (kSetAtRunTime<C>) visit("threshold", threshold.value, C.support_threshold);
+      if constexpr (kSetAtRunTime<C>)
+         visit("least", threshold.value, C.support_threshold);  // `support_threshold` is the port
       visit("enough", enough);
       if constexpr (C.has_confidence()) visit("sum", sum);
       visit("centre", centre);
