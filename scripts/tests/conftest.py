@@ -14,6 +14,8 @@ sys.path.insert(0, str(ROOT / "scripts"))
 
 from flow.base import venv  # noqa: E402 -- the path comes first
 from flow.base.errors import EXIT_MISSING_TOOL, FlowError  # noqa: E402
+from flow.pages.plan_algorithms import algorithms  # noqa: E402
+from flow.planning import compared, search  # noqa: E402
 
 SEED = int(os.environ.get("STEREO_TEST_SEED", "20070925"))
 
@@ -62,6 +64,18 @@ def nvc():
 @pytest.fixture
 def yosys():
     return need("yosys", "YOSYS")
+
+
+@pytest.fixture(scope="session")
+def planner():
+    """Of all measured cores, as plan.py has it."""
+    return search.Planner(algorithms())
+
+
+@pytest.fixture(scope="session")
+def errors(planner):
+    """The estimate of each, left out of its own, beside its measurement."""
+    return compared.compare(planner.known)
 
 
 @pytest.fixture(scope="session")

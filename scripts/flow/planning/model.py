@@ -113,7 +113,7 @@ class Core:
     def lut_ram_covered_ffs(self, family: str) -> int:
         """Flip-flops of the device that LUT RAM leaves no place for."""
         found = self.mapped(family)
-        return found.lut_rams * ram.FAMILIES[family].covered_ffs if found else 0
+        return found.lut_rams * devices.covered_ffs(family).get(ram.FAMILIES[family].lut_cell, 0) if found else 0
 
 
 def implemented() -> list[Implemented]:

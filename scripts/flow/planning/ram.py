@@ -38,7 +38,7 @@ class Family:
     blocks: tuple[Shape, ...]
     lut: Shape | None  # LUT RAM
     luts: int = 0  # that one takes
-    covered_ffs: int = 0  # flip-flops of the device that one leaves no place for
+    lut_cell: str = ""  # its name in a netlist, where it leaves no place for flip-flops
 
 
 _LUT_RAM = Shape(4, (4,), 4, needs_bypass=False)
@@ -47,7 +47,7 @@ _LATTICE_WIDTHS = (1, 2, 4, 9, 18, 36)
 FAMILIES = {
     "ecp5": Family((Shape(14, _LATTICE_WIDTHS, 128, 9),), _LUT_RAM, 6),
     "nexus": Family((Shape(14, _LATTICE_WIDTHS, 128, 9, needs_bypass=False),), _LUT_RAM, 6),
-    "gowin": Family((Shape(14, _LATTICE_WIDTHS, 128, 9),), replace(_LUT_RAM, by_width=True), 6, 6),
+    "gowin": Family((Shape(14, _LATTICE_WIDTHS, 128, 9),), replace(_LUT_RAM, by_width=True), 6, "RAM16SDP4"),
     "ice40": Family((Shape(11, (2, 4, 8, 16), 64, 1),), None),
     # Of 20 kbit, and two of them as one.
     "gatemate": Family(
