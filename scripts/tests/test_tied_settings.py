@@ -31,8 +31,8 @@ class AreaOnly(Family):
     prepare = PREPARE
 
 
-# (with ports, without, largest difference in percent). One pair for the size, whose ports end in blocks that all families
-# share, and one for the settings of each family.
+# (with ports, without, largest difference in percent). One pair for the size, whose ports end in blocks that all
+# families share, and one for the settings of each family.
 PAIRS = [
     ("tiny_settings_full", "tiny_full_all", 2),
     ("tiny_size", "tiny", 2),
