@@ -187,8 +187,7 @@ TEST(BlockMatchingConfig, SaysWhatSeveralClocksAPixelCannotBeCombinedWith) {
              "with several clocks a pixel pair there is no map of full width");
    EXPECT_EQ(problem([](Config& c) { c.run_time_size = true; }),
              "with several clocks a pixel pair there is no run-time size");
-   EXPECT_EQ(problem([](Config& c) { c.support_threshold = 4; }),
-             "with several clocks a pixel pair there is no post-processing");
+   EXPECT_EQ(problem([](Config& c) { c.support_threshold = 4; }), "");
    EXPECT_EQ(problem([](Config& c) { c.front_clocks = 2; }), "");
    EXPECT_EQ(problem([](Config& c) {
                 c.clocks_per_pixel = 2;

@@ -21,13 +21,21 @@ TEST(PhaseCorrelationConfig, SettingsAreThoseOfItsChecks) {
    config.run_time_settings = true;
    ASSERT_EQ(config.problem().text, std::string());
    const SettingList list = setting_list(config);
-   ASSERT_EQ(list.count, 4);
+   ASSERT_EQ(list.count, 5);
    EXPECT_EQ(list.setting[0].name, std::string("uniqueness_percent"));
    EXPECT_EQ(list.setting[0].largest, 0) << "there is no such check";
    EXPECT_EQ(list.setting[1].name, std::string("left_right_threshold"));
    EXPECT_EQ(list.setting[1].largest, 11);
    EXPECT_EQ(list.setting[1].start, 1);
    EXPECT_EQ(list.setting[2].largest, 0) << "the whole range fits at each column";
+   EXPECT_EQ(list.setting[4].name, std::string("support_threshold"));
+   EXPECT_EQ(list.setting[4].largest, 0) << "there is no such filter";
+   phase_correlation::Config filtered = config;
+   filtered.support_threshold = 7;
+   const Setting threshold = setting_list(filtered).setting[4];
+   EXPECT_EQ(threshold.least, 1);
+   EXPECT_EQ(threshold.largest, 35);
+   EXPECT_EQ(threshold.start, 7);
    config.left_right_threshold = -1;
    EXPECT_EQ(config.problem().text, std::string("run-time settings need a check or a map of full width"));
 }
@@ -67,11 +75,11 @@ TEST(PhaseCorrelationConfig, ASizeAloneSetsNothingElse) {
    config.run_time_size = true;
    ASSERT_EQ(config.problem().text, std::string());
    const SettingList list = setting_list(config);
-   ASSERT_EQ(list.count, 6);
-   for (int i = 0; i < 4; ++i) EXPECT_EQ(list.setting[i].largest, 0) << list.setting[i].name;
-   EXPECT_EQ(list.setting[4].largest, 40);
-   EXPECT_EQ(list.setting[5].largest, 18);
-   EXPECT_TRUE(list.setting[4].held && list.setting[5].held);
+   ASSERT_EQ(list.count, 7);
+   for (int i = 0; i < 5; ++i) EXPECT_EQ(list.setting[i].largest, 0) << list.setting[i].name;
+   EXPECT_EQ(list.setting[5].largest, 40);
+   EXPECT_EQ(list.setting[6].largest, 18);
+   EXPECT_TRUE(list.setting[5].held && list.setting[6].held);
 }
 
 }  // namespace

@@ -94,8 +94,9 @@ TEST(SemiGlobalConfig, PortsWidenNoPath) {
    config.run_time_settings = true;
    config.uniqueness_distance = 3;
    const SettingList list = setting_list(config);
-   ASSERT_EQ(list.count, 9);
-   const int largest[] = {5, 22, 0, 0, 0, config.largest_sum(), 0, 0, 0}, start[] = {5, 22, 0, 0, 0, 3, 0, 0, 0};
+   ASSERT_EQ(list.count, 10);
+   const int largest[] = {5, 22, 0, 0, 0, config.largest_sum(), 0, 0, 0, 0};
+   const int start[] = {5, 22, 0, 0, 0, 3, 0, 0, 0, 0};
    for (int i = 0; i < list.count; ++i) {
       EXPECT_EQ(list.setting[i].largest, largest[i]) << list.setting[i].name;
       EXPECT_EQ(list.setting[i].start, start[i]) << list.setting[i].name;
@@ -175,13 +176,13 @@ TEST(SemiGlobalConfig, SaysWhichSizesARunTimeSizeCanHave) {
    EXPECT_EQ(least_size(config).width_px, 11 + 3);
    EXPECT_EQ(least_size(config).height_px, 3);
    const SettingList list = setting_list(config);
-   ASSERT_EQ(list.count, 11);
-   for (int i = 0; i < 9; ++i) EXPECT_EQ(list.setting[i].largest, 0) << list.setting[i].name;
-   EXPECT_EQ(list.setting[9].name, std::string("image_width"));
-   EXPECT_EQ(list.setting[9].largest, 40);
-   EXPECT_EQ(list.setting[9].least, 14);
-   EXPECT_EQ(list.setting[10].largest, 12);
-   EXPECT_EQ(list.setting[10].least, 3);
+   ASSERT_EQ(list.count, 12);
+   for (int i = 0; i < 10; ++i) EXPECT_EQ(list.setting[i].largest, 0) << list.setting[i].name;
+   EXPECT_EQ(list.setting[10].name, std::string("image_width"));
+   EXPECT_EQ(list.setting[10].largest, 40);
+   EXPECT_EQ(list.setting[10].least, 14);
+   EXPECT_EQ(list.setting[11].largest, 12);
+   EXPECT_EQ(list.setting[11].least, 3);
    config.full_width = true;
    EXPECT_EQ(least_size(config).width_px, 11 + 4) << "a row's last column must be there when the next one comes";
    config.full_width = false;

@@ -19,7 +19,7 @@ TEST(TrellisConfig, SettingsGoUpToTheConfigurations) {
    config.run_time_settings = true;
    ASSERT_EQ(config.problem().text, std::string());
    const SettingList list = setting_list(config);
-   ASSERT_EQ(list.count, 2);
+   ASSERT_EQ(list.count, 3);
    EXPECT_EQ(list.setting[0].name, std::string("drop_cost"));
    EXPECT_EQ(list.setting[0].least, 0);
    EXPECT_EQ(list.setting[0].largest, 4);
@@ -28,6 +28,8 @@ TEST(TrellisConfig, SettingsGoUpToTheConfigurations) {
    EXPECT_EQ(list.setting[1].least, 1);
    EXPECT_EQ(list.setting[1].largest, 9);
    EXPECT_EQ(list.setting[1].start, 9);
+   EXPECT_EQ(list.setting[2].name, std::string("support_threshold"));
+   EXPECT_EQ(list.setting[2].largest, 0) << "there is no such filter";
 }
 
 TEST(TrellisConfig, AFrameIsThereBeforeTheNextOne) {
@@ -58,14 +60,13 @@ TEST(TrellisConfig, ASizeAloneSetsNothingElse) {
    config.run_time_size = true;
    ASSERT_EQ(config.problem().text, std::string());
    const SettingList list = setting_list(config);
-   ASSERT_EQ(list.count, 4);
-   EXPECT_EQ(list.setting[0].largest, 0);
-   EXPECT_EQ(list.setting[1].largest, 0);
+   ASSERT_EQ(list.count, 5);
+   for (int i = 0; i < 3; ++i) EXPECT_EQ(list.setting[i].largest, 0) << list.setting[i].name;
    EXPECT_EQ(list.setting[1].least, 0);
-   EXPECT_EQ(list.setting[2].name, std::string("image_width"));
-   EXPECT_EQ(list.setting[2].largest, 40);
-   EXPECT_EQ(list.setting[3].name, std::string("image_height"));
-   EXPECT_EQ(list.setting[3].largest, 12);
+   EXPECT_EQ(list.setting[3].name, std::string("image_width"));
+   EXPECT_EQ(list.setting[3].largest, 40);
+   EXPECT_EQ(list.setting[4].name, std::string("image_height"));
+   EXPECT_EQ(list.setting[4].largest, 12);
 }
 
 }  // namespace
