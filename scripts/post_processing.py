@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Writes docs/post_processing.md and its picture: what each stage of the post-processing does to a map, on the real
-pair Teddy and on generated scenes."""
+pair Teddy, outdoors and on generated scenes."""
 
 import sys
 from pathlib import Path
@@ -19,7 +19,10 @@ def main() -> int:
     pair = quality.default_pair()
     if missing := quality.missing_files(pair):
         raise FlowError(f"the pair Teddy is missing, so the page cannot be made: {missing[0]}")
-    return files.update(post_processing.pages(pair), arguments.check, "scripts/post_processing.py")
+    outdoors = post_processing.outdoor_pairs()
+    if paths := [path for one in outdoors for path in one.missing]:
+        raise FlowError(f"a pair is missing, so the page cannot be made: {paths[0]}")
+    return files.update(post_processing.pages(pair, outdoors), arguments.check, "scripts/post_processing.py")
 
 
 if __name__ == "__main__":

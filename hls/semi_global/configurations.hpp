@@ -138,11 +138,11 @@ STEREO_ROW(tiny_sgm_f5_relief_forward, option, tiny_sgm_relief_forward, disparit
 STEREO_ROW(tiny_sgm_f6_relief_rows, option, tiny_sgm_relief_rows, clocks_per_pixel = 6);
 STEREO_ROW(tiny_sgm_f4_relief_settings, option, tiny_sgm_f4_settings, p2_least = 4);
 
-// sgm_450 as a depth map without holes: of full width, checked, in sixteenths, filtered, with a confidence, filled. A smaller
-// P2 for a room; docs/post_processing.md has its figures.
-STEREO_ROW(sgm_450_dense, system, sgm_450, full_width = true, left_right_threshold = 1, subpixel = true, p2 = 40,
-           border_cost = 2, support_threshold = 10, confidence = true, margin_weight = 3, support_weight = 3,
-           fill_holes = true);
+// sgm_450 as a depth map without holes: of full width, checked, in sixteenths, filtered, with a confidence, filled. The
+// penalties are those that are best before a fill (docs/post_processing.md).
+STEREO_ROW(sgm_450_dense, system, sgm_450, full_width = true, left_right_threshold = 1, subpixel = true, cost_cap = 6,
+           p1 = 9, p2 = 40, p2_least = 15, above_p2 = 20, border_cost = 3, support_threshold = 10, confidence = true,
+           margin_weight = 4, support_weight = 2, fill_holes = true);
 // clang-format on
 
 }  // namespace stereo::semi_global::configurations

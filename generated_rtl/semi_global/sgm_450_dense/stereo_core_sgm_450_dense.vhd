@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, semi global, configuration sgm_450_dense: 450x375, 64 disparities, window 3x3, P1 7, P2 40, 1 pixel pair a clock.
--- Options: reference left, census_width_px 9, census_pattern sparse, cost_shift 3, cost_cap 5, p1 7, p2 40,
---   p2_least 20, above_p1 5, above_p2 31, left_right_threshold 1, subpixel true, median true, full_width
---   true, border_cost 2, support_threshold 10, confidence true, margin_weight 3, support_weight 3, fill_holes
+-- Stereo core, semi global, configuration sgm_450_dense: 450x375, 64 disparities, window 3x3, P1 9, P2 40, 1 pixel pair a clock.
+-- Options: reference left, census_width_px 9, census_pattern sparse, cost_shift 3, cost_cap 6, p1 9, p2 40,
+--   p2_least 15, above_p1 5, above_p2 20, left_right_threshold 1, subpixel true, median true, full_width
+--   true, border_cost 3, support_threshold 10, confidence true, margin_weight 4, support_weight 2, fill_holes
 --   true, slice_disparities 16.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config sgm_450_dense
@@ -109,6 +109,7 @@ architecture rtl of stereo_core_sgm_450_dense is
   type natural_15_2d is array (natural range <>, natural range <>) of natural range 0 to 15;
   type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
   type natural_16383_2d is array (natural range <>, natural range <>) of natural range 0 to 16383;
+  type natural_2147483647_1d is array (natural range <>) of natural range 0 to 2147483647;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
   type natural_257_to_1022_1d is array (natural range <>) of natural range 257 to 1022;
@@ -117,6 +118,8 @@ architecture rtl of stereo_core_sgm_450_dense is
   type natural_2_2d is array (natural range <>, natural range <>) of natural range 0 to 2;
   type natural_31_1d is array (natural range <>) of natural range 0 to 31;
   type natural_32767_1d is array (natural range <>) of natural range 0 to 32767;
+  type natural_36_1d is array (natural range <>) of natural range 0 to 36;
+  type natural_36_2d is array (natural range <>, natural range <>) of natural range 0 to 36;
   type natural_3_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 3;
   type natural_42_1d is array (natural range <>) of natural range 0 to 42;
   type natural_46_1d is array (natural range <>) of natural range 0 to 46;
@@ -124,12 +127,11 @@ architecture rtl of stereo_core_sgm_450_dense is
   type natural_5_1d is array (natural range <>) of natural range 0 to 5;
   type natural_63_1d is array (natural range <>) of natural range 0 to 63;
   type natural_63_to_127_1d is array (natural range <>) of natural range 63 to 127;
-  type natural_68_1d is array (natural range <>) of natural range 0 to 68;
-  type natural_68_2d is array (natural range <>, natural range <>) of natural range 0 to 68;
   type natural_7_2d is array (natural range <>, natural range <>) of natural range 0 to 7;
   type natural_84_1d is array (natural range <>) of natural range 0 to 84;
   type unsigned_28_1d is array (natural range <>) of unsigned(27 downto 0);
   type unsigned_30_1d is array (natural range <>) of unsigned(29 downto 0);
+  type unsigned_31_1d is array (natural range <>) of unsigned(30 downto 0);
   type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
   signal in_valid, in_start_of_frame : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
@@ -324,9 +326,6 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal forward_above_delay_ring_read_address, forward_above_delay_ring_write_address : natural range 0 to 7;
   signal forward_cost : natural_7_2d(0 to 3, 0 to 63);
   signal forward_cost_delay_held : unsigned_32_1d(0 to 5);
-  signal forward_above_read_words : unsigned_32_1d(0 to 9);
-  signal forward_above_ready_words : unsigned_32_1d(0 to 9);
-  signal forward_above_write_words : unsigned_32_1d(0 to 9);
   signal forward_cost_delay_held_6 : unsigned(13 downto 0);
   signal forward_left_pair : natural_127_1d(0 to 31);
   signal forward_left_tree_smallest : natural_127_1d(0 to 15);
@@ -344,11 +343,6 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal forward_sum : natural_127_1d(0 to 63);
   signal forward_left_start_cost : natural_63_1d(0 to 8);
   signal forward_left_room : natural range 0 to 63;
-  signal forward_above_cost : natural_63_1d(0 to 63);
-  signal forward_above_beside : natural_63_1d(0 to 63);
-  signal forward_above_own_0 : natural range 0 to 63;
-  signal forward_above_own : natural_63_1d(2 to 61);
-  signal forward_above_own_63 : natural range 0 to 63;
   signal forward_left_first : boolean_1d(0 to 2);
   signal forward_above_ready_top : boolean;
   signal forward_above_comes : boolean_1d(0 to 11);
@@ -360,13 +354,22 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal forward_left_relief_fours : natural_31_1d(0 to 2);
   signal forward_left_relief_older, forward_left_relief_recent, forward_left_relief_largest : natural range 0 to 31;
   signal forward_left_relief_beyond : natural range 0 to 31;
+  signal forward_above_cost : natural_31_1d(0 to 63);
+  signal forward_above_beside : natural_31_1d(0 to 63);
+  signal forward_above_own_0 : natural range 0 to 31;
+  signal forward_above_own : natural_31_1d(2 to 61);
+  signal forward_above_own_63 : natural range 0 to 31;
   signal forward_above_stay : natural_31_1d(0 to 63);
   signal forward_reliefs_moved : natural_31_1d(0 to 10);
   signal forward_left_relief_reach_of_best : natural range 0 to 255;
   signal forward_left_relief_room_of_best : natural range 0 to 158;
   signal forward_left_relief_reach_again : natural range 0 to 222;
-  signal forward_above_read_words_10 : unsigned(21 downto 0);
-  signal forward_above_ready_words_10, forward_above_write_words_10 : natural range 0 to 4194303;
+  signal forward_above_read_words : unsigned_31_1d(0 to 9);
+  signal forward_above_delay_held : unsigned_31_1d(0 to 9);
+  signal forward_above_read_words_10, forward_above_delay_held_10 : unsigned(20 downto 0);
+  signal forward_above_ready_words : natural_2147483647_1d(0 to 9);
+  signal forward_above_write_words : natural_2147483647_1d(0 to 9);
+  signal forward_above_ready_words_10, forward_above_write_words_10 : natural range 0 to 2097151;
   signal forward_above_total : natural_46_1d(0 to 63);
   signal forward_above_tree_smallest : natural_46_1d(0 to 31);
   signal forward_above_tree_next_smallest : natural_46_1d(0 to 15);
@@ -375,9 +378,7 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal forward_above_tree_next_next_next_next_smallest : natural_46_1d(0 to 1);
   signal forward_above_tree_next_next_next_next_next_smallest_0 : natural range 0 to 46;
   signal forward_above_smallest_copy : natural_46_1d(0 to 3);
-  signal forward_above_delay_held : unsigned_30_1d(0 to 11);
-  signal forward_above_delay_held_12 : unsigned(23 downto 0);
-  signal forward_above_step : natural_68_1d(0 to 63);
+  signal forward_above_step : natural_36_1d(0 to 63);
   signal forward_above_column : natural_511_1d(0 to 11);
   signal forward_above_write_column : natural range 0 to 511;
   -- sums
@@ -675,7 +676,7 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal support_rest_rows_ready_words_0, support_rest_rows_write_words_0 : natural range 0 to 1048575;
   signal support_partial_0 : natural_5_1d(0 to 6);
   signal support_count_0 : natural range 0 to 35;
-  signal support_sum_0 : natural range 0 to 294;
+  signal support_sum_0 : natural range 0 to 322;
   signal support_out_sure_0 : natural range 0 to 255;
   -- fill
   signal fill_counter_column, fill_counter_group, fill_read_column, fill_ready_column : natural range 0 to 511;
@@ -959,99 +960,91 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal forward_above_read_words_10_memory_read_enable : boolean;
   signal forward_above_read_words_10_memory_read_address : unsigned(8 downto 0);
   signal forward_above_read_words_10_memory_write_address : unsigned(8 downto 0);
-  signal forward_above_read_words_10_memory_write_data : unsigned(21 downto 0);
+  signal forward_above_read_words_10_memory_write_data : unsigned(20 downto 0);
   signal forward_above_read_words_9_memory_read_enable : boolean;
   signal forward_above_read_words_9_memory_read_address : unsigned(8 downto 0);
   signal forward_above_read_words_9_memory_write_address : unsigned(8 downto 0);
-  signal forward_above_read_words_9_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_9_memory_write_data : unsigned(30 downto 0);
   signal forward_above_read_words_8_memory_read_enable : boolean;
   signal forward_above_read_words_8_memory_read_address : unsigned(8 downto 0);
   signal forward_above_read_words_8_memory_write_address : unsigned(8 downto 0);
-  signal forward_above_read_words_8_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_8_memory_write_data : unsigned(30 downto 0);
   signal forward_above_read_words_7_memory_read_enable : boolean;
   signal forward_above_read_words_7_memory_read_address : unsigned(8 downto 0);
   signal forward_above_read_words_7_memory_write_address : unsigned(8 downto 0);
-  signal forward_above_read_words_7_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_7_memory_write_data : unsigned(30 downto 0);
   signal forward_above_read_words_6_memory_read_enable : boolean;
   signal forward_above_read_words_6_memory_read_address : unsigned(8 downto 0);
   signal forward_above_read_words_6_memory_write_address : unsigned(8 downto 0);
-  signal forward_above_read_words_6_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_6_memory_write_data : unsigned(30 downto 0);
   signal forward_above_read_words_5_memory_read_enable : boolean;
   signal forward_above_read_words_5_memory_read_address : unsigned(8 downto 0);
   signal forward_above_read_words_5_memory_write_address : unsigned(8 downto 0);
-  signal forward_above_read_words_5_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_5_memory_write_data : unsigned(30 downto 0);
   signal forward_above_read_words_4_memory_read_enable : boolean;
   signal forward_above_read_words_4_memory_read_address : unsigned(8 downto 0);
   signal forward_above_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal forward_above_read_words_4_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_4_memory_write_data : unsigned(30 downto 0);
   signal forward_above_read_words_3_memory_read_enable : boolean;
   signal forward_above_read_words_3_memory_read_address : unsigned(8 downto 0);
   signal forward_above_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal forward_above_read_words_3_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_3_memory_write_data : unsigned(30 downto 0);
   signal forward_above_read_words_2_memory_read_enable : boolean;
   signal forward_above_read_words_2_memory_read_address : unsigned(8 downto 0);
   signal forward_above_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal forward_above_read_words_2_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_2_memory_write_data : unsigned(30 downto 0);
   signal forward_above_read_words_1_memory_read_enable : boolean;
   signal forward_above_read_words_1_memory_read_address : unsigned(8 downto 0);
   signal forward_above_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal forward_above_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_1_memory_write_data : unsigned(30 downto 0);
   signal forward_above_read_words_0_memory_read_enable : boolean;
   signal forward_above_read_words_0_memory_read_address : unsigned(8 downto 0);
   signal forward_above_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal forward_above_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal forward_above_delay_held_12_memory_read_enable : boolean;
-  signal forward_above_delay_held_12_memory_read_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_12_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_12_memory_write_data : unsigned(23 downto 0);
-  signal forward_above_delay_held_11_memory_read_enable : boolean;
-  signal forward_above_delay_held_11_memory_read_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_11_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_11_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_read_words_0_memory_write_data : unsigned(30 downto 0);
   signal forward_above_delay_held_10_memory_read_enable : boolean;
   signal forward_above_delay_held_10_memory_read_address : unsigned(2 downto 0);
   signal forward_above_delay_held_10_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_10_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_10_memory_write_data : unsigned(20 downto 0);
   signal forward_above_delay_held_9_memory_read_enable : boolean;
   signal forward_above_delay_held_9_memory_read_address : unsigned(2 downto 0);
   signal forward_above_delay_held_9_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_9_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_9_memory_write_data : unsigned(30 downto 0);
   signal forward_above_delay_held_8_memory_read_enable : boolean;
   signal forward_above_delay_held_8_memory_read_address : unsigned(2 downto 0);
   signal forward_above_delay_held_8_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_8_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_8_memory_write_data : unsigned(30 downto 0);
   signal forward_above_delay_held_7_memory_read_enable : boolean;
   signal forward_above_delay_held_7_memory_read_address : unsigned(2 downto 0);
   signal forward_above_delay_held_7_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_7_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_7_memory_write_data : unsigned(30 downto 0);
   signal forward_above_delay_held_6_memory_read_enable : boolean;
   signal forward_above_delay_held_6_memory_read_address : unsigned(2 downto 0);
   signal forward_above_delay_held_6_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_6_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_6_memory_write_data : unsigned(30 downto 0);
   signal forward_above_delay_held_5_memory_read_enable : boolean;
   signal forward_above_delay_held_5_memory_read_address : unsigned(2 downto 0);
   signal forward_above_delay_held_5_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_5_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_5_memory_write_data : unsigned(30 downto 0);
   signal forward_above_delay_held_4_memory_read_enable : boolean;
   signal forward_above_delay_held_4_memory_read_address : unsigned(2 downto 0);
   signal forward_above_delay_held_4_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_4_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_4_memory_write_data : unsigned(30 downto 0);
   signal forward_above_delay_held_3_memory_read_enable : boolean;
   signal forward_above_delay_held_3_memory_read_address : unsigned(2 downto 0);
   signal forward_above_delay_held_3_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_3_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_3_memory_write_data : unsigned(30 downto 0);
   signal forward_above_delay_held_2_memory_read_enable : boolean;
   signal forward_above_delay_held_2_memory_read_address : unsigned(2 downto 0);
   signal forward_above_delay_held_2_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_2_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_2_memory_write_data : unsigned(30 downto 0);
   signal forward_above_delay_held_1_memory_read_enable : boolean;
   signal forward_above_delay_held_1_memory_read_address : unsigned(2 downto 0);
   signal forward_above_delay_held_1_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_1_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_1_memory_write_data : unsigned(30 downto 0);
   signal forward_above_delay_held_0_memory_read_enable : boolean;
   signal forward_above_delay_held_0_memory_read_address : unsigned(2 downto 0);
   signal forward_above_delay_held_0_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_0_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_0_memory_write_data : unsigned(30 downto 0);
   signal forward_cost_delay_held_6_memory_read_enable : boolean;
   signal forward_cost_delay_held_6_memory_read_address : unsigned(2 downto 0);
   signal forward_cost_delay_held_6_memory_write_address : unsigned(2 downto 0);
@@ -1690,9 +1683,9 @@ begin
   forward_above_read_words_10_memory_read_enable <= true;
   forward_above_read_words_10_memory_read_address <= to_unsigned(entry_next_column, 9);
   forward_above_read_words_10_memory_write_address <= to_unsigned(forward_above_write_column, 9);
-  forward_above_read_words_10_memory_write_data <= to_unsigned(forward_above_write_words_10, 22);
+  forward_above_read_words_10_memory_write_data <= to_unsigned(forward_above_write_words_10, 21);
   forward_above_read_words_10_memory : entity work.line_memory
-    generic map (depth => 448, width => 22, address_bits => 9)
+    generic map (depth => 448, width => 21, address_bits => 9)
     port map (
       clock => clock, read_enable => forward_above_read_words_10_memory_read_enable,
       read_address => forward_above_read_words_10_memory_read_address, read_data => forward_above_read_words_10,
@@ -1701,9 +1694,9 @@ begin
   forward_above_read_words_9_memory_read_enable <= true;
   forward_above_read_words_9_memory_read_address <= to_unsigned(entry_next_column, 9);
   forward_above_read_words_9_memory_write_address <= to_unsigned(forward_above_write_column, 9);
-  forward_above_read_words_9_memory_write_data <= forward_above_write_words(9);
+  forward_above_read_words_9_memory_write_data <= to_unsigned(forward_above_write_words(9), 31);
   forward_above_read_words_9_memory : entity work.line_memory
-    generic map (depth => 448, width => 32, address_bits => 9)
+    generic map (depth => 448, width => 31, address_bits => 9)
     port map (
       clock => clock, read_enable => forward_above_read_words_9_memory_read_enable,
       read_address => forward_above_read_words_9_memory_read_address, read_data => forward_above_read_words(9),
@@ -1712,9 +1705,9 @@ begin
   forward_above_read_words_8_memory_read_enable <= true;
   forward_above_read_words_8_memory_read_address <= to_unsigned(entry_next_column, 9);
   forward_above_read_words_8_memory_write_address <= to_unsigned(forward_above_write_column, 9);
-  forward_above_read_words_8_memory_write_data <= forward_above_write_words(8);
+  forward_above_read_words_8_memory_write_data <= to_unsigned(forward_above_write_words(8), 31);
   forward_above_read_words_8_memory : entity work.line_memory
-    generic map (depth => 448, width => 32, address_bits => 9)
+    generic map (depth => 448, width => 31, address_bits => 9)
     port map (
       clock => clock, read_enable => forward_above_read_words_8_memory_read_enable,
       read_address => forward_above_read_words_8_memory_read_address, read_data => forward_above_read_words(8),
@@ -1723,9 +1716,9 @@ begin
   forward_above_read_words_7_memory_read_enable <= true;
   forward_above_read_words_7_memory_read_address <= to_unsigned(entry_next_column, 9);
   forward_above_read_words_7_memory_write_address <= to_unsigned(forward_above_write_column, 9);
-  forward_above_read_words_7_memory_write_data <= forward_above_write_words(7);
+  forward_above_read_words_7_memory_write_data <= to_unsigned(forward_above_write_words(7), 31);
   forward_above_read_words_7_memory : entity work.line_memory
-    generic map (depth => 448, width => 32, address_bits => 9)
+    generic map (depth => 448, width => 31, address_bits => 9)
     port map (
       clock => clock, read_enable => forward_above_read_words_7_memory_read_enable,
       read_address => forward_above_read_words_7_memory_read_address, read_data => forward_above_read_words(7),
@@ -1734,9 +1727,9 @@ begin
   forward_above_read_words_6_memory_read_enable <= true;
   forward_above_read_words_6_memory_read_address <= to_unsigned(entry_next_column, 9);
   forward_above_read_words_6_memory_write_address <= to_unsigned(forward_above_write_column, 9);
-  forward_above_read_words_6_memory_write_data <= forward_above_write_words(6);
+  forward_above_read_words_6_memory_write_data <= to_unsigned(forward_above_write_words(6), 31);
   forward_above_read_words_6_memory : entity work.line_memory
-    generic map (depth => 448, width => 32, address_bits => 9)
+    generic map (depth => 448, width => 31, address_bits => 9)
     port map (
       clock => clock, read_enable => forward_above_read_words_6_memory_read_enable,
       read_address => forward_above_read_words_6_memory_read_address, read_data => forward_above_read_words(6),
@@ -1745,9 +1738,9 @@ begin
   forward_above_read_words_5_memory_read_enable <= true;
   forward_above_read_words_5_memory_read_address <= to_unsigned(entry_next_column, 9);
   forward_above_read_words_5_memory_write_address <= to_unsigned(forward_above_write_column, 9);
-  forward_above_read_words_5_memory_write_data <= forward_above_write_words(5);
+  forward_above_read_words_5_memory_write_data <= to_unsigned(forward_above_write_words(5), 31);
   forward_above_read_words_5_memory : entity work.line_memory
-    generic map (depth => 448, width => 32, address_bits => 9)
+    generic map (depth => 448, width => 31, address_bits => 9)
     port map (
       clock => clock, read_enable => forward_above_read_words_5_memory_read_enable,
       read_address => forward_above_read_words_5_memory_read_address, read_data => forward_above_read_words(5),
@@ -1756,9 +1749,9 @@ begin
   forward_above_read_words_4_memory_read_enable <= true;
   forward_above_read_words_4_memory_read_address <= to_unsigned(entry_next_column, 9);
   forward_above_read_words_4_memory_write_address <= to_unsigned(forward_above_write_column, 9);
-  forward_above_read_words_4_memory_write_data <= forward_above_write_words(4);
+  forward_above_read_words_4_memory_write_data <= to_unsigned(forward_above_write_words(4), 31);
   forward_above_read_words_4_memory : entity work.line_memory
-    generic map (depth => 448, width => 32, address_bits => 9)
+    generic map (depth => 448, width => 31, address_bits => 9)
     port map (
       clock => clock, read_enable => forward_above_read_words_4_memory_read_enable,
       read_address => forward_above_read_words_4_memory_read_address, read_data => forward_above_read_words(4),
@@ -1767,9 +1760,9 @@ begin
   forward_above_read_words_3_memory_read_enable <= true;
   forward_above_read_words_3_memory_read_address <= to_unsigned(entry_next_column, 9);
   forward_above_read_words_3_memory_write_address <= to_unsigned(forward_above_write_column, 9);
-  forward_above_read_words_3_memory_write_data <= forward_above_write_words(3);
+  forward_above_read_words_3_memory_write_data <= to_unsigned(forward_above_write_words(3), 31);
   forward_above_read_words_3_memory : entity work.line_memory
-    generic map (depth => 448, width => 32, address_bits => 9)
+    generic map (depth => 448, width => 31, address_bits => 9)
     port map (
       clock => clock, read_enable => forward_above_read_words_3_memory_read_enable,
       read_address => forward_above_read_words_3_memory_read_address, read_data => forward_above_read_words(3),
@@ -1778,9 +1771,9 @@ begin
   forward_above_read_words_2_memory_read_enable <= true;
   forward_above_read_words_2_memory_read_address <= to_unsigned(entry_next_column, 9);
   forward_above_read_words_2_memory_write_address <= to_unsigned(forward_above_write_column, 9);
-  forward_above_read_words_2_memory_write_data <= forward_above_write_words(2);
+  forward_above_read_words_2_memory_write_data <= to_unsigned(forward_above_write_words(2), 31);
   forward_above_read_words_2_memory : entity work.line_memory
-    generic map (depth => 448, width => 32, address_bits => 9)
+    generic map (depth => 448, width => 31, address_bits => 9)
     port map (
       clock => clock, read_enable => forward_above_read_words_2_memory_read_enable,
       read_address => forward_above_read_words_2_memory_read_address, read_data => forward_above_read_words(2),
@@ -1789,9 +1782,9 @@ begin
   forward_above_read_words_1_memory_read_enable <= true;
   forward_above_read_words_1_memory_read_address <= to_unsigned(entry_next_column, 9);
   forward_above_read_words_1_memory_write_address <= to_unsigned(forward_above_write_column, 9);
-  forward_above_read_words_1_memory_write_data <= forward_above_write_words(1);
+  forward_above_read_words_1_memory_write_data <= to_unsigned(forward_above_write_words(1), 31);
   forward_above_read_words_1_memory : entity work.line_memory
-    generic map (depth => 448, width => 32, address_bits => 9)
+    generic map (depth => 448, width => 31, address_bits => 9)
     port map (
       clock => clock, read_enable => forward_above_read_words_1_memory_read_enable,
       read_address => forward_above_read_words_1_memory_read_address, read_data => forward_above_read_words(1),
@@ -1800,53 +1793,31 @@ begin
   forward_above_read_words_0_memory_read_enable <= true;
   forward_above_read_words_0_memory_read_address <= to_unsigned(entry_next_column, 9);
   forward_above_read_words_0_memory_write_address <= to_unsigned(forward_above_write_column, 9);
-  forward_above_read_words_0_memory_write_data <= forward_above_write_words(0);
+  forward_above_read_words_0_memory_write_data <= to_unsigned(forward_above_write_words(0), 31);
   forward_above_read_words_0_memory : entity work.line_memory
-    generic map (depth => 448, width => 32, address_bits => 9)
+    generic map (depth => 448, width => 31, address_bits => 9)
     port map (
       clock => clock, read_enable => forward_above_read_words_0_memory_read_enable,
       read_address => forward_above_read_words_0_memory_read_address, read_data => forward_above_read_words(0),
       write_address => forward_above_read_words_0_memory_write_address, write_data => forward_above_read_words_0_memory_write_data);
 
-  forward_above_delay_held_12_memory_read_enable <= entry_tag_valid;
-  forward_above_delay_held_12_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
-  forward_above_delay_held_12_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_12_memory_write_data <= to_unsigned(forward_above_total(63), 6) & to_unsigned(forward_above_total(62), 6) & to_unsigned(forward_above_total(61), 6) & to_unsigned(forward_above_total(60), 6);
-  forward_above_delay_held_12_memory : entity work.line_memory
-    generic map (depth => 7, width => 24, address_bits => 3)
-    port map (
-      clock => clock, read_enable => forward_above_delay_held_12_memory_read_enable,
-      read_address => forward_above_delay_held_12_memory_read_address, read_data => forward_above_delay_held_12,
-      write_address => forward_above_delay_held_12_memory_write_address, write_data => forward_above_delay_held_12_memory_write_data);
-
-  forward_above_delay_held_11_memory_read_enable <= entry_tag_valid;
-  forward_above_delay_held_11_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
-  forward_above_delay_held_11_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_11_memory_write_data <= to_unsigned(forward_above_total(59), 6) & to_unsigned(forward_above_total(58), 6) & to_unsigned(forward_above_total(57), 6) & to_unsigned(forward_above_total(56), 6) & to_unsigned(forward_above_total(55), 6);
-  forward_above_delay_held_11_memory : entity work.line_memory
-    generic map (depth => 7, width => 30, address_bits => 3)
-    port map (
-      clock => clock, read_enable => forward_above_delay_held_11_memory_read_enable,
-      read_address => forward_above_delay_held_11_memory_read_address, read_data => forward_above_delay_held(11),
-      write_address => forward_above_delay_held_11_memory_write_address, write_data => forward_above_delay_held_11_memory_write_data);
-
   forward_above_delay_held_10_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_10_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_10_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_10_memory_write_data <= to_unsigned(forward_above_total(54), 6) & to_unsigned(forward_above_total(53), 6) & to_unsigned(forward_above_total(52), 6) & to_unsigned(forward_above_total(51), 6) & to_unsigned(forward_above_total(50), 6);
+  forward_above_delay_held_10_memory_write_data <= ((((((to_unsigned(forward_above_total(62), 11) & to_unsigned(0, 10)) or (to_unsigned(forward_above_total(63), 6) & to_unsigned(0, 15)))) or (to_unsigned(forward_above_total(60), 21)))) or (to_unsigned(forward_above_total(61), 16) & to_unsigned(0, 5)));
   forward_above_delay_held_10_memory : entity work.line_memory
-    generic map (depth => 7, width => 30, address_bits => 3)
+    generic map (depth => 7, width => 21, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_10_memory_read_enable,
-      read_address => forward_above_delay_held_10_memory_read_address, read_data => forward_above_delay_held(10),
+      read_address => forward_above_delay_held_10_memory_read_address, read_data => forward_above_delay_held_10,
       write_address => forward_above_delay_held_10_memory_write_address, write_data => forward_above_delay_held_10_memory_write_data);
 
   forward_above_delay_held_9_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_9_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_9_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_9_memory_write_data <= to_unsigned(forward_above_total(49), 6) & to_unsigned(forward_above_total(48), 6) & to_unsigned(forward_above_total(47), 6) & to_unsigned(forward_above_total(46), 6) & to_unsigned(forward_above_total(45), 6);
+  forward_above_delay_held_9_memory_write_data <= ((((((((((to_unsigned(forward_above_total(58), 11) & to_unsigned(0, 20)) or (to_unsigned(forward_above_total(59), 6) & to_unsigned(0, 25)))) or (to_unsigned(forward_above_total(57), 16) & to_unsigned(0, 15)))) or (to_unsigned(forward_above_total(56), 21) & to_unsigned(0, 10)))) or (to_unsigned(forward_above_total(54), 31)))) or (to_unsigned(forward_above_total(55), 26) & to_unsigned(0, 5)));
   forward_above_delay_held_9_memory : entity work.line_memory
-    generic map (depth => 7, width => 30, address_bits => 3)
+    generic map (depth => 7, width => 31, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_9_memory_read_enable,
       read_address => forward_above_delay_held_9_memory_read_address, read_data => forward_above_delay_held(9),
@@ -1855,9 +1826,9 @@ begin
   forward_above_delay_held_8_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_8_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_8_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_8_memory_write_data <= to_unsigned(forward_above_total(44), 6) & to_unsigned(forward_above_total(43), 6) & to_unsigned(forward_above_total(42), 6) & to_unsigned(forward_above_total(41), 6) & to_unsigned(forward_above_total(40), 6);
+  forward_above_delay_held_8_memory_write_data <= ((((((((((to_unsigned(forward_above_total(52), 11) & to_unsigned(0, 20)) or (to_unsigned(forward_above_total(53), 6) & to_unsigned(0, 25)))) or (to_unsigned(forward_above_total(51), 16) & to_unsigned(0, 15)))) or (to_unsigned(forward_above_total(50), 21) & to_unsigned(0, 10)))) or (to_unsigned(forward_above_total(48), 31)))) or (to_unsigned(forward_above_total(49), 26) & to_unsigned(0, 5)));
   forward_above_delay_held_8_memory : entity work.line_memory
-    generic map (depth => 7, width => 30, address_bits => 3)
+    generic map (depth => 7, width => 31, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_8_memory_read_enable,
       read_address => forward_above_delay_held_8_memory_read_address, read_data => forward_above_delay_held(8),
@@ -1866,9 +1837,9 @@ begin
   forward_above_delay_held_7_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_7_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_7_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_7_memory_write_data <= to_unsigned(forward_above_total(39), 6) & to_unsigned(forward_above_total(38), 6) & to_unsigned(forward_above_total(37), 6) & to_unsigned(forward_above_total(36), 6) & to_unsigned(forward_above_total(35), 6);
+  forward_above_delay_held_7_memory_write_data <= ((((((((((to_unsigned(forward_above_total(46), 11) & to_unsigned(0, 20)) or (to_unsigned(forward_above_total(47), 6) & to_unsigned(0, 25)))) or (to_unsigned(forward_above_total(45), 16) & to_unsigned(0, 15)))) or (to_unsigned(forward_above_total(44), 21) & to_unsigned(0, 10)))) or (to_unsigned(forward_above_total(42), 31)))) or (to_unsigned(forward_above_total(43), 26) & to_unsigned(0, 5)));
   forward_above_delay_held_7_memory : entity work.line_memory
-    generic map (depth => 7, width => 30, address_bits => 3)
+    generic map (depth => 7, width => 31, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_7_memory_read_enable,
       read_address => forward_above_delay_held_7_memory_read_address, read_data => forward_above_delay_held(7),
@@ -1877,9 +1848,9 @@ begin
   forward_above_delay_held_6_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_6_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_6_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_6_memory_write_data <= to_unsigned(forward_above_total(34), 6) & to_unsigned(forward_above_total(33), 6) & to_unsigned(forward_above_total(32), 6) & to_unsigned(forward_above_total(31), 6) & to_unsigned(forward_above_total(30), 6);
+  forward_above_delay_held_6_memory_write_data <= ((((((((((to_unsigned(forward_above_total(40), 11) & to_unsigned(0, 20)) or (to_unsigned(forward_above_total(41), 6) & to_unsigned(0, 25)))) or (to_unsigned(forward_above_total(39), 16) & to_unsigned(0, 15)))) or (to_unsigned(forward_above_total(38), 21) & to_unsigned(0, 10)))) or (to_unsigned(forward_above_total(36), 31)))) or (to_unsigned(forward_above_total(37), 26) & to_unsigned(0, 5)));
   forward_above_delay_held_6_memory : entity work.line_memory
-    generic map (depth => 7, width => 30, address_bits => 3)
+    generic map (depth => 7, width => 31, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_6_memory_read_enable,
       read_address => forward_above_delay_held_6_memory_read_address, read_data => forward_above_delay_held(6),
@@ -1888,9 +1859,9 @@ begin
   forward_above_delay_held_5_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_5_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_5_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_5_memory_write_data <= to_unsigned(forward_above_total(29), 6) & to_unsigned(forward_above_total(28), 6) & to_unsigned(forward_above_total(27), 6) & to_unsigned(forward_above_total(26), 6) & to_unsigned(forward_above_total(25), 6);
+  forward_above_delay_held_5_memory_write_data <= ((((((((((to_unsigned(forward_above_total(34), 11) & to_unsigned(0, 20)) or (to_unsigned(forward_above_total(35), 6) & to_unsigned(0, 25)))) or (to_unsigned(forward_above_total(33), 16) & to_unsigned(0, 15)))) or (to_unsigned(forward_above_total(32), 21) & to_unsigned(0, 10)))) or (to_unsigned(forward_above_total(30), 31)))) or (to_unsigned(forward_above_total(31), 26) & to_unsigned(0, 5)));
   forward_above_delay_held_5_memory : entity work.line_memory
-    generic map (depth => 7, width => 30, address_bits => 3)
+    generic map (depth => 7, width => 31, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_5_memory_read_enable,
       read_address => forward_above_delay_held_5_memory_read_address, read_data => forward_above_delay_held(5),
@@ -1899,9 +1870,9 @@ begin
   forward_above_delay_held_4_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_4_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_4_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_4_memory_write_data <= to_unsigned(forward_above_total(24), 6) & to_unsigned(forward_above_total(23), 6) & to_unsigned(forward_above_total(22), 6) & to_unsigned(forward_above_total(21), 6) & to_unsigned(forward_above_total(20), 6);
+  forward_above_delay_held_4_memory_write_data <= ((((((to_unsigned(forward_above_total(28), 11) & to_unsigned(0, 20)) or (to_unsigned(forward_above_total(29), 6) & to_unsigned(0, 25)))) or (to_unsigned(forward_above_total(26), 21) & to_unsigned(0, 10)))) or (to_unsigned(forward_above_total(27), 16) & to_unsigned(to_integer(((to_unsigned(forward_above_total(25), 6) & to_unsigned(0, 5)) or (to_unsigned(forward_above_total(24), 11)))), 15)));
   forward_above_delay_held_4_memory : entity work.line_memory
-    generic map (depth => 7, width => 30, address_bits => 3)
+    generic map (depth => 7, width => 31, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_4_memory_read_enable,
       read_address => forward_above_delay_held_4_memory_read_address, read_data => forward_above_delay_held(4),
@@ -1910,9 +1881,9 @@ begin
   forward_above_delay_held_3_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_3_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_3_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_3_memory_write_data <= to_unsigned(forward_above_total(19), 6) & to_unsigned(forward_above_total(18), 6) & to_unsigned(forward_above_total(17), 6) & to_unsigned(forward_above_total(16), 6) & to_unsigned(forward_above_total(15), 6);
+  forward_above_delay_held_3_memory_write_data <= ((to_unsigned(forward_above_total(23), 6) & to_unsigned(to_integer(((to_unsigned(forward_above_total(20), 11) & to_unsigned(0, 10)) or (to_unsigned(forward_above_total(21), 6) & to_unsigned(to_integer(((to_unsigned(forward_above_total(19), 6) & to_unsigned(0, 5)) or (to_unsigned(forward_above_total(18), 11)))), 15)))), 25)) or (to_unsigned(forward_above_total(22), 11) & to_unsigned(0, 20)));
   forward_above_delay_held_3_memory : entity work.line_memory
-    generic map (depth => 7, width => 30, address_bits => 3)
+    generic map (depth => 7, width => 31, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_3_memory_read_enable,
       read_address => forward_above_delay_held_3_memory_read_address, read_data => forward_above_delay_held(3),
@@ -1921,9 +1892,9 @@ begin
   forward_above_delay_held_2_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_2_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_2_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_2_memory_write_data <= to_unsigned(forward_above_total(14), 6) & to_unsigned(forward_above_total(13), 6) & to_unsigned(forward_above_total(12), 6) & to_unsigned(forward_above_total(11), 6) & to_unsigned(forward_above_total(10), 6);
+  forward_above_delay_held_2_memory_write_data <= ((to_unsigned(forward_above_total(17), 6) & to_unsigned(to_integer(((to_unsigned(forward_above_total(14), 11) & to_unsigned(0, 10)) or (to_unsigned(forward_above_total(15), 6) & to_unsigned(to_integer(((to_unsigned(forward_above_total(13), 6) & to_unsigned(0, 5)) or (to_unsigned(forward_above_total(12), 11)))), 15)))), 25)) or (to_unsigned(forward_above_total(16), 11) & to_unsigned(0, 20)));
   forward_above_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 7, width => 30, address_bits => 3)
+    generic map (depth => 7, width => 31, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_2_memory_read_enable,
       read_address => forward_above_delay_held_2_memory_read_address, read_data => forward_above_delay_held(2),
@@ -1932,9 +1903,9 @@ begin
   forward_above_delay_held_1_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_1_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_1_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total(9), 6) & to_unsigned(forward_above_total(8), 6) & to_unsigned(forward_above_total(7), 6) & to_unsigned(forward_above_total(6), 6) & to_unsigned(forward_above_total(5), 6);
+  forward_above_delay_held_1_memory_write_data <= ((to_unsigned(forward_above_total(11), 6) & to_unsigned(to_integer(((to_unsigned(forward_above_total(8), 11) & to_unsigned(0, 10)) or (to_unsigned(forward_above_total(9), 6) & to_unsigned(to_integer(((to_unsigned(forward_above_total(7), 6) & to_unsigned(0, 5)) or (to_unsigned(forward_above_total(6), 11)))), 15)))), 25)) or (to_unsigned(forward_above_total(10), 11) & to_unsigned(0, 20)));
   forward_above_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 7, width => 30, address_bits => 3)
+    generic map (depth => 7, width => 31, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_1_memory_read_enable,
       read_address => forward_above_delay_held_1_memory_read_address, read_data => forward_above_delay_held(1),
@@ -1943,9 +1914,9 @@ begin
   forward_above_delay_held_0_memory_read_enable <= entry_tag_valid;
   forward_above_delay_held_0_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
   forward_above_delay_held_0_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total(4), 6) & to_unsigned(forward_above_total(3), 6) & to_unsigned(forward_above_total(2), 6) & to_unsigned(forward_above_total(1), 6) & to_unsigned(forward_above_total(0), 6);
+  forward_above_delay_held_0_memory_write_data <= ((to_unsigned(forward_above_total(5), 6) & to_unsigned(to_integer(((to_unsigned(forward_above_total(2), 11) & to_unsigned(0, 10)) or (to_unsigned(forward_above_total(3), 6) & to_unsigned(to_integer(((to_unsigned(forward_above_total(1), 6) & to_unsigned(0, 5)) or (to_unsigned(forward_above_total(0), 11)))), 15)))), 25)) or (to_unsigned(forward_above_total(4), 11) & to_unsigned(0, 20)));
   forward_above_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 7, width => 30, address_bits => 3)
+    generic map (depth => 7, width => 31, address_bits => 3)
     port map (
       clock => clock, read_enable => forward_above_delay_held_0_memory_read_enable,
       read_address => forward_above_delay_held_0_memory_read_address, read_data => forward_above_delay_held(0),
@@ -2227,7 +2198,7 @@ begin
     variable median_window_complete_is_equal, median_window_complete_choice : boolean;
     variable median_low_0_all : boolean_1d(0 to 1);  -- median_low_#_0_all
     variable relief_newest_choice : boolean;
-    variable relief_newest_choices : boolean_1d(2 to 16);  -- relief_newest_choice_#
+    variable relief_newest_choices : boolean_1d(2 to 15);  -- relief_newest_choice_#
     variable relief_newest_value : boolean;
     variable relief_newest_values : boolean_1d(2 to 5);  -- relief_newest_value_#
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 375;
@@ -2302,7 +2273,7 @@ begin
     variable forward_above_total_choice : natural_31_1d(0 to 63);  -- forward_above_total_#_choice
     variable sums_right_smallest_choice, sums_right_relief_pairs_0_choice : natural range 0 to 31;
     variable sums_right_relief_older_choice, sums_right_relief_recent_choice : natural range 0 to 31;
-    variable sums_right_relief_largest_choice, relief_newest_choice_17 : natural range 0 to 31;
+    variable sums_right_relief_largest_choice, relief_newest_choice_16 : natural range 0 to 31;
     variable forward_left_smallest_difference : integer range -31 to 46;
     variable forward_left_relief_reach_of_best_sum, forward_left_relief_reach_of_best_choice : natural range 0 to 190;
     variable sums_right_relief_reach_of_best_sum, sums_right_relief_reach_of_best_choice : natural range 0 to 190;
@@ -2333,9 +2304,9 @@ begin
     variable fill_takes_left_0_choice : natural range 0 to 255;
     variable relief_newest_values_from_6 : natural_255_1d(6 to 7);  -- relief_newest_value_#
     variable forward_left_relief_leaves_choice, sums_right_relief_leaves_choice : natural range 64 to 127;
-    variable forward_above_write_words_choice : natural_68_1d(0 to 10);  -- forward_above_write_words_#_choice
-    variable forward_above_write_words_choices : natural_68_2d(0 to 9, 2 to 6);  -- forward_above_write_words_#_choice_#
-    variable forward_above_write_words_10_choices : natural_68_1d(2 to 4);  -- forward_above_write_words_10_choice_#
+    variable forward_above_write_words_choice : natural_36_1d(0 to 10);  -- forward_above_write_words_#_choice
+    variable forward_above_write_words_choices : natural_36_2d(0 to 9, 2 to 6);  -- forward_above_write_words_#_choice_#
+    variable forward_above_write_words_10_choices : natural_36_1d(2 to 4);  -- forward_above_write_words_10_choice_#
     variable sums_right_smallest_difference : integer range -31 to 31;
     variable winners_partner_at_sum : natural range 1 to 512;
     variable winners_partner_at_choice : natural range 0 to 512;
@@ -3920,10 +3891,11 @@ begin
       end if;
       -- slice0
       for i in 0 to 15 loop
-        if is_set(slice0window_sum_0(i), 6) or (((slice0window_sum_0(i) / 16) mod 4) = 3) then
-          slice0_held_0_choice(i) := 5;
-        else
+        if (not is_set(slice0window_sum_0(i), 6)) and ((not is_set(slice0window_sum_0(i), 5)) or (not
+          is_set(slice0window_sum_0(i), 4)) or (not is_set(slice0window_sum_0(i), 3))) then
           slice0_held_0_choice(i) := slice0window_sum_0(i) / 8;
+        else
+          slice0_held_0_choice(i) := 6;
         end if;
       end loop;
       for i in 1 to 3 loop
@@ -3949,7 +3921,7 @@ begin
         if slice0mask_inside(i) then
           slice0_held(0, i) <= slice0_held_0_choice(i);
         else
-          slice0_held(0, i) <= 2;
+          slice0_held(0, i) <= 3;
         end if;
       end loop;
       -- slice1shift
@@ -4087,10 +4059,11 @@ begin
       end if;
       -- slice1
       for i in 0 to 15 loop
-        if is_set(slice1window_sum_0(i), 6) or (((slice1window_sum_0(i) / 16) mod 4) = 3) then
-          slice1_held_0_choice(i) := 5;
-        else
+        if (not is_set(slice1window_sum_0(i), 6)) and ((not is_set(slice1window_sum_0(i), 5)) or (not
+          is_set(slice1window_sum_0(i), 4)) or (not is_set(slice1window_sum_0(i), 3))) then
           slice1_held_0_choice(i) := slice1window_sum_0(i) / 8;
+        else
+          slice1_held_0_choice(i) := 6;
         end if;
       end loop;
       for i in 0 to 15 loop
@@ -4103,7 +4076,7 @@ begin
         if slice1mask_inside(i) then
           slice1_held(0, i) <= slice1_held_0_choice(i);
         else
-          slice1_held(0, i) <= 2;
+          slice1_held(0, i) <= 3;
         end if;
       end loop;
       if slice0_tag_valid(1) then
@@ -4241,10 +4214,11 @@ begin
       end if;
       -- slice2
       for i in 0 to 15 loop
-        if is_set(slice2window_sum_0(i), 6) or (((slice2window_sum_0(i) / 16) mod 4) = 3) then
-          slice2_held_0_choice(i) := 5;
-        else
+        if (not is_set(slice2window_sum_0(i), 6)) and ((not is_set(slice2window_sum_0(i), 5)) or (not
+          is_set(slice2window_sum_0(i), 4)) or (not is_set(slice2window_sum_0(i), 3))) then
           slice2_held_0_choice(i) := slice2window_sum_0(i) / 8;
+        else
+          slice2_held_0_choice(i) := 6;
         end if;
       end loop;
       for i in 0 to 15 loop
@@ -4254,7 +4228,7 @@ begin
         if slice2mask_inside(i) then
           slice2_held(0, i) <= slice2_held_0_choice(i);
         else
-          slice2_held(0, i) <= 2;
+          slice2_held(0, i) <= 3;
         end if;
       end loop;
       -- slice3shift
@@ -4383,17 +4357,18 @@ begin
       end if;
       -- slice3
       for i in 0 to 15 loop
-        if is_set(slice3window_sum_0(i), 6) or (((slice3window_sum_0(i) / 16) mod 4) = 3) then
-          slice3_held_0_choice(i) := 5;
-        else
+        if (not is_set(slice3window_sum_0(i), 6)) and ((not is_set(slice3window_sum_0(i), 5)) or (not
+          is_set(slice3window_sum_0(i), 4)) or (not is_set(slice3window_sum_0(i), 3))) then
           slice3_held_0_choice(i) := slice3window_sum_0(i) / 8;
+        else
+          slice3_held_0_choice(i) := 6;
         end if;
       end loop;
       for i in 0 to 15 loop
         if slice3mask_inside(i) then
           slice3_held_0(i) <= slice3_held_0_choice(i);
         else
-          slice3_held_0(i) <= 2;
+          slice3_held_0(i) <= 3;
         end if;
       end loop;
       -- entry
@@ -4941,41 +4916,55 @@ begin
       else
         forward_left_arrived_choice(63) := forward_left_cost(62);
       end if;
-      for i in 0 to 4 loop
-        for j in 0 to 5 loop
-          if forward_above_ready_top then
-            forward_above_total_choice(12 * i + j) := 31;
-          else
-            forward_above_total_choice(12 * i + j) := to_integer(forward_above_ready_words(2 * i)(5 * j + 4 downto 5 *
-              j));
-          end if;
-        end loop;
-        for j in 6 to 11 loop
-          if forward_above_ready_top then
-            forward_above_total_choice(12 * i + j) := 31;
-          else
-            forward_above_total_choice(12 * i + j) := to_integer(forward_above_ready_words(2 * i + 1)(5 * j - 26 downto
-              5 * j - 30));
-          end if;
-        end loop;
+      for i in 0 to 9 loop
+        if forward_above_ready_top then
+          forward_above_total_choice(6 * i) := 20;
+        else
+          forward_above_total_choice(6 * i) := forward_above_ready_words(i) mod 32;
+        end if;
+        if forward_above_ready_top then
+          forward_above_total_choice(6 * i + 1) := 20;
+        else
+          forward_above_total_choice(6 * i + 1) := (forward_above_ready_words(i) / 32) mod 32;
+        end if;
+        if forward_above_ready_top then
+          forward_above_total_choice(6 * i + 2) := 20;
+        else
+          forward_above_total_choice(6 * i + 2) := (forward_above_ready_words(i) / 1024) mod 32;
+        end if;
+        if forward_above_ready_top then
+          forward_above_total_choice(6 * i + 3) := 20;
+        else
+          forward_above_total_choice(6 * i + 3) := (forward_above_ready_words(i) / 32768) mod 32;
+        end if;
+        if forward_above_ready_top then
+          forward_above_total_choice(6 * i + 4) := 20;
+        else
+          forward_above_total_choice(6 * i + 4) := (forward_above_ready_words(i) / 1048576) mod 32;
+        end if;
+        if forward_above_ready_top then
+          forward_above_total_choice(6 * i + 5) := 20;
+        else
+          forward_above_total_choice(6 * i + 5) := (forward_above_ready_words(i) / 33554432) mod 32;
+        end if;
       end loop;
       if forward_above_ready_top then
-        forward_above_total_choice(60) := 31;
+        forward_above_total_choice(60) := 20;
       else
         forward_above_total_choice(60) := forward_above_ready_words_10 mod 32;
       end if;
       if forward_above_ready_top then
-        forward_above_total_choice(61) := 31;
+        forward_above_total_choice(61) := 20;
       else
         forward_above_total_choice(61) := (forward_above_ready_words_10 / 32) mod 32;
       end if;
       if forward_above_ready_top then
-        forward_above_total_choice(62) := 31;
+        forward_above_total_choice(62) := 20;
       else
         forward_above_total_choice(62) := (forward_above_ready_words_10 / 1024) mod 32;
       end if;
       if forward_above_ready_top then
-        forward_above_total_choice(63) := 31;
+        forward_above_total_choice(63) := 20;
       else
         forward_above_total_choice(63) := (forward_above_ready_words_10 / 32768) mod 32;
       end if;
@@ -4985,7 +4974,7 @@ begin
           forward_left_pair(i) <= forward_left_pair_choice(i);
         end loop;
         forward_left_smallest <= forward_left_smallest_difference mod 128;
-        forward_left_smallest_less <= (forward_left_smallest_difference + 121) mod 128;
+        forward_left_smallest_less <= (forward_left_smallest_difference + 119) mod 128;
         forward_left_first(0) <= forward_first(5);
         forward_left_first(1) <= forward_left_first(0);
         forward_left_first(2) <= forward_left_first(1);
@@ -5102,7 +5091,7 @@ begin
           forward_left_arrived(i) <= (forward_left_arrived_choice(i) + forward_left_step_change(i)) mod 128;
         end loop;
         for i in 0 to 9 loop
-          forward_above_ready_words(i) <= forward_above_read_words(i);
+          forward_above_ready_words(i) <= to_integer(forward_above_read_words(i));
         end loop;
         forward_above_ready_words_10 <= to_integer(forward_above_read_words_10);
         for i in 0 to 63 loop
@@ -5117,82 +5106,71 @@ begin
         forward_above_smallest_copy(1) <= forward_above_tree_next_next_next_next_next_smallest_0;
         forward_above_smallest_copy(2) <= forward_above_tree_next_next_next_next_next_smallest_0;
         forward_above_smallest_copy(3) <= forward_above_tree_next_next_next_next_next_smallest_0;
-        for i in 0 to 2 loop
-          forward_above_cost(5 * i) <= (to_integer(forward_above_delay_held(i)) - forward_above_smallest_copy(0)) mod
-            64;
-          forward_above_cost(5 * i + 1) <= (to_integer(forward_above_delay_held(i)(29 downto 6)) -
-            forward_above_smallest_copy(0)) mod 64;
-          forward_above_cost(5 * i + 2) <= (to_integer(forward_above_delay_held(i)(29 downto 12)) -
-            forward_above_smallest_copy(0)) mod 64;
-          forward_above_cost(5 * i + 3) <= (to_integer(forward_above_delay_held(i)(29 downto 18)) -
-            forward_above_smallest_copy(0)) mod 64;
-          forward_above_cost(5 * i + 4) <= (to_integer(forward_above_delay_held(i)(29 downto 24)) -
-            forward_above_smallest_copy(0)) mod 64;
+        for i in 0 to 1 loop
+          forward_above_cost(6 * i) <= (to_integer(forward_above_delay_held(i)) - forward_above_smallest_copy(0)) mod
+            32;
+          forward_above_cost(6 * i + 1) <= (to_integer(forward_above_delay_held(i)(30 downto 5)) -
+            forward_above_smallest_copy(0)) mod 32;
+          forward_above_cost(6 * i + 2) <= (to_integer(forward_above_delay_held(i)(30 downto 10)) -
+            forward_above_smallest_copy(0)) mod 32;
+          forward_above_cost(6 * i + 3) <= (to_integer(forward_above_delay_held(i)(30 downto 15)) -
+            forward_above_smallest_copy(0)) mod 32;
+          forward_above_cost(6 * i + 4) <= (to_integer(forward_above_delay_held(i)(30 downto 20)) -
+            forward_above_smallest_copy(0)) mod 32;
+          forward_above_cost(6 * i + 5) <= (to_integer(forward_above_delay_held(i)(30 downto 25)) -
+            forward_above_smallest_copy(0)) mod 32;
         end loop;
-        for i in 3 to 4 loop
-          forward_above_cost(5 * i) <= (to_integer(forward_above_delay_held(i)) - forward_above_smallest_copy(i - 3))
-            mod 64;
-          forward_above_cost(5 * i + 1) <= (to_integer(forward_above_delay_held(i)(29 downto 6)) -
-            forward_above_smallest_copy(1)) mod 64;
-          forward_above_cost(5 * i + 2) <= (to_integer(forward_above_delay_held(i)(29 downto 12)) -
-            forward_above_smallest_copy(1)) mod 64;
-          forward_above_cost(5 * i + 3) <= (to_integer(forward_above_delay_held(i)(29 downto 18)) -
-            forward_above_smallest_copy(1)) mod 64;
-          forward_above_cost(5 * i + 4) <= (to_integer(forward_above_delay_held(i)(29 downto 24)) -
-            forward_above_smallest_copy(1)) mod 64;
+        for i in 2 to 3 loop
+          forward_above_cost(6 * i) <= (to_integer(forward_above_delay_held(i)) - forward_above_smallest_copy(i - 2))
+            mod 32;
+          forward_above_cost(6 * i + 1) <= (to_integer(forward_above_delay_held(i)(30 downto 5)) -
+            forward_above_smallest_copy(i - 2)) mod 32;
+          forward_above_cost(6 * i + 2) <= (to_integer(forward_above_delay_held(i)(30 downto 10)) -
+            forward_above_smallest_copy(i - 2)) mod 32;
+          forward_above_cost(6 * i + 3) <= (to_integer(forward_above_delay_held(i)(30 downto 15)) -
+            forward_above_smallest_copy(i - 2)) mod 32;
+          forward_above_cost(6 * i + 4) <= (to_integer(forward_above_delay_held(i)(30 downto 20)) -
+            forward_above_smallest_copy(1)) mod 32;
+          forward_above_cost(6 * i + 5) <= (to_integer(forward_above_delay_held(i)(30 downto 25)) -
+            forward_above_smallest_copy(1)) mod 32;
         end loop;
-        for i in 5 to 6 loop
-          forward_above_cost(5 * i) <= (to_integer(forward_above_delay_held(i)) - forward_above_smallest_copy(1)) mod
-            64;
-          forward_above_cost(5 * i + 1) <= (to_integer(forward_above_delay_held(i)(29 downto 6)) -
-            forward_above_smallest_copy(1)) mod 64;
-          forward_above_cost(5 * i + 2) <= (to_integer(forward_above_delay_held(i)(29 downto 12)) -
-            forward_above_smallest_copy(i - 4)) mod 64;
-          forward_above_cost(5 * i + 3) <= (to_integer(forward_above_delay_held(i)(29 downto 18)) -
-            forward_above_smallest_copy(i - 4)) mod 64;
-          forward_above_cost(5 * i + 4) <= (to_integer(forward_above_delay_held(i)(29 downto 24)) -
-            forward_above_smallest_copy(i - 4)) mod 64;
+        for i in 4 to 5 loop
+          forward_above_cost(6 * i) <= (to_integer(forward_above_delay_held(i)) - forward_above_smallest_copy(1)) mod
+            32;
+          forward_above_cost(6 * i + 1) <= (to_integer(forward_above_delay_held(i)(30 downto 5)) -
+            forward_above_smallest_copy(1)) mod 32;
+          forward_above_cost(6 * i + 2) <= (to_integer(forward_above_delay_held(i)(30 downto 10)) -
+            forward_above_smallest_copy(i - 3)) mod 32;
+          forward_above_cost(6 * i + 3) <= (to_integer(forward_above_delay_held(i)(30 downto 15)) -
+            forward_above_smallest_copy(i - 3)) mod 32;
+          forward_above_cost(6 * i + 4) <= (to_integer(forward_above_delay_held(i)(30 downto 20)) -
+            forward_above_smallest_copy(i - 3)) mod 32;
+          forward_above_cost(6 * i + 5) <= (to_integer(forward_above_delay_held(i)(30 downto 25)) -
+            forward_above_smallest_copy(i - 3)) mod 32;
         end loop;
-        for i in 7 to 8 loop
-          forward_above_cost(5 * i) <= (to_integer(forward_above_delay_held(i)) - forward_above_smallest_copy(2)) mod
-            64;
-          forward_above_cost(5 * i + 1) <= (to_integer(forward_above_delay_held(i)(29 downto 6)) -
-            forward_above_smallest_copy(2)) mod 64;
-          forward_above_cost(5 * i + 2) <= (to_integer(forward_above_delay_held(i)(29 downto 12)) -
-            forward_above_smallest_copy(2)) mod 64;
-          forward_above_cost(5 * i + 3) <= (to_integer(forward_above_delay_held(i)(29 downto 18)) -
-            forward_above_smallest_copy(2)) mod 64;
-          forward_above_cost(5 * i + 4) <= (to_integer(forward_above_delay_held(i)(29 downto 24)) -
-            forward_above_smallest_copy(2)) mod 64;
+        for i in 2 to 3 loop
+          for j in 2 to 3 loop
+            forward_above_cost(12 * i + 6 * j) <= (to_integer(forward_above_delay_held(2 * i + j)) -
+              forward_above_smallest_copy(i)) mod 32;
+            forward_above_cost(12 * i + 6 * j + 1) <= (to_integer(forward_above_delay_held(2 * i + j)(30 downto 5)) -
+              forward_above_smallest_copy(i)) mod 32;
+            forward_above_cost(12 * i + 6 * j + 2) <= (to_integer(forward_above_delay_held(2 * i + j)(30 downto 10)) -
+              forward_above_smallest_copy(i)) mod 32;
+            forward_above_cost(12 * i + 6 * j + 3) <= (to_integer(forward_above_delay_held(2 * i + j)(30 downto 15)) -
+              forward_above_smallest_copy(i)) mod 32;
+            forward_above_cost(12 * i + 6 * j + 4) <= (to_integer(forward_above_delay_held(2 * i + j)(30 downto 20)) -
+              forward_above_smallest_copy(i)) mod 32;
+            forward_above_cost(12 * i + 6 * j + 5) <= (to_integer(forward_above_delay_held(2 * i + j)(30 downto 25)) -
+              forward_above_smallest_copy(i)) mod 32;
+          end loop;
         end loop;
-        for i in 9 to 10 loop
-          forward_above_cost(5 * i) <= (to_integer(forward_above_delay_held(i)) - forward_above_smallest_copy(i - 7))
-            mod 64;
-          forward_above_cost(5 * i + 1) <= (to_integer(forward_above_delay_held(i)(29 downto 6)) -
-            forward_above_smallest_copy(i - 7)) mod 64;
-          forward_above_cost(5 * i + 2) <= (to_integer(forward_above_delay_held(i)(29 downto 12)) -
-            forward_above_smallest_copy(i - 7)) mod 64;
-          forward_above_cost(5 * i + 3) <= (to_integer(forward_above_delay_held(i)(29 downto 18)) -
-            forward_above_smallest_copy(3)) mod 64;
-          forward_above_cost(5 * i + 4) <= (to_integer(forward_above_delay_held(i)(29 downto 24)) -
-            forward_above_smallest_copy(3)) mod 64;
-        end loop;
-        forward_above_cost(55) <= (to_integer(forward_above_delay_held(11)) - forward_above_smallest_copy(3)) mod 64;
-        forward_above_cost(56) <= (to_integer(forward_above_delay_held(11)(29 downto 6)) -
-          forward_above_smallest_copy(3)) mod 64;
-        forward_above_cost(57) <= (to_integer(forward_above_delay_held(11)(29 downto 12)) -
-          forward_above_smallest_copy(3)) mod 64;
-        forward_above_cost(58) <= (to_integer(forward_above_delay_held(11)(29 downto 18)) -
-          forward_above_smallest_copy(3)) mod 64;
-        forward_above_cost(59) <= (to_integer(forward_above_delay_held(11)(29 downto 24)) -
-          forward_above_smallest_copy(3)) mod 64;
-        forward_above_cost(60) <= (to_integer(forward_above_delay_held_12) - forward_above_smallest_copy(3)) mod 64;
-        forward_above_cost(61) <= (to_integer(forward_above_delay_held_12(23 downto 6)) -
-          forward_above_smallest_copy(3)) mod 64;
-        forward_above_cost(62) <= (to_integer(forward_above_delay_held_12(23 downto 12)) -
-          forward_above_smallest_copy(3)) mod 64;
-        forward_above_cost(63) <= (to_integer(forward_above_delay_held_12(23 downto 18)) -
-          forward_above_smallest_copy(3)) mod 64;
+        forward_above_cost(60) <= (to_integer(forward_above_delay_held_10) - forward_above_smallest_copy(3)) mod 32;
+        forward_above_cost(61) <= (to_integer(forward_above_delay_held_10(20 downto 5)) -
+          forward_above_smallest_copy(3)) mod 32;
+        forward_above_cost(62) <= (to_integer(forward_above_delay_held_10(20 downto 10)) -
+          forward_above_smallest_copy(3)) mod 32;
+        forward_above_cost(63) <= (to_integer(forward_above_delay_held_10(20 downto 15)) -
+          forward_above_smallest_copy(3)) mod 32;
         forward_above_beside(0) <= forward_above_cost(1);
         forward_above_beside(63) <= forward_above_cost(62);
         forward_above_own_0 <= forward_above_cost(0);
@@ -5414,32 +5392,32 @@ begin
             forward_above_beside(i - 1) <= forward_above_cost(i - 2);
           end if;
         end loop;
-        if forward_above_own_0 < 31 then
-          forward_above_stay(0) <= forward_above_own_0 mod 32;
+        if forward_above_own_0 < 20 then
+          forward_above_stay(0) <= forward_above_own_0;
         else
-          forward_above_stay(0) <= 31;
+          forward_above_stay(0) <= 20;
         end if;
-        if forward_above_beside(0) < 31 then
-          forward_above_stay(1) <= forward_above_beside(0) mod 32;
+        if forward_above_beside(0) < 20 then
+          forward_above_stay(1) <= forward_above_beside(0);
         else
-          forward_above_stay(1) <= 31;
+          forward_above_stay(1) <= 20;
         end if;
         for i in 2 to 61 loop
-          if forward_above_own(i) < 31 then
-            forward_above_stay(i) <= forward_above_own(i) mod 32;
+          if forward_above_own(i) < 20 then
+            forward_above_stay(i) <= forward_above_own(i);
           else
-            forward_above_stay(i) <= 31;
+            forward_above_stay(i) <= 20;
           end if;
         end loop;
-        if forward_above_beside(63) < 31 then
-          forward_above_stay(62) <= forward_above_beside(63) mod 32;
+        if forward_above_beside(63) < 20 then
+          forward_above_stay(62) <= forward_above_beside(63);
         else
-          forward_above_stay(62) <= 31;
+          forward_above_stay(62) <= 20;
         end if;
-        if forward_above_own_63 < 31 then
-          forward_above_stay(63) <= forward_above_own_63 mod 32;
+        if forward_above_own_63 < 20 then
+          forward_above_stay(63) <= forward_above_own_63;
         else
-          forward_above_stay(63) <= 31;
+          forward_above_stay(63) <= 20;
         end if;
       end if;
       if entry_tag_valid then
@@ -5493,17 +5471,17 @@ begin
       end if;
       if forward_above_writes_copy_0 then
         for i in 0 to 9 loop
-          forward_above_write_words(i) <= ((((((((((to_unsigned(forward_above_write_words_choice(i), 12) &
-            to_unsigned(0, 20)) or (to_unsigned(forward_above_write_words_choices(i, 2), 7) & to_unsigned(0, 25)))) or
-            (to_unsigned(forward_above_write_words_choices(i, 3), 17) & to_unsigned(0, 15)))) or
-            (to_unsigned(forward_above_write_words_choices(i, 4), 22) & to_unsigned(0, 10)))) or
-            (to_unsigned(forward_above_write_words_choices(i, 5), 32)))) or
-            (to_unsigned(forward_above_write_words_choices(i, 6), 27) & to_unsigned(0, 5)));
+          forward_above_write_words(i) <= to_integer(((((((((((to_unsigned(forward_above_write_words_choice(i), 11) &
+            to_unsigned(0, 20)) or (to_unsigned(forward_above_write_words_choices(i, 2), 6) & to_unsigned(0, 25)))) or
+            (to_unsigned(forward_above_write_words_choices(i, 3), 16) & to_unsigned(0, 15)))) or
+            (to_unsigned(forward_above_write_words_choices(i, 4), 21) & to_unsigned(0, 10)))) or
+            (to_unsigned(forward_above_write_words_choices(i, 5), 31)))) or
+            (to_unsigned(forward_above_write_words_choices(i, 6), 26) & to_unsigned(0, 5))));
         end loop;
-        forward_above_write_words_10 <= to_integer(((((((to_unsigned(forward_above_write_words_choice(10), 12) &
-          to_unsigned(0, 10)) or (to_unsigned(forward_above_write_words_10_choices(2), 7) & to_unsigned(0, 15)))) or
-          (to_unsigned(forward_above_write_words_10_choices(3), 22)))) or
-          (to_unsigned(forward_above_write_words_10_choices(4), 17) & to_unsigned(0, 5))));
+        forward_above_write_words_10 <= to_integer(((((((to_unsigned(forward_above_write_words_choice(10), 11) &
+          to_unsigned(0, 10)) or (to_unsigned(forward_above_write_words_10_choices(2), 6) & to_unsigned(0, 15)))) or
+          (to_unsigned(forward_above_write_words_10_choices(3), 21)))) or
+          (to_unsigned(forward_above_write_words_10_choices(4), 16) & to_unsigned(0, 5))));
         forward_above_write_column <= forward_above_column(11);
       end if;
       -- sums
@@ -6002,7 +5980,7 @@ begin
           sums_right_pair(i) <= sums_right_pair_choice(i);
         end loop;
         sums_right_smallest <= (sums_right_smallest_difference + (sums_turn_ready_smallest_0 mod 8)) mod 128;
-        sums_right_smallest_less <= (sums_right_smallest_difference + (sums_turn_ready_smallest_0 mod 8) + 121) mod 128;
+        sums_right_smallest_less <= (sums_right_smallest_difference + (sums_turn_ready_smallest_0 mod 8) + 119) mod 128;
         sums_right_first(0) <= sums_turn_ready_first;
         sums_right_first(1) <= sums_right_first(0);
         sums_right_first(2) <= sums_right_first(1);
@@ -12600,7 +12578,8 @@ begin
       end loop;
       support_count_0 <= support_partial_0(6) + support_partial_0(4) + support_partial_0(3) + support_partial_0(1) +
         support_partial_0(5) + support_partial_0(0) + support_partial_0(2);
-      support_sum_0 <= ((support_centre_rest_0(2) / 16) + support_count_0) * 3;
+      support_sum_0 <= ((((support_centre_rest_0(2) / 16) + ((support_count_0 * 2) / 4)) * 2) + (support_count_0 mod
+        2)) * 2;
       support_centre_0(0) <= support_cells(6, 2);
       support_centre_0(1) <= support_centre_0(0);
       support_centre_0(2) <= support_centre_0(1);
@@ -13340,42 +13319,42 @@ begin
       end if;
       relief_newest_values_from_6(6) := (relief_before - relief_centre_grey_0) mod 256;
       relief_newest_values_from_6(7) := (relief_centre_grey_0 - relief_before) mod 256;
-      for i in 0 to 1 loop
+      if relief_newest_choices(8) then
+        relief_newest_choices(9) := is_set(relief_newest_values_from_6(6), 2);
+      else
+        relief_newest_choices(9) := is_set(relief_newest_values_from_6(7), 2);
+      end if;
+      if relief_newest_choices(8) then
+        relief_newest_choices(10) := not is_set(relief_newest_values_from_6(6), 3);
+      else
+        relief_newest_choices(10) := not is_set(relief_newest_values_from_6(7), 3);
+      end if;
+      for i in 11 to 12 loop
         if relief_newest_choices(8) then
-          relief_newest_choices(2 * i + 9) := is_set(relief_newest_values_from_6(6), 2 * i + 1);
+          relief_newest_choices(i) := is_set(relief_newest_values_from_6(6), 16 - i);
         else
-          relief_newest_choices(2 * i + 9) := is_set(relief_newest_values_from_6(7), 2 * i + 1);
-        end if;
-        if relief_newest_choices(8) then
-          relief_newest_choices(2 * i + 10) := not is_set(relief_newest_values_from_6(6), 2 * i + 2);
-        else
-          relief_newest_choices(2 * i + 10) := not is_set(relief_newest_values_from_6(7), 2 * i + 2);
+          relief_newest_choices(i) := is_set(relief_newest_values_from_6(7), 16 - i);
         end if;
       end loop;
       if relief_newest_choices(8) then
-        relief_newest_choices(13) := is_set(relief_newest_values_from_6(6), 5);
+        relief_newest_choices(13) := not is_set(relief_newest_values_from_6(6), 7);
       else
-        relief_newest_choices(13) := is_set(relief_newest_values_from_6(7), 5);
+        relief_newest_choices(13) := not is_set(relief_newest_values_from_6(7), 7);
       end if;
       if relief_newest_choices(8) then
-        relief_newest_choices(14) := not is_set(relief_newest_values_from_6(6), 7);
+        relief_newest_choices(14) := is_set(relief_newest_values_from_6(6), 6);
       else
-        relief_newest_choices(14) := not is_set(relief_newest_values_from_6(7), 7);
-      end if;
-      if relief_newest_choices(8) then
-        relief_newest_choices(15) := is_set(relief_newest_values_from_6(6), 6);
-      else
-        relief_newest_choices(15) := is_set(relief_newest_values_from_6(7), 6);
+        relief_newest_choices(14) := is_set(relief_newest_values_from_6(7), 6);
       end if;
       if relief_newest_choices(7) then
-        relief_newest_choices(16) := is_set(relief_centre_grey_0, 7) and (not is_set(relief_before, 7));
+        relief_newest_choices(15) := is_set(relief_centre_grey_0, 7) and (not is_set(relief_before, 7));
       else
-        relief_newest_choices(16) := is_set(relief_centre_grey_0, 7) or (not is_set(relief_before, 7));
+        relief_newest_choices(15) := is_set(relief_centre_grey_0, 7) or (not is_set(relief_before, 7));
       end if;
-      if relief_newest_choices(16) then
-        relief_newest_choice_17 := (relief_newest_values_from_6(7) / 2) mod 32;
+      if relief_newest_choices(15) then
+        relief_newest_choice_16 := (relief_newest_values_from_6(7) / 2) mod 32;
       else
-        relief_newest_choice_17 := (relief_newest_values_from_6(6) / 2) mod 32;
+        relief_newest_choice_16 := (relief_newest_values_from_6(6) / 2) mod 32;
       end if;
       relief_centre_grey_0 <= relief_centre_column(4);
       relief_delayed_0 <= relief_newest;
@@ -13388,17 +13367,16 @@ begin
         relief_waiting(i) <= relief_waiting(i - 1);
       end loop;
       relief_entered <= relief_entering;
-      if (not ((not ((not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10))) and
-        relief_newest_choices(11))) and relief_newest_choices(12))) and relief_newest_choices(13))) and
-        relief_newest_choices(14))) or relief_newest_choices(15) then
-        relief_newest <= 20;
+      if (not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10))) and relief_newest_choices(11)
+        and relief_newest_choices(12))) and relief_newest_choices(13))) or relief_newest_choices(14) then
+        relief_newest <= 25;
       else
-        relief_newest <= relief_newest_choice_17;
+        relief_newest <= relief_newest_choice_16;
       end if;
-      if relief_waiting(9) < 20 then
+      if relief_waiting(9) < 25 then
         relief_entering <= relief_waiting(9);
       else
-        relief_entering <= 20;
+        relief_entering <= 25;
       end if;
       if transform_filtering_valid(1) then
         relief_before <= relief_centre_grey_0;
@@ -13933,7 +13911,7 @@ begin
           forward_left_arrived(i) <= 0;
         end loop;
         for i in 0 to 9 loop
-          forward_above_ready_words(i) <= to_unsigned(0, 32);
+          forward_above_ready_words(i) <= 0;
         end loop;
         forward_above_ready_words_10 <= 0;
         for i in 0 to 63 loop
@@ -13990,7 +13968,7 @@ begin
         end loop;
         forward_above_writes_copy_0 <= false;
         for i in 0 to 9 loop
-          forward_above_write_words(i) <= to_unsigned(0, 32);
+          forward_above_write_words(i) <= 0;
         end loop;
         forward_above_write_words_10 <= 0;
         forward_above_write_column <= 0;

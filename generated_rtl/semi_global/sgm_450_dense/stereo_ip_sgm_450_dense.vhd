@@ -65,7 +65,7 @@ begin
       latency_clocks => 82,
       flush_groups => 4139,
       gap_groups => 0,
-      core_id => x"90399255",
+      core_id => x"cf7c3c72",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

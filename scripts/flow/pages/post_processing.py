@@ -14,6 +14,7 @@ from ..base.files import drawn_from
 from ..base.markdown import number, table
 from ..base.tools import ROOT, Word, find_stereo_hls, run
 from ..quality.evaluation import SCENE_SIZE, Measures, Method, evaluate
+from ..quality.pairs import OWN_LIST, Pair, read_pairs
 from ..rendering import pictures
 from .quality import pair_images, percent
 
@@ -24,15 +25,13 @@ DISPARITIES = 64
 SCENE_SEEDS, SCENE_NOISE = (1, 2, 3, 4), 2
 SUREST_PERCENT, SURE = 80, 128
 
-_MAP = ("full_width=true", "subpixel=true", "median=true", f"disparities={DISPARITIES}")
-_CHECKED = ("left_right_threshold=1",)
-_FILTERED = ("support_threshold=10", "confidence=true", "margin_weight=3", "support_weight=3")
-_FILLED = ("fill_holes=true",)
-_ROOM = ("p2=40",)
-_BORDER = ("border_cost=2",)
-# The confidence of window costs, which are larger than sums of paths.
-_OF_WINDOWS = ("margin_shift=3", "margin_weight=1", "support_weight=6")
-_CENSUS = ("census_height_px=3", "census_pattern=all")
+# The stages of the rows with all of them, off.
+_UNCHECKED = ("left_right_threshold=-1",)
+_UNFILTERED = ("support_threshold=0", "confidence=false")
+_UNFILLED = ("fill_holes=false",)
+_NO_BORDER = ("border_cost=-1",)
+_WINNERS = (*_UNCHECKED, *_UNFILTERED, *_UNFILLED)
+_CENSUS = ("census_height_px=3", "census_pattern=all", f"disparities={DISPARITIES}")
 
 
 class Row(NamedTuple):
@@ -42,26 +41,30 @@ class Row(NamedTuple):
 
 
 SEMI_GLOBAL = (
-    Row("winners", "sgm_450", (*_MAP, *_ROOM)),
-    Row("left/right check", "sgm_450", (*_MAP, *_ROOM, *_CHECKED)),
-    Row("border cost", "sgm_450", (*_MAP, *_ROOM, *_BORDER)),
-    Row("border cost, check, holes filled", "sgm_450", (*_MAP, *_ROOM, *_BORDER, *_CHECKED, *_FILLED)),
-    Row("border cost, check, support", "sgm_450", (*_MAP, *_ROOM, *_BORDER, *_CHECKED, *_FILTERED)),
-    Row("all stages", "sgm_450", (*_MAP, *_ROOM, *_BORDER, *_CHECKED, *_FILTERED, *_FILLED)),
+    Row("winners", "sgm_450_dense", (*_NO_BORDER, *_WINNERS)),
+    Row("left/right check", "sgm_450_dense", (*_NO_BORDER, *_UNFILTERED, *_UNFILLED)),
+    Row("border cost", "sgm_450_dense", _WINNERS),
+    Row("border cost, check, holes filled", "sgm_450_dense", _UNFILTERED),
+    Row("border cost, check, support", "sgm_450_dense", _UNFILLED),
+    Row("all stages", "sgm_450_dense", ()),
 )
 BLOCK_MATCHING = (
-    Row("winners", "census_450", (*_MAP, *_CENSUS)),
-    Row("left/right check", "census_450", (*_MAP, *_CENSUS, *_CHECKED)),
-    Row("check, holes filled", "census_450", (*_MAP, *_CENSUS, *_CHECKED, *_FILLED)),
-    Row("check, support", "census_450", (*_MAP, *_CENSUS, *_CHECKED, *_FILTERED, *_OF_WINDOWS)),
-    Row("all stages", "census_450", (*_MAP, *_CENSUS, *_CHECKED, *_FILTERED, *_OF_WINDOWS, *_FILLED)),
+    Row("winners", "census_450_dense", (*_CENSUS, *_WINNERS)),
+    Row("left/right check", "census_450_dense", (*_CENSUS, *_UNFILTERED, *_UNFILLED)),
+    Row("check, holes filled", "census_450_dense", (*_CENSUS, *_UNFILTERED)),
+    Row("check, support", "census_450_dense", (*_CENSUS, *_UNFILLED)),
+    Row("all stages", "census_450_dense", _CENSUS),
+)
+OUTDOORS = (
+    Row("winners of `sgm_450`", "sgm_450", ("full_width=true", "subpixel=true")),
+    Row("winners of `sgm_450_dense`", "sgm_450_dense", (*_NO_BORDER, *_WINNERS)),
+    Row("all stages", "sgm_450_dense", ()),
 )
 FAMILIES = {"semi-global matching": SEMI_GLOBAL, "block matching, census 9x3, window 9x9": BLOCK_MATCHING}
 
 
 def words_of(row: Row) -> list[Word]:
-    last = {setting.partition("=")[0]: setting for setting in row.settings}  # of each option
-    return ["--config", row.config, *(word for setting in last.values() for word in ("--set", setting))]
+    return ["--config", row.config, *(word for setting in row.settings for word in ("--set", setting))]
 
 
 def measure(images: Sequence[Word], row: Row, *more: Word) -> Method:
@@ -114,6 +117,24 @@ def confidence_table(runs: Sequence[Sequence[Word]]) -> str:
             density = percent(_mean(mask["density"] for mask in masks))
             lines.append([family, title, density, _both(masks, "valid_only")])
     return table(["matcher", "pixels", "density", "bad 1 / bad 2 of them"], lines)
+
+
+def outdoors_table(pairs: Sequence[Pair]) -> str:
+    """Whole images; the truth of such a pair has no mask of occluded pixels."""
+    lines = []
+    for row in OUTDOORS:
+        masks = [
+            measure(pair.images, row, "--border", 0, "--set", f"disparities={pair.disparities}")["masks"]["all"]
+            for pair in pairs
+        ]
+        cells = (" / ".join(percent(mask[bad]["invalid_bad"]) for bad in ("d1", "bad_1", "bad_2")) for mask in masks)
+        lines.append([row.title, *cells])
+    return table(["D1 / bad 1 / bad 2", *(pair.title for pair in pairs)], lines)
+
+
+def outdoor_pairs() -> list[Pair]:
+    """Of the project's own list."""
+    return [pair for pair in read_pairs(OWN_LIST) if pair.name != "teddy"]
 
 
 class Shown(NamedTuple):
@@ -170,7 +191,7 @@ def _svg(shown: Sequence[Shown], columns: int = 4, width: int = 225, height: int
     return "\n".join([*parts, "</svg>", ""])
 
 
-def pages(pair: Path) -> dict[Path, str]:
+def pages(pair: Path, outdoors: Sequence[Pair]) -> dict[Path, str]:
     with tempfile.TemporaryDirectory() as work:
         scenes = [scene(seed, Path(work) / str(seed)) for seed in SCENE_SEEDS]
         runs = {"teddy": [pair_images(pair)], "scenes": scenes}
@@ -179,6 +200,7 @@ def pages(pair: Path) -> dict[Path, str]:
             for family, rows in zip(("sgm", "census"), FAMILIES.values()):
                 parts[f"{name}_{family}"] = stages_table(rows, of_runs)
             parts[f"{name}_confidence"] = confidence_table(of_runs)
+    parts["outdoors"] = outdoors_table(outdoors)
     seeds = f"{SCENE_SEEDS[0]} to {SCENE_SEEDS[-1]}"
     text = TEXT.read_text().format(
         disparities=DISPARITIES, seeds=seeds, noise=number(SCENE_NOISE, 0), sure=SURE, surest=SUREST_PERCENT, **parts
