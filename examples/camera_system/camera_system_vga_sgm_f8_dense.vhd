@@ -92,7 +92,7 @@ begin
     generic map (
       width_px => 640,
       height_px => 480,
-      depth => 6400)
+      depth => 3840)
     port map (
       aclk => aclk,
       aresetn => aresetn,

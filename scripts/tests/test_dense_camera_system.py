@@ -12,6 +12,7 @@ from flow.system import beside, pipeline, play, streams, template
 
 DENSE, FOLDED = (template.SYSTEMS[name] for name in ("tiny_dense", "tiny_sgm_f4_dense"))
 IMAGE = template.FOLDER / "camera_image.vhd"
+PAUSED = {"blanking_clocks": streams.LEAST_BLANKING_CLOCKS}
 # A line at a pixel a clock, then a pause, so that it takes as long as its pairs in the core.
 BURSTS = {"line_clocks": pipeline.line_clocks(FOLDED), "blanking_clocks": pipeline.pause_clocks(FOLDED)}
 
@@ -56,15 +57,15 @@ def test_a_beat_by_hand():
     assert found.beat(37, 0, depths, 0x5A) == 0x5A << 32, "nothing known but the image"
 
 
-def test_the_map_stands_in_the_image_as_its_window_does():
-    """3x3 windows; without full width the left reference has no map where a match would lie outside the right image."""
-    columns = {name: configuration(name)["output_first_column"] for name in ("tiny_dense", "tiny_confidence", "tiny_fill")}
-    assert columns == {"tiny_dense": 1, "tiny_confidence": 7 + 1, "tiny_fill": 1}
+def test_where_a_map_begins_in_the_image():
+    """In full width where the window of 3x3 is inside, else behind the 8 disparities."""
+    assert configuration("tiny_dense")["output_first_column"] == 1
+    assert configuration("tiny_confidence")["output_first_column"] == 8
 
 
 @pytest.mark.parametrize("gaps, skew, sink", [(0, 0, 0), (20, 100, 20), (20, -150, 10)])
 def test_every_frame_is_that_of_the_software(simulation, scene, tmp_path, gaps, skew, sink):
-    seen = played(simulation, scene, tmp_path, gap_percent=gaps, skew_clocks=skew, sink=sink)
+    seen = played(simulation, scene, tmp_path, gap_percent=gaps, skew_clocks=skew, sink=sink, **PAUSED)
     assert set(seen.responses) == {play.OKAY}
     check_all_exact(seen, scene.frames)
 
@@ -107,7 +108,7 @@ def test_parts_of_it_alone(ghdl, tmp_path, other):
     text = tmp_path / system.path.name
     text.write_text(template.text(system))
     files = [text if path == system.path else path for path in template.vhdl_files(system)]
-    seen = played(play.InGhdl(system, files), made, tmp_path, gap_percent=20, skew_clocks=40, sink=20)
+    seen = played(play.InGhdl(system, files), made, tmp_path, gap_percent=20, skew_clocks=40, sink=20, **PAUSED)
     check_all_exact(seen, made.frames)
 
 
@@ -148,16 +149,19 @@ FAULTS = {
 @pytest.mark.parametrize("fault", with_slow(FAULTS, ["an image one pixel late", "the confidence of the neighbour"]))
 def test_fault_is_caught(ghdl, scene, tmp_path, fault):
     faulty = play.InGhdl(DENSE, changed(DENSE, *FAULTS[fault], tmp_path))
-    seen = played(faulty, scene, tmp_path, 3, gap_percent=20, sink=10)
+    seen = played(faulty, scene, tmp_path, 3, gap_percent=20, sink=10, **PAUSED)
     assert [shown.error for shown in seen.frames] == [False] * 3
     assert [shown.words for shown in seen.frames] != scene.frames[:3]
 
 
 def test_an_image_of_the_wrong_row_after_a_broken_frame_is_caught(ghdl, verilator, scene, tmp_path):
-    """A map that begins behind the one before it stands right until frames are broken, or pause."""
-    first = r"if disparity_start_of_frame = '1' then"
-    files = changed(DENSE, IMAGE, first, "if disparity_start_of_frame = '1' and line_ended = '0' then", tmp_path)
+    """A map that begins as many pixels behind the one before it as the shell flushes in a pause between whole frames."""
+    flushed = (302 + 3) % 237  # groups of both cores, and three columns beside the map; modulo what is kept
+    kept_on = f"""if disparity_start_of_frame = '1' and line_ended = '1' then
+          shown <= later(shown, {flushed});
+        elsif disparity_start_of_frame = '1' then"""
+    files = changed(DENSE, IMAGE, r"if disparity_start_of_frame = '1' then", kept_on, tmp_path)
     faulty = play.Verilated(DENSE, files)
-    check_all_exact(played(faulty, scene, tmp_path / "whole"), scene.frames)
+    check_all_exact(played(faulty, scene, tmp_path / "whole", **PAUSED), scene.frames)
     verdict = streams.play_broken(faulty, scene, 0, tmp_path / "broken")
     assert verdict.mismatches and verdict.exact < streams.FRAMES - streams.BROKEN

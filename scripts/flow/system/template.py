@@ -33,6 +33,7 @@ class System(NamedTuple):
     skew_lines: int = 8  # that either camera may be ahead
     target: str = "ecp5"  # of implement.py: what it is placed and routed on
     left_image: bool = False  # beside the depths
+    few_pins: bool = False  # of the target: registers that three pins feed and read stand around it
 
     @property
     def entity(self) -> str:
@@ -73,7 +74,15 @@ SYSTEMS = {
         System("vga_sgm_f8", "rectify_vga", "sgm_640_64_f8", target="ecp5_45f_grade6"),
         System("tiny_dense", "rectify_tiny", "tiny_dense", left_image=True),
         System("tiny_sgm_f4_dense", "rectify_tiny_40", "tiny_sgm_f4_dense", skew_lines=4, left_image=True),
-        System("vga_sgm_f8_dense", "rectify_vga", "sgm_640_64_f8_dense", target="ecp5_45f_grade6", left_image=True),
+        System(
+            "vga_sgm_f8_dense",
+            "rectify_vga",
+            "sgm_640_64_f8_dense",
+            skew_lines=4,
+            target="ecp5_45f_grade6",
+            left_image=True,
+            few_pins=True,
+        ),
     )
 }
 
