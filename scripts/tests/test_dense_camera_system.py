@@ -53,7 +53,9 @@ def test_a_beat_by_hand():
     word = 0xC8 << 16 | 37  # confidence 200, disparity 37 sixteenths
     assert found.beat_bits == 40
     assert found.beat(word, 1, depths, 0x5A) == 0x5A << 32 | 200 << 24 | 1 << 16 | 1037
-    assert found.beat(1 << 15 | 37, 0, depths, 0x5A) == 0x5A << 32 | 1 << 17 | 1037, "filled: a depth that is not measured"
+    assert found.beat(1 << 15 | 37, 0, depths, 0x5A) == 0x5A << 32 | 1 << 17 | 1037, (
+        "filled: a depth that is not measured"
+    )
     assert found.beat(37, 0, depths, 0x5A) == 0x5A << 32, "nothing known but the image"
 
 
@@ -155,7 +157,7 @@ def test_fault_is_caught(ghdl, scene, tmp_path, fault):
 
 
 def test_an_image_of_the_wrong_row_after_a_broken_frame_is_caught(ghdl, verilator, scene, tmp_path):
-    """A map that begins as many pixels behind the one before it as the shell flushes in a pause between whole frames."""
+    """A map that begins as many pixels behind the one before it as the shell flushes between whole frames."""
     flushed = (302 + 3) % 237  # groups of both cores, and three columns beside the map; modulo what is kept
     kept_on = f"""if disparity_start_of_frame = '1' and line_ended = '1' then
           shown <= later(shown, {flushed});

@@ -140,13 +140,15 @@ def run_frame(system: System, pair: Path | None, work: Path) -> record.Frame:
             f"{system.entity}: {wrong} of {len(made.words)} depths are not those of the software pipeline",
             EXIT_MISMATCH,
         )
-    return {
+    result: record.Frame = {
         "command": f"scripts/camera_system.py --system {system.name} --frame",
         "scene": made.name,
         "depths": len(made.words),
         "known": sum(word >> MEASURED_AT & 1 for word in made.words),
-        **({"filled": sum(word >> FILLED_AT & 1 for word in made.words)} if beside_of(system).filled else {}),
         "mismatches": wrong,
         "clocks": seen.clocks,
         "latency": latency(seen),
     }
+    if beside_of(system).filled:
+        result["filled"] = sum(word >> FILLED_AT & 1 for word in made.words)
+    return result
