@@ -8,7 +8,8 @@ from conftest import need
 from cover import with_slow
 from flow.base.configurations import configuration
 from flow.base.errors import FlowError
-from flow.system import beside, pipeline, play, streams, template
+from flow.implementation.targets import TARGETS
+from flow.system import beside, implementation, pipeline, play, streams, template
 
 DENSE, FOLDED = (template.SYSTEMS[name] for name in ("tiny_dense", "tiny_sgm_f4_dense"))
 IMAGE = template.FOLDER / "camera_image.vhd"
@@ -123,6 +124,14 @@ def test_an_image_of_frames_that_a_core_holds_whole_is_refused():
     row = configuration("tiny_dense") | {"groups_to_first_output": 32 * 12}
     with pytest.raises(FlowError, match="the frames are too small for an image beside the depths"):
         beside.kept_pixels(row)
+
+
+def test_a_system_of_more_ports_than_its_device_has_pins_is_routed_between_registers():
+    system = template.SYSTEMS["vga_sgm_f8_dense"]
+    found = implementation.target_of(system, system.target)
+    assert found.family.few_pins and found.device == TARGETS[system.target].device
+    assert not TARGETS[system.target].family.few_pins, "the same device for others"
+    assert not implementation.target_of(DENSE, "ecp5").family.few_pins
 
 
 FAULTS = {
