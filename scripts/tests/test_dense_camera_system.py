@@ -8,8 +8,9 @@ from conftest import need
 from cover import with_slow
 from flow.base.configurations import configuration
 from flow.base.errors import FlowError
+from flow.implementation import figures
 from flow.implementation.targets import TARGETS
-from flow.system import beside, implementation, pipeline, play, streams, template
+from flow.system import beside, implementation, pipeline, play, record, streams, template
 
 DENSE, FOLDED = (template.SYSTEMS[name] for name in ("tiny_dense", "tiny_sgm_f4_dense"))
 IMAGE = template.FOLDER / "camera_image.vhd"
@@ -133,6 +134,21 @@ def test_a_system_of_more_ports_than_its_device_has_pins_is_routed_between_regis
     assert found.family.few_pins and found.device == TARGETS[system.target].device
     assert not TARGETS[system.target].family.few_pins, "the same device for others"
     assert not implementation.target_of(DENSE, "ecp5").family.few_pins
+
+
+def test_a_dense_system_serves_cameras_on_a_small_device():
+    """As recorded; by hand from the sizes of a frame and of its pause."""
+    system = template.SYSTEMS["vga_sgm_f8_dense"]
+    found = record.read(system) or {}
+    if "implementation" not in found:  # takes an hour: not a part of every change of the shell
+        how = f"scripts/camera_system.py --system {system.name} --implement --seeds 1 2 3 --record"
+        pytest.skip(f"SKIP: no place and route of the VHDL that is here is recorded: run {how}")
+    result = found["implementation"][system.target]
+    assert result["device"] == "LFE5U-45F-6BG381" and not result["memory_in_flip_flops"]
+    mhz = result["fmax_mhz"]["median"]
+    assert mhz * 1e6 / 8 / (640 * 480 + 10880 + 5834 + 2 * 640) >= 25  # last rows of both cores, two lines
+    page = " ".join((template.FOLDER / "README.md").read_text().split())
+    assert f"{mhz} MHz" in page and f"{figures.lut_count(result):,} LUT4" in page
 
 
 FAULTS = {
