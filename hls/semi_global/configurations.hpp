@@ -143,6 +143,9 @@ STEREO_ROW(tiny_sgm_f4_relief_settings, option, tiny_sgm_f4_settings, p2_least =
 STEREO_ROW(sgm_450_dense, system, sgm_450, full_width = true, left_right_threshold = 1, subpixel = true, cost_cap = 6,
            p1 = 9, p2 = 40, p2_least = 15, above_p2 = 20, border_cost = 3, support_threshold = 10, confidence = true,
            margin_weight = 4, support_weight = 2, fill_holes = true);
+// For a small FPGA behind two cameras.
+STEREO_ROW(sgm_640_64_f8_dense, system, sgm_450_dense, width_px = 640, height_px = 480, clocks_per_pixel = 8,
+           front_clocks = 2);
 // clang-format on
 
 }  // namespace stereo::semi_global::configurations

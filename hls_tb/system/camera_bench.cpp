@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
       if (right && right->flags & 2) std::fprintf(observed, "e 1 %ld\n", clock);
       if (left || right) last = clock;
       if (model.m_axis_tvalid && model.m_axis_tready) {
-         std::fprintf(observed, "o %x %d %ld\n", unsigned(model.m_axis_tdata),
+         std::fprintf(observed, "o %llx %d %ld\n", static_cast<unsigned long long>(model.m_axis_tdata),
                       model.m_axis_tuser | model.m_axis_tlast << 2, clock);
          last = clock;
       }

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Plays two cameras into a camera_system and writes down every beat of m_axis, as camera_bench.cpp does, with the same
 -- files. It judges nothing: scripts/flow/system/ does. NAME stands for the system, and
--- the number of lane_bits gives way to its own.
+-- the numbers of lane_bits and map_bits give way to its own.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -17,6 +17,7 @@ end entity;
 
 architecture sim of tb_camera_system is
   constant lane_bits : positive := 8;  -- of a pixel
+  constant map_bits : positive := 24;  -- of m_axis_tdata
   constant quiet_clocks : positive := 4000;
   constant progress_clocks : positive := 20000;
   signal clock, reset_n, tables_done, done : std_logic := '0';
@@ -30,7 +31,7 @@ architecture sim of tb_camera_system is
   signal camera_ended : std_logic_vector(0 to 1) := "00";
   signal map_valid, map_last : std_logic;
   signal map_ready : std_logic := '0';
-  signal map_data : std_logic_vector(23 downto 0);
+  signal map_data : std_logic_vector(map_bits - 1 downto 0);
   signal map_user : std_logic_vector(1 downto 0);
 begin
   clock <= not clock after 5 ns when done = '0';

@@ -18,6 +18,9 @@ from flow_commands import call, refused
 
 TINY, CHECKED, DEEP, VGA = (template.SYSTEMS[name] for name in ("tiny", "tiny_checked", "tiny_12bit", "vga"))
 FOLDED, FOLDED_VGA = (template.SYSTEMS[name] for name in ("tiny_sgm_f8", "vga_sgm_f8"))
+DENSE, FOLDED_DENSE, DENSE_VGA = (
+    template.SYSTEMS[name] for name in ("tiny_dense", "tiny_sgm_f4_dense", "vga_sgm_f8_dense")
+)
 STAGE, CORE = pipeline.rows_of(TINY)
 WIDTH, HEIGHT = CORE["width_px"], CORE["height_px"]
 DEPTHS = pipeline.depth_table(TINY, streams.FOCAL_BASELINE)
@@ -71,7 +74,7 @@ def test_bad_options_are_refused(words, sentence):
     refused(call("camera_system.py", *words), 2, sentence)
 
 
-@pytest.mark.parametrize("system", [VGA, FOLDED_VGA], ids=lambda system: system.name)
+@pytest.mark.parametrize("system", [VGA, FOLDED_VGA, DENSE_VGA], ids=lambda system: system.name)
 def test_a_whole_frame_of_vga_is_exact(system):
     """As recorded; of the VHDL that is here, else there is no record."""
     found = record.read(system)
@@ -80,6 +83,7 @@ def test_a_whole_frame_of_vga_is_exact(system):
     assert (core["width_px"], core["height_px"], core["disparities"]) == (640, 480, 64)
     assert seen["mismatches"] == 0 and seen["depths"] == core["output_width_px"] * core["output_height_px"]
     assert seen["known"] > seen["depths"] // 2
+    assert not template.beside_of(system).filled or seen["known"] + seen["filled"] == seen["depths"], "no holes"
     shown = call("camera_system.py", "--system", system.name, "--show").stdout
     assert f"{seen['latency']['last_clocks'] / pipeline.line_clocks(system):.2f} lines" in shown
 
@@ -120,7 +124,7 @@ def test_latency_is_shown_at_the_routed_clock(monkeypatch):
     assert "64 clocks, 2.00 lines, 2.0 us" in shown and "96 clocks, 3.00 lines, 3.0 us" in shown
 
 
-@pytest.mark.parametrize("system", [TINY, DEEP, FOLDED], ids=lambda system: system.name)
+@pytest.mark.parametrize("system", [TINY, DEEP, FOLDED, DENSE, FOLDED_DENSE], ids=lambda system: system.name)
 def test_500_frames_of_random_streams_are_exact(system):
     """As recorded."""
     found = record.read(system)

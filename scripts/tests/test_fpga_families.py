@@ -15,6 +15,7 @@ from flow.base import committed, ghdl as ghdl_flow, rtl, venv
 from flow.base.errors import FlowError
 from flow.base.tools import ROOT
 from flow.implementation import nextpnr, pins, record, yosys
+from flow.implementation.families.ecp5 import Ecp5FewPins
 from flow.implementation.families.family import TOP, RoutedFamily
 from flow.implementation.results import Configuration
 from flow.implementation.targets import ECP5, TARGETS
@@ -227,7 +228,10 @@ def test_nothing_else_knows_a_family_by_name():
     assert knowing == {f"{name}.py" for name in OTHERS} | {"targets.py", "ram.py"}
 
 
-@pytest.mark.parametrize("family", OTHERS.values(), ids=OTHERS)
+FEW_PINS = {**OTHERS, "ecp5": Ecp5FewPins()}
+
+
+@pytest.mark.parametrize("family", FEW_PINS.values(), ids=FEW_PINS)
 def test_a_core_is_the_same_with_registers_around_it(tmp_path, family):
     """Its cells are those that yosys makes of it alone."""
     where_reachable(yosys.find_yosys)

@@ -18,7 +18,10 @@ PAPER_ALUTS = 15_616  # Ambrosch et al. 2007
 MOST_MEMORY_BITS = 81_920  # of the paper's 884,736; most of them signs of differences
 LEAST_MHZ = {"ambrosch2007": 130, "ambrosch2007_p2": 110, "ambrosch2007_p4": 130, "rectify_vga": 120}
 # nextpnr did not end within the time that it was given, or was not given any (README, what does not work yet).
-NOT_ROUTED = {(name, "ecp5") for name in ("census_450_dense", "census_450_full", "sgm_1280", "sgm_450_dense", "vga_64")}
+NOT_ROUTED = {
+    (name, "ecp5")
+    for name in ("census_450_dense", "census_450_full", "sgm_1280", "sgm_450_dense", "sgm_640_64_f8_dense", "vga_64")
+}
 WIDER = [(pixels, target) for pixels in (2, 4) for target in USUAL]
 
 

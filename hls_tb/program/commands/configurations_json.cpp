@@ -63,7 +63,9 @@ nlohmann::json common_json(const Entry& entry) {
 
 nlohmann::json as_json(const Configuration& entry) {
    nlohmann::json json = common_json(entry);
-   json["disparities"] = entry.algorithm->map_geometry(entry.shape.image.width_px).disparities;
+   const MapGeometry geometry = entry.algorithm->map_geometry(entry.shape.image.width_px);
+   json["disparities"] = geometry.disparities;
+   json["output_first_column"] = geometry.first_column;
    json["disparity_bits"] = entry.shape.disparity_bits;
    return json;
 }

@@ -38,16 +38,17 @@ class Parameters(Size):
 
 
 class Configuration(Parameters):
-    """One row of the table, with what says nothing about the hardware."""
+    """One row of the table, with what says nothing about the hardware or follows from what does."""
 
     use: str  # what it is there for
     description: str  # such as "320x240, 100 disparities, window 3x3"
     options: list[str]  # "name value" of the options that are not the family's defaults
+    output_first_column: int  # of the reference image: where the map begins. Not of stages
     source_folder: str  # of the family's core, from the project's root
 
 
 PLANNED = "planned"  # the use of a row whose VHDL is not made yet
-_ABOUT = ("use", "description", "options", "source_folder")
+_ABOUT = ("use", "description", "options", "source_folder", "output_first_column")
 
 
 def parameters_of(row: Configuration) -> Parameters:

@@ -21,9 +21,10 @@ GHDL_WARNINGS = (
     *("runtime-error", "shared", "hide", "unused", "others", "pure", "static", "error"),
 )
 NETLIST_WARNINGS = ("LATCH", "MULTIDRIVEN", "SELRANGE", "UNDRIVEN", "IMPLICIT", "PINMISSING")
-CAMERA_TABLES, CAMERA_DEPTH = (
-    ROOT / "examples" / "camera_system" / f"camera_{name}.vhd" for name in ("tables", "depth")
+CAMERA_TABLES, CAMERA_DEPTH, CAMERA_IMAGE = (
+    ROOT / "examples" / "camera_system" / f"camera_{name}.vhd" for name in ("tables", "depth", "image")
 )
+IMAGE_SIZES = {"width_px": 640, "output_width_px": 638, "first_column": 1, "kept": 6000, "address_bits": 13}
 LONGEST_LINE = 128
 LONGEST_FILE = 400
 FIRST_LINE = "-- SPDX-License-Identifier: Apache-2.0"
@@ -99,7 +100,7 @@ def check(config: str, work: Path, shell: Path | None = None, say: Say = print) 
     memory, shared, joiner = rtl.MEMORY_CELL, design.shell_files(shell), design.joiner_files(shell)
     written = [*shared, template.path(config)]
     core = [path for path in manifest.core_files(config) if path != memory]
-    examples = [*board_vhdl.COMMITTED, board_vhdl.BENCH, CAMERA_TABLES, CAMERA_DEPTH]
+    examples = [*board_vhdl.COMMITTED, board_vhdl.BENCH, CAMERA_TABLES, CAMERA_DEPTH, CAMERA_IMAGE]
     found = [sentence for path in (memory, *written, *joiner, *examples) for sentence in layout(path)]
     found += analysis([memory], work)
     ghdl.analyse(core, work, "core.log")
@@ -114,6 +115,7 @@ def check(config: str, work: Path, shell: Path | None = None, say: Say = print) 
         nodes: ghdl.Generics = {"table_columns": 41, "table_rows": 31, "depth_entries": 1024, "subpixel": "true"}
         found += netlist([CAMERA_TABLES], "camera_tables", work, nodes)
         found += netlist([memory, CAMERA_DEPTH], "camera_depth", work, {"place_bits": 10, "disparity_bits": 16})
+        found += netlist([memory, CAMERA_IMAGE], "camera_image", work, IMAGE_SIZES | {"pixel_bits": 8})
     for sentence in found:
         say(sentence)
     return len(found)

@@ -15,8 +15,9 @@ from ..base.tools import ROOT, Word, find_stereo_hls, run
 from ..rendering import pictures
 from ..rendering.pictures import Array
 from . import pipeline, play, record
+from .beside import FILLED_AT, MEASURED_AT
 from .pipeline import Table
-from .template import System
+from .template import System, beside_of
 
 SEED = 1  # of the scene
 CALIBRATION = ROOT / "examples" / "camera_system" / "calibration_640x480.yml"
@@ -104,7 +105,8 @@ def scene(system: System, pair: Path | None, work: Path) -> Scene:
     _hls(*rectify, "--left", work / "left.pgm", "--right", work / "right.pgm", "--out", work / "rectified")
     depths = pipeline.depth_table(system, FOCAL_BASELINE)
     rectified = [work / "rectified" / f"{side}.png" for side in ("left", "right")]
-    words = pipeline.depth_frame(system, rectified[0], rectified[1], depths, work / "vectors")
+    image = pictures.load(rectified[0]).tolist()
+    words = pipeline.depth_frame(system, rectified[0], rectified[1], depths, work / "vectors", image)
     name = f"pair of the folder {pair.name}" if pair else f"stereo_hls scene, seed {SEED}"
     return Scene(name, list(tables), depths, cameras, words)
 
@@ -138,12 +140,15 @@ def run_frame(system: System, pair: Path | None, work: Path) -> record.Frame:
             f"{system.entity}: {wrong} of {len(made.words)} depths are not those of the software pipeline",
             EXIT_MISMATCH,
         )
-    return {
+    result: record.Frame = {
         "command": f"scripts/camera_system.py --system {system.name} --frame",
         "scene": made.name,
         "depths": len(made.words),
-        "known": sum(word > 0xFFFF for word in made.words),
+        "known": sum(word >> MEASURED_AT & 1 for word in made.words),
         "mismatches": wrong,
         "clocks": seen.clocks,
         "latency": latency(seen),
     }
+    if beside_of(system).filled:
+        result["filled"] = sum(word >> FILLED_AT & 1 for word in made.words)
+    return result

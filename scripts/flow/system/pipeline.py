@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The software pipeline of a camera_system: the frames that must come out, made by other means than its VHDL."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,7 +12,7 @@ from ..base import files, rtl
 from ..base.configurations import Configuration, clocks_per_pixel, configuration, designs, option
 from ..base.tools import Word, find_stereo_hls, run
 from ..cosim import vectors
-from .template import System, depths_of
+from .template import System, beside_of, depths_of
 
 LARGEST_MM = 65535
 Image = Sequence[Sequence[int]]  # rows of grey values
@@ -78,8 +80,11 @@ def write_pgm(path: Path, image: Image, pixel_bits: int = rtl.PIXEL_BITS) -> Pat
     return path
 
 
-def depth_frame(system: System, left: Path, right: Path, depths: Sequence[int], work: Path) -> list[int]:
-    """The words of m_axis for a rectified pair: depth, above it whether the disparity has passed the core's checks."""
+def depth_frame(
+    system: System, left: Path, right: Path, depths: Sequence[int], work: Path, image: Image | None = None
+) -> list[int]:
+    """The beats of m_axis for a rectified pair, as examples/camera_system/README.md says. `image`: the left one, for a
+    system that shows it."""
     command: list[Word] = [
         find_stereo_hls(),
         "vectors",
@@ -93,11 +98,12 @@ def depth_frame(system: System, left: Path, right: Path, depths: Sequence[int], 
         work,
     ]
     run(command, passes_errors=True)
-    words = []
+    more, beats = beside_of(system), []
+    first = rows_of(system)[1]["output_first_column"]
     for output in vectors.read_expected(work / "expected.txt")[0]:
-        valid = output.flags >> 2 & 1
-        words.append((depths[output.disparity] if valid else 0) | valid << 16)
-    return words
+        pixel = image[output.y][first + output.x] if image is not None and system.left_image else 0
+        beats.append(more.beat(output.disparity, output.flags >> 2 & 1, depths, pixel))
+    return beats
 
 
 def read_table(path: Path, row: Configuration) -> list[list[Node]]:

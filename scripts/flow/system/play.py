@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -17,7 +18,7 @@ from ..simulation import simulation, simulators
 from ..simulation.simulators import Design
 from . import pipeline
 from .pipeline import Image, Table
-from .template import System, vhdl_files
+from .template import System, beside_of, vhdl_files
 
 BENCHES = ROOT / "hls_tb" / "system"
 WORK = ROOT / "build" / "camera_system"
@@ -130,7 +131,8 @@ class InGhdl(Simulation):
     def _design(self, system: System, files: list[Path]) -> Design:
         bench = BENCHES / "tb_camera_system.vhd"
         text = bench.read_text().replace("camera_system_NAME", system.entity)
-        text = text.replace("lane_bits : positive := 8", f"lane_bits : positive := {self._lane_bits}")
+        for name, value in (("lane_bits", self._lane_bits), ("map_bits", beside_of(system).beat_bits)):
+            text = re.sub(rf"(?<=constant {name} : positive := )\d+", str(value), text)
         return Design(bench.stem, files, texts={bench.name: text})
 
 

@@ -32,7 +32,8 @@ class Frame(TypedDict):
     command: str
     scene: str  # what was seen
     depths: int
-    known: int  # of them
+    known: int  # of them: measured
+    filled: NotRequired[int]  # of a core that fills holes
     mismatches: int
     clocks: int
     latency: Latency

@@ -70,11 +70,11 @@ def expected(system: System, pair: Pair, tables: Sequence[Table], depths: Sequen
     folder.mkdir(parents=True, exist_ok=True)
     stage = pipeline.rows_of(system)[0]
     bits = rtl.pixel_bits_of(stage)
+    images = [pipeline.rectified(image, table, stage) for image, table in zip(pair, tables)]
     left, right = (
-        pipeline.write_pgm(folder / f"{side}.pgm", pipeline.rectified(image, table, stage), bits)
-        for side, image, table in zip(("left", "right"), pair, tables)
+        pipeline.write_pgm(folder / f"{side}.pgm", image, bits) for side, image in zip(("left", "right"), images)
     )
-    return pipeline.depth_frame(system, left, right, depths, folder)
+    return pipeline.depth_frame(system, left, right, depths, folder, images[0])
 
 
 def material(system: System, seed: int, pairs: int, folder: Path) -> Material:

@@ -39,8 +39,9 @@ def of_cameras(system: System, mhz: float) -> str:
 
 def of_frame(system: System, seen: record.Frame) -> list[str]:
     line_clocks = pipeline.line_clocks(system)
+    filled = f"{seen['filled']} filled, " if "filled" in seen else ""
     lines = [
-        f"{system.entity}, {seen['scene']}: {seen['depths']} depths, {seen['known']} of them known, "
+        f"{system.entity}, {seen['scene']}: {seen['depths']} depths, {seen['known']} of them known, {filled}"
         f"{seen['mismatches']} mismatches, {seen['clocks']} clocks"
     ]
     mhz = routed_mhz(system)

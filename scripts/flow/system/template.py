@@ -9,17 +9,19 @@ from pathlib import Path
 from typing import NamedTuple, cast
 
 from ..base import committed, rtl
-from ..base.configurations import Parameters, clocks_per_pixel, option
+from ..base.configurations import Parameters, clocks_per_pixel, configuration, option
 from ..base.errors import FlowError
 from ..base.tools import ROOT
 from ..shell import design, registers
 from ..shell.template import core_id, instance, lane_bits, pace_generics, pixel_generics
 from ..synthesis import manifest
+from . import beside
+from .beside import DEPTH_BITS, Beside
 
 FOLDER = ROOT / "examples" / "camera_system"
 PARTS = ("camera_tables", "camera_depth")
-DEPTH_CLOCKS = 2  # of camera_depth
-DEPTH_BITS = 16
+IMAGE = "camera_image"  # where the left image stands beside the depths
+DEPTH_CLOCKS = 2  # of camera_depth, and of camera_image
 NODE_BITS = 16  # of a node's place and offsets
 CORE = "core"  # the matching core's instance
 
@@ -30,6 +32,8 @@ class System(NamedTuple):
     matching: str
     skew_lines: int = 8  # that either camera may be ahead
     target: str = "ecp5"  # of implement.py: what it is placed and routed on
+    left_image: bool = False  # beside the depths
+    few_pins: bool = False  # of the target: registers that three pins feed and read stand around it
 
     @property
     def entity(self) -> str:
@@ -68,19 +72,34 @@ SYSTEMS = {
         System("vga", "rectify_vga", "vga_64"),
         System("tiny_sgm_f8", "rectify_tiny_40", "tiny_sgm_f8_all", skew_lines=4),
         System("vga_sgm_f8", "rectify_vga", "sgm_640_64_f8", target="ecp5_45f_grade6"),
+        System("tiny_dense", "rectify_tiny", "tiny_dense", left_image=True),
+        System("tiny_sgm_f4_dense", "rectify_tiny_40", "tiny_sgm_f4_dense", skew_lines=4, left_image=True),
+        System(
+            "vga_sgm_f8_dense",
+            "rectify_vga",
+            "sgm_640_64_f8_dense",
+            skew_lines=4,
+            target="ecp5_45f_grade6",
+            left_image=True,
+            few_pins=True,
+        ),
     )
 }
-_MAP = (
-    ("m_axis_tvalid", "out", "std_logic"),
-    ("m_axis_tready", "in", "std_logic"),
-    ("m_axis_tdata", "out", "std_logic_vector(23 downto 0)"),
-    ("m_axis_tuser", "out", "std_logic_vector(1 downto 0)"),
-    ("m_axis_tlast", "out", "std_logic"),
-)
 
 
 def _vector(bits: int) -> str:
     return f"std_logic_vector({bits - 1} downto 0)"
+
+
+def _map(beat_bits: int) -> tuple[tuple[str, str, str], ...]:
+    """The stream of depths."""
+    return (
+        ("m_axis_tvalid", "out", "std_logic"),
+        ("m_axis_tready", "in", "std_logic"),
+        ("m_axis_tdata", "out", _vector(beat_bits)),
+        ("m_axis_tuser", "out", _vector(2)),
+        ("m_axis_tlast", "out", "std_logic"),
+    )
 
 
 def _cameras(pixel_bits: int) -> tuple[tuple[str, str, str], ...]:
@@ -166,6 +185,11 @@ def queue_lines(system: System, parameters: Parameters) -> int:
     return system.skew_lines + (2 if clocks_per_pixel(parameters) > 1 else 0)
 
 
+def beside_of(system: System) -> Beside:
+    """What stands beside its depths."""
+    return beside.of(manifest.read(committed.folder(system.matching))["parameters"], system.left_image)
+
+
 def text(system: System) -> str:
     """The VHDL of a system."""
     entry, before = (manifest.read(committed.folder(name)) for name in (system.matching, system.rectification))
@@ -174,11 +198,13 @@ def text(system: System) -> str:
     stage_bits, pixel_bits = (rtl.pixel_bits_of(manifest_of["parameters"]) for manifest_of in (before, entry))
     lowest = option(entry["parameters"], "min_disparity")
     _check(system, stage | {"pixel_bits": stage_bits}, core | {"pixel_bits": pixel_bits}, lowest)
-    table = depths_of(entry["parameters"])
+    table, more = depths_of(entry["parameters"]), beside.of(entry["parameters"], system.left_image)
+    is_more = more.word_bits > DEPTH_BITS
     signals, cameras = _signals(pixel_bits, core["disparity_bits"]), _cameras(pixel_bits)
+    stream = _map(more.beat_bits)
     shell: dict[str, int | str] = {
         **core,
-        "disparity_bits": DEPTH_BITS,
+        "disparity_bits": more.word_bits,
         "latency_clocks": core["latency_clocks"] + stage["latency_clocks"] + DEPTH_CLOCKS,
         "flush_groups": core["flush_groups"] + stage["flush_groups"],
         "core_id": f'x"{core_id(entry)}"',
@@ -190,23 +216,24 @@ def text(system: System) -> str:
         ("aclk", "in", "std_logic"),
         ("aresetn", "in", "std_logic"),
         *cameras,
-        *_MAP,
+        *stream,
         *_SHELL_LITE,
         *_TABLES_LITE,
     ]
     same = {name: name for name, _, _ in outside}
     pairs = {f"s_axis_{name}": f"pair_{name}" for name in ("tvalid", "tready", "tdata", "tuser", "tlast")}
     clocked = {"aclk": "aclk", "aresetn": "aresetn"}
-    to_shell = clocked | pairs | {name: name for name, _, _ in (*_MAP, *_SHELL_LITE)}
+    to_shell = clocked | pairs | {name: name for name, _, _ in (*stream, *_SHELL_LITE)}
     to_shell |= {f"core_{name}": name for name in ("left_pixel", "right_pixel", "start_of_frame", "valid")}
     to_shell |= {
         "core_reset": "core_reset",
-        "core_disparity": "depth_mm",
-        "core_pixel_valid": "depth_known",
+        "core_disparity": "word" if is_more else "depth_mm",
+        "core_pixel_valid": "measured" if more.filled else "depth_known",
         "core_disparity_valid": "depth_valid",
         "core_disparity_start_of_frame": "depth_start_of_frame",
         "core_disparity_end_of_line": "depth_end_of_line",
     }
+    to_shell |= {"m_axis_tdata": "word_tdata"} if is_more else {}
     joined: dict[str, int] = {name: core[name] for name in ("width_px", "height_px")}
     joined |= {"depth": queue_lines(system, entry["parameters"]) * core["width_px"], **pixel_generics(pixel_bits)}
     joiner = clocked | {name: same[name] for name, _, _ in cameras}
@@ -230,7 +257,7 @@ def text(system: System) -> str:
     rectification |= {name: name for name in ("left_pixel", "right_pixel", "start_of_frame", "valid")} | nodes
     rectification |= {port.name: port.name for port in rtl.STAGE_PORTS if port.direction == "out"}
     depth = {"clock": "aclk", "reset": "core_reset", "write_disparity": "write_disparity", "write_mm": "write_mm"}
-    depth |= {name: name for name in results}
+    depth |= {name: name for name in results} | ({"pixel_valid": "has_depth"} if more.filled else {})
     depth |= {"depth_mm": "depth_mm", "depth_known": "depth_known"}
     depth |= {name: name for name in ("depth_valid", "depth_start_of_frame", "depth_end_of_line")}
     sizes: dict[str, int | str] = {name: parameters[name] for name in ("table_columns", "table_rows")}
@@ -252,7 +279,7 @@ def text(system: System) -> str:
         "end entity;",
         "",
         f"architecture rtl of {system.entity} is",
-        *(f"  signal {names} : {kind};" for names, kind in signals.items()),
+        *(f"  signal {names} : {kind};" for names, kind in (signals | beside.signals(more)).items()),
         "begin",
         "  -- A soft reset leaves the tables as they are.",
         "  process (aclk)",
@@ -273,6 +300,8 @@ def text(system: System) -> str:
         instance(CORE, rtl.core_entity(system.matching), core, matching),
         "",
         instance("depth", "camera_depth", depth_sizes, depth),
+        *(["", beside.image(configuration(system.matching))] if system.left_image else []),
+        *(["", *beside.statements(more)] if is_more else []),
         "end architecture;",
         "",
     ]
@@ -290,5 +319,5 @@ def vhdl_files(system: System) -> list[Path]:
 
 def own_files(system: System) -> list[Path]:
     """Without the generated cores."""
-    parts = [FOLDER / f"{name}.vhd" for name in PARTS]
+    parts = [FOLDER / f"{name}.vhd" for name in (*PARTS, *([IMAGE] if system.left_image else []))]
     return [*design.shell_files(), *design.joiner_files(), *parts, system.path]

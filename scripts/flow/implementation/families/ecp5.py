@@ -40,3 +40,9 @@ class Ecp5(RoutedFamily):
     def lut_sites(self, utilization: Utilization) -> int:
         """With what nextpnr adds to get carries out of their chains."""
         return utilization["TRELLIS_COMB"]["used"]
+
+
+class Ecp5FewPins(Ecp5):
+    """For a design that is a part of another one and has more ports than a package has pins."""
+
+    few_pins = True
