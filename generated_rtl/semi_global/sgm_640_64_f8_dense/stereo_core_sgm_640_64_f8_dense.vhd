@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, semi global, configuration sgm_640_64_f8_dense: 640x480, 64 disparities, window 3x3, P1 7, P2 40, 1 pixel pair a clock.
--- Options: reference left, census_width_px 9, census_pattern sparse, cost_shift 3, cost_cap 5, p1 7, p2 40,
---   p2_least 20, above_p1 5, above_p2 31, left_right_threshold 1, subpixel true, median true, full_width
---   true, border_cost 2, support_threshold 10, confidence true, margin_weight 3, support_weight 3, fill_holes
+-- Stereo core, semi global, configuration sgm_640_64_f8_dense: 640x480, 64 disparities, window 3x3, P1 9, P2 40, 1 pixel pair a clock.
+-- Options: reference left, census_width_px 9, census_pattern sparse, cost_shift 3, cost_cap 6, p1 9, p2 40,
+--   p2_least 15, above_p1 5, above_p2 20, left_right_threshold 1, subpixel true, median true, full_width
+--   true, border_cost 3, support_threshold 10, confidence true, margin_weight 4, support_weight 2, fill_holes
 --   true, slice_disparities 16, clocks_per_pixel 8, front_clocks 2.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config sgm_640_64_f8_dense
@@ -104,10 +104,10 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   type natural_127_2d is array (natural range <>, natural range <>) of natural range 0 to 127;
   type natural_14_1d is array (natural range <>) of natural range 0 to 14;
   type natural_14_2d is array (natural range <>, natural range <>) of natural range 0 to 14;
+  type natural_158_1d is array (natural range <>) of natural range 0 to 158;
   type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
   type natural_16383_2d is array (natural range <>, natural range <>) of natural range 0 to 16383;
   type natural_169_1d is array (natural range <>) of natural range 0 to 169;
-  type natural_190_1d is array (natural range <>) of natural range 0 to 190;
   type natural_21_1d is array (natural range <>) of natural range 0 to 21;
   type natural_254_1d is array (natural range <>) of natural range 0 to 254;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
@@ -117,6 +117,7 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   type natural_2_2d is array (natural range <>, natural range <>) of natural range 0 to 2;
   type natural_31_1d is array (natural range <>) of natural range 0 to 31;
   type natural_32767_1d is array (natural range <>) of natural range 0 to 32767;
+  type natural_36_1d is array (natural range <>) of natural range 0 to 36;
   type natural_3_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 3;
   type natural_42_1d is array (natural range <>) of natural range 0 to 42;
   type natural_511_1d is array (natural range <>) of natural range 0 to 511;
@@ -127,7 +128,6 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   type natural_64_1d is array (natural range <>) of natural range 0 to 64;
   type natural_65535_1d is array (natural range <>) of natural range 0 to 65535;
   type natural_65535_2d is array (natural range <>, natural range <>) of natural range 0 to 65535;
-  type natural_68_1d is array (natural range <>) of natural range 0 to 68;
   type natural_7_1d is array (natural range <>) of natural range 0 to 7;
   type natural_8191_1d is array (natural range <>) of natural range 0 to 8191;
   type unsigned_16_1d is array (natural range <>) of unsigned(15 downto 0);
@@ -319,17 +319,16 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal pathsabove_total : natural_52_1d(0 to 7);
   signal pathsabove_tree_smallest : natural_52_1d(0 to 3);
   signal pathsabove_tree_next_smallest : natural_52_1d(0 to 1);
-  signal pathsabove_tree_next_next_smallest_0 : natural range 0 to 52;
+  signal pathsabove_tree_next_next_smallest_0, pathsabove_smallest_total, pathsabove_smallest : natural range 0 to 52;
   signal pathsabove_delay_held_0 : unsigned(29 downto 0);
-  signal pathsabove_delay_held_1 : unsigned(17 downto 0);
-  signal pathsabove_smallest_total, pathsabove_smallest : natural range 0 to 63;
-  signal pathsabove_cost : natural_63_1d(0 to 7);
-  signal pathsabove_held : natural_63_1d(0 to 7);
-  signal pathsabove_lower_neighbour : natural range 0 to 63;
-  signal pathsabove_beside : natural_63_1d(0 to 7);
-  signal pathsabove_own : natural_63_1d(0 to 6);
-  signal pathsabove_step : natural_68_1d(0 to 7);
+  signal pathsabove_delay_held_1 : unsigned(9 downto 0);
+  signal pathsabove_cost : natural_31_1d(0 to 7);
+  signal pathsabove_held : natural_31_1d(0 to 7);
+  signal pathsabove_lower_neighbour : natural range 0 to 31;
+  signal pathsabove_beside : natural_31_1d(0 to 7);
+  signal pathsabove_own : natural_31_1d(0 to 6);
   signal pathsabove_stay : natural_31_1d(0 to 7);
+  signal pathsabove_step : natural_36_1d(0 to 7);
   -- pathsturn
   signal pathsturn_sum_memory_read_address_0, pathsturn_sum_memory_write_address_0 : natural range 0 to 4095;
   signal pathsturn_cost_memory_read_address_0, pathsturn_cost_memory_write_address_0 : natural range 0 to 4095;
@@ -537,7 +536,7 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal support_rest_rows_ready_words_0, support_rest_rows_write_words_0 : natural range 0 to 1048575;
   signal support_partial_0 : natural_5_1d(0 to 6);
   signal support_count_0 : natural range 0 to 35;
-  signal support_sum_0 : natural range 0 to 294;
+  signal support_sum_0 : natural range 0 to 322;
   signal support_out_sure_0 : natural range 0 to 255;
   -- fill
   signal fill_counter_column, fill_newest_disparity_0, fill_read_column, fill_ready_column : natural range 0 to 1023;
@@ -777,7 +776,7 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal pathsabove_delay_held_1_memory_read_enable : boolean;
   signal pathsabove_delay_held_1_memory_read_address : unsigned(3 downto 0);
   signal pathsabove_delay_held_1_memory_write_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_1_memory_write_data : unsigned(17 downto 0);
+  signal pathsabove_delay_held_1_memory_write_data : unsigned(9 downto 0);
   signal pathsabove_delay_held_0_memory_read_enable : boolean;
   signal pathsabove_delay_held_0_memory_read_address : unsigned(3 downto 0);
   signal pathsabove_delay_held_0_memory_write_address : unsigned(3 downto 0);
@@ -1319,9 +1318,9 @@ begin
   pathsabove_delay_held_1_memory_read_enable <= true;
   pathsabove_delay_held_1_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
   pathsabove_delay_held_1_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
-  pathsabove_delay_held_1_memory_write_data <= to_unsigned(pathsabove_total(7), 6) & to_unsigned(pathsabove_total(6), 6) & to_unsigned(pathsabove_total(5), 6);
+  pathsabove_delay_held_1_memory_write_data <= ((to_unsigned((pathsabove_total(7) mod 32), 5) & to_unsigned(0, 5)) or (to_unsigned(pathsabove_total(6), 10)));
   pathsabove_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 12, width => 18, address_bits => 4)
+    generic map (depth => 12, width => 10, address_bits => 4)
     port map (
       clock => clock, read_enable => pathsabove_delay_held_1_memory_read_enable,
       read_address => pathsabove_delay_held_1_memory_read_address, read_data => pathsabove_delay_held_1,
@@ -1330,7 +1329,7 @@ begin
   pathsabove_delay_held_0_memory_read_enable <= true;
   pathsabove_delay_held_0_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
   pathsabove_delay_held_0_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
-  pathsabove_delay_held_0_memory_write_data <= to_unsigned(pathsabove_total(4), 6) & to_unsigned(pathsabove_total(3), 6) & to_unsigned(pathsabove_total(2), 6) & to_unsigned(pathsabove_total(1), 6) & to_unsigned(pathsabove_total(0), 6);
+  pathsabove_delay_held_0_memory_write_data <= ((to_unsigned((pathsabove_total(5) mod 32), 5) & to_unsigned(to_integer(((to_unsigned(pathsabove_total(2), 11) & to_unsigned(0, 10)) or (to_unsigned(pathsabove_total(3), 6) & to_unsigned(to_integer(((to_unsigned(pathsabove_total(1), 6) & to_unsigned(0, 5)) or (to_unsigned(pathsabove_total(0), 11)))), 15)))), 25)) or (to_unsigned(pathsabove_total(4), 10) & to_unsigned(0, 20)));
   pathsabove_delay_held_0_memory : entity work.line_memory
     generic map (depth => 12, width => 30, address_bits => 4)
     port map (
@@ -1896,7 +1895,7 @@ begin
     variable median_window_complete_is_equal, median_window_complete_choice : boolean;
     variable median_low_0_all : boolean_1d(0 to 1);  -- median_low_#_0_all
     variable relief_newest_choice : boolean;
-    variable relief_newest_choices : boolean_1d(2 to 16);  -- relief_newest_choice_#
+    variable relief_newest_choices : boolean_1d(2 to 15);  -- relief_newest_choice_#
     variable relief_newest_value : boolean;
     variable relief_newest_values : boolean_1d(2 to 5);  -- relief_newest_value_#
     variable transform_counter_group_after_choice, raster_place_group_after_choice : natural range 0 to 511;
@@ -1942,19 +1941,19 @@ begin
     variable pathsright_step_0_choice_2, pathsright_step_7_choice_2, pathsright_low_0_choice : natural range 0 to 127;
     variable support_like_0_value : natural_127_2d(0 to 6, 0 to 4);  -- support_like_0_#_#_value
     variable pathsleft_q_choice, pathsleft_q_choice_2, pathsleft_room_left_choice : natural range 0 to 63;
-    variable pathsabove_smallest_total_choice, pathsabove_beside_0_choice : natural range 0 to 63;
-    variable pathsabove_beside_7_choice, pathsright_q_choice, pathsright_q_choice_2 : natural range 0 to 63;
-    variable pathsright_room_left_choice : natural range 0 to 63;
+    variable pathsright_q_choice, pathsright_q_choice_2, pathsright_room_left_choice : natural range 0 to 63;
     variable pathsabove_memory_read_address_0_sum : natural range 1 to 8192;
     variable pathsabove_memory_read_address_0_choice, median_of_column_0_a_choice : natural range 0 to 4095;
     variable pathsabove_memory_read_address_0_sum_2, pathsturn_cost_memory_read_address_0_sum : natural range 0 to 8192;
     variable pathsabove_memory_bank_choice, pathsabove_memory_bank_choice_2 : natural range 0 to 8191;
     variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
     variable pathsabove_total_choice : natural_31_1d(0 to 7);  -- pathsabove_total_#_choice
+    variable pathsabove_beside_0_choice, pathsabove_beside_7_choice : natural range 0 to 31;
     variable pathsabove_memory_write_words_0_choice : natural_31_1d(0 to 2);  -- pathsabove_memory_write_words_0_#_choice
     variable pathsabove_memory_write_words_0_choice_2 : natural_31_1d(0 to 2);  -- pathsabove_memory_write_words_0_#_choice_2
     variable pathsabove_memory_write_words_0_choice_3 : natural_31_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_choice_3
-    variable other_base_choice, relief_newest_choice_17 : natural range 0 to 31;
+    variable other_base_choice, relief_newest_choice_16 : natural range 0 to 31;
+    variable pathsabove_smallest_total_choice : natural range 0 to 52;
     variable pathsabove_memory_write_words_0_sum : natural_65535_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_sum
     variable pathsturn_sum_memory_write_words_0_sum_2 : natural_65535_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum_2
     variable pathsturn_cost_memory_write_words_0_0_sum, fill_write_above_0_choice : natural range 0 to 65535;
@@ -1981,7 +1980,7 @@ begin
     variable other_choices_from_14 : natural_255_2d(14 to 15, 2 to 8);  -- other_#_choice_#
     variable refinement_divisor_0_0_choice, support_out_sure_0_choice : natural range 0 to 255;
     variable relief_newest_values_from_6 : natural_255_1d(6 to 7);  -- relief_newest_value_#
-    variable pathsturn_sum_memory_write_words_0_sum : natural_190_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum
+    variable pathsturn_sum_memory_write_words_0_sum : natural_158_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum
     variable winnerswinner2_best_below_0_choice : natural_254_1d(0 to 1);  -- winnerswinner2_best_below_0_#_choice
     variable winnerswinner2_best_above_0_choice : natural_254_1d(0 to 1);  -- winnerswinner2_best_above_0_#_choice
     variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 254;
@@ -4119,9 +4118,10 @@ begin
       end if;
       -- costs
       for i in 0 to 7 loop
-        if is_set(costswindow_sum_0(i), 7) or is_set(costswindow_sum_0(i), 6) or (((costswindow_sum_0(i) / 16) mod 4) =
-          3) then
-          costs_cost_choice(i) := 5;
+        if (not ((not is_set(costswindow_sum_0(i), 6)) and ((not is_set(costswindow_sum_0(i), 5)) or (not
+          is_set(costswindow_sum_0(i), 4)) or (not is_set(costswindow_sum_0(i), 3))))) or is_set(costswindow_sum_0(i),
+          7) then
+          costs_cost_choice(i) := 6;
         else
           costs_cost_choice(i) := costswindow_sum_0(i) / 8;
         end if;
@@ -4130,7 +4130,7 @@ begin
         if costsmask_inside(i) then
           costs_cost(i) <= costs_cost_choice(i);
         else
-          costs_cost(i) <= 2;
+          costs_cost(i) <= 3;
         end if;
       end loop;
       -- paths
@@ -4931,7 +4931,7 @@ begin
       end if;
       if line_starts_phases(18) then
         pathsleft_q_now <= pathsleft_q;
-        pathsleft_q_less <= (pathsleft_q + 121) mod 128;
+        pathsleft_q_less <= (pathsleft_q + 119) mod 128;
         if line_places_shown_first_column(2) then
           pathsleft_room <= 0;
           for i in 1 to 8 loop
@@ -4999,49 +4999,49 @@ begin
         pathsabove_ready_top_choice_2 := pathsabove_ready_top;
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(0) := 31;
+        pathsabove_total_choice(0) := 20;
       else
         pathsabove_total_choice(0) := pathsabove_memory_ready_words(0) mod 32;
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(1) := 31;
+        pathsabove_total_choice(1) := 20;
       else
         pathsabove_total_choice(1) := (pathsabove_memory_ready_words(0) / 32) mod 32;
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(2) := 31;
+        pathsabove_total_choice(2) := 20;
       else
         pathsabove_total_choice(2) := (pathsabove_memory_ready_words(0) / 1024) mod 32;
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(3) := 31;
+        pathsabove_total_choice(3) := 20;
       else
         pathsabove_total_choice(3) := ((pathsabove_memory_ready_words(1) mod 16) * 2) +
           (pathsabove_memory_ready_words(0) / 32768);
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(4) := 31;
+        pathsabove_total_choice(4) := 20;
       else
         pathsabove_total_choice(4) := (pathsabove_memory_ready_words(1) / 16) mod 32;
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(5) := 31;
+        pathsabove_total_choice(5) := 20;
       else
         pathsabove_total_choice(5) := (pathsabove_memory_ready_words(1) / 512) mod 32;
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(6) := 31;
+        pathsabove_total_choice(6) := 20;
       else
         pathsabove_total_choice(6) := ((pathsabove_memory_ready_words_2 mod 8) * 4) + (pathsabove_memory_ready_words(1)
           / 16384);
       end if;
       if pathsabove_ready_top then
-        pathsabove_total_choice(7) := 31;
+        pathsabove_total_choice(7) := 20;
       else
         pathsabove_total_choice(7) := pathsabove_memory_ready_words_2 / 8;
       end if;
       if line_comes(12) then
-        pathsabove_smallest_total_choice := 63;
+        pathsabove_smallest_total_choice := 31;
       else
         pathsabove_smallest_total_choice := pathsabove_smallest_total;
       end if;
@@ -5084,14 +5084,14 @@ begin
       for i in 0 to 7 loop
         pathsabove_total(i) <= costs_cost(i) + pathsabove_total_choice(i);
       end loop;
-      pathsabove_cost(0) <= (to_integer(pathsabove_delay_held_0) - pathsabove_smallest) mod 64;
-      pathsabove_cost(1) <= (to_integer(pathsabove_delay_held_0(29 downto 6)) - pathsabove_smallest) mod 64;
-      pathsabove_cost(2) <= (to_integer(pathsabove_delay_held_0(29 downto 12)) - pathsabove_smallest) mod 64;
-      pathsabove_cost(3) <= (to_integer(pathsabove_delay_held_0(29 downto 18)) - pathsabove_smallest) mod 64;
-      pathsabove_cost(4) <= (to_integer(pathsabove_delay_held_0(29 downto 24)) - pathsabove_smallest) mod 64;
-      pathsabove_cost(5) <= (to_integer(pathsabove_delay_held_1) - pathsabove_smallest) mod 64;
-      pathsabove_cost(6) <= (to_integer(pathsabove_delay_held_1(17 downto 6)) - pathsabove_smallest) mod 64;
-      pathsabove_cost(7) <= (to_integer(pathsabove_delay_held_1(17 downto 12)) - pathsabove_smallest) mod 64;
+      pathsabove_cost(0) <= (to_integer(pathsabove_delay_held_0) - pathsabove_smallest) mod 32;
+      pathsabove_cost(1) <= (to_integer(pathsabove_delay_held_0(29 downto 5)) - pathsabove_smallest) mod 32;
+      pathsabove_cost(2) <= (to_integer(pathsabove_delay_held_0(29 downto 10)) - pathsabove_smallest) mod 32;
+      pathsabove_cost(3) <= (to_integer(pathsabove_delay_held_0(29 downto 15)) - pathsabove_smallest) mod 32;
+      pathsabove_cost(4) <= (to_integer(pathsabove_delay_held_0(29 downto 20)) - pathsabove_smallest) mod 32;
+      pathsabove_cost(5) <= (to_integer(pathsabove_delay_held_0(29 downto 25)) - pathsabove_smallest) mod 32;
+      pathsabove_cost(6) <= (to_integer(pathsabove_delay_held_1) - pathsabove_smallest) mod 32;
+      pathsabove_cost(7) <= (to_integer(pathsabove_delay_held_1(9 downto 5)) - pathsabove_smallest) mod 32;
       for i in 0 to 7 loop
         pathsabove_held(i) <= pathsabove_cost(i);
       end loop;
@@ -5175,16 +5175,16 @@ begin
         pathsabove_beside(7) <= pathsabove_held(6);
       end if;
       for i in 0 to 6 loop
-        if pathsabove_own(i) < 31 then
-          pathsabove_stay(i) <= pathsabove_own(i) mod 32;
+        if pathsabove_own(i) < 20 then
+          pathsabove_stay(i) <= pathsabove_own(i);
         else
-          pathsabove_stay(i) <= 31;
+          pathsabove_stay(i) <= 20;
         end if;
       end loop;
-      if pathsabove_lower_neighbour < 31 then
-        pathsabove_stay(7) <= pathsabove_lower_neighbour mod 32;
+      if pathsabove_lower_neighbour < 20 then
+        pathsabove_stay(7) <= pathsabove_lower_neighbour;
       else
-        pathsabove_stay(7) <= 31;
+        pathsabove_stay(7) <= 20;
       end if;
       if line_starts_phases(24) then
         pathsabove_write_address_address <= pathsabove_write_address_address_choice;
@@ -6160,7 +6160,7 @@ begin
       end if;
       if line_starts_phases(18) then
         pathsright_q_now <= pathsright_q;
-        pathsright_q_less <= (pathsright_q + 121) mod 128;
+        pathsright_q_less <= (pathsright_q + 119) mod 128;
         if line_places_shown_first_column(2) then
           pathsright_room <= 0;
           for i in 1 to 8 loop
@@ -7680,7 +7680,8 @@ begin
       end loop;
       support_count_0 <= support_partial_0(6) + support_partial_0(4) + support_partial_0(3) + support_partial_0(1) +
         support_partial_0(5) + support_partial_0(0) + support_partial_0(2);
-      support_sum_0 <= ((support_centre_rest_0(2) / 16) + support_count_0) * 3;
+      support_sum_0 <= ((((support_centre_rest_0(2) / 16) + ((support_count_0 * 2) / 4)) * 2) + (support_count_0 mod
+        2)) * 2;
       support_centre_0(0) <= support_cells(6, 2);
       support_centre_0(1) <= support_centre_0(0);
       support_centre_0(2) <= support_centre_0(1);
@@ -8419,42 +8420,42 @@ begin
       end if;
       relief_newest_values_from_6(6) := (relief_before - relief_centre_grey(1)) mod 256;
       relief_newest_values_from_6(7) := (relief_centre_grey(1) - relief_before) mod 256;
-      for i in 0 to 1 loop
+      if relief_newest_choices(8) then
+        relief_newest_choices(9) := is_set(relief_newest_values_from_6(6), 2);
+      else
+        relief_newest_choices(9) := is_set(relief_newest_values_from_6(7), 2);
+      end if;
+      if relief_newest_choices(8) then
+        relief_newest_choices(10) := not is_set(relief_newest_values_from_6(6), 3);
+      else
+        relief_newest_choices(10) := not is_set(relief_newest_values_from_6(7), 3);
+      end if;
+      for i in 11 to 12 loop
         if relief_newest_choices(8) then
-          relief_newest_choices(2 * i + 9) := is_set(relief_newest_values_from_6(6), 2 * i + 1);
+          relief_newest_choices(i) := is_set(relief_newest_values_from_6(6), 16 - i);
         else
-          relief_newest_choices(2 * i + 9) := is_set(relief_newest_values_from_6(7), 2 * i + 1);
-        end if;
-        if relief_newest_choices(8) then
-          relief_newest_choices(2 * i + 10) := not is_set(relief_newest_values_from_6(6), 2 * i + 2);
-        else
-          relief_newest_choices(2 * i + 10) := not is_set(relief_newest_values_from_6(7), 2 * i + 2);
+          relief_newest_choices(i) := is_set(relief_newest_values_from_6(7), 16 - i);
         end if;
       end loop;
       if relief_newest_choices(8) then
-        relief_newest_choices(13) := is_set(relief_newest_values_from_6(6), 5);
+        relief_newest_choices(13) := not is_set(relief_newest_values_from_6(6), 7);
       else
-        relief_newest_choices(13) := is_set(relief_newest_values_from_6(7), 5);
+        relief_newest_choices(13) := not is_set(relief_newest_values_from_6(7), 7);
       end if;
       if relief_newest_choices(8) then
-        relief_newest_choices(14) := not is_set(relief_newest_values_from_6(6), 7);
+        relief_newest_choices(14) := is_set(relief_newest_values_from_6(6), 6);
       else
-        relief_newest_choices(14) := not is_set(relief_newest_values_from_6(7), 7);
-      end if;
-      if relief_newest_choices(8) then
-        relief_newest_choices(15) := is_set(relief_newest_values_from_6(6), 6);
-      else
-        relief_newest_choices(15) := is_set(relief_newest_values_from_6(7), 6);
+        relief_newest_choices(14) := is_set(relief_newest_values_from_6(7), 6);
       end if;
       if relief_newest_choices(7) then
-        relief_newest_choices(16) := is_set(relief_centre_grey(1), 7) and (not is_set(relief_before, 7));
+        relief_newest_choices(15) := is_set(relief_centre_grey(1), 7) and (not is_set(relief_before, 7));
       else
-        relief_newest_choices(16) := is_set(relief_centre_grey(1), 7) or (not is_set(relief_before, 7));
+        relief_newest_choices(15) := is_set(relief_centre_grey(1), 7) or (not is_set(relief_before, 7));
       end if;
-      if relief_newest_choices(16) then
-        relief_newest_choice_17 := (relief_newest_values_from_6(7) / 2) mod 32;
+      if relief_newest_choices(15) then
+        relief_newest_choice_16 := (relief_newest_values_from_6(7) / 2) mod 32;
       else
-        relief_newest_choice_17 := (relief_newest_values_from_6(6) / 2) mod 32;
+        relief_newest_choice_16 := (relief_newest_values_from_6(6) / 2) mod 32;
       end if;
       relief_centre_grey(0) <= relief_centre_column(4);
       relief_centre_grey(1) <= relief_centre_grey(0);
@@ -8464,17 +8465,16 @@ begin
       relief_rows_ready_newest_0 <= relief_rows_read_newest_0;
       relief_shown_0 <= relief_rows_ready_words_0;
       relief_write_turned_0 <= relief_entered;
-      if (not ((not ((not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10))) and
-        relief_newest_choices(11))) and relief_newest_choices(12))) and relief_newest_choices(13))) and
-        relief_newest_choices(14))) or relief_newest_choices(15) then
-        relief_newest <= 20;
+      if (not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10))) and relief_newest_choices(11)
+        and relief_newest_choices(12))) and relief_newest_choices(13))) or relief_newest_choices(14) then
+        relief_newest <= 25;
       else
-        relief_newest <= relief_newest_choice_17;
+        relief_newest <= relief_newest_choice_16;
       end if;
-      if relief_entering < 20 then
+      if relief_entering < 25 then
         relief_entered <= relief_entering;
       else
-        relief_entered <= 20;
+        relief_entered <= 25;
       end if;
       if line_starts_phases(1) then
         relief_write_address <= line_order_address;
