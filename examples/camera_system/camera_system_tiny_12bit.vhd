@@ -122,7 +122,7 @@ begin
       output_width_px => 24,
       latency_clocks => 78,
       flush_groups => 267,
-      gap_groups => 64,
+      gap_groups => 128,
       core_id => x"7b9c868b",
       enabled_at_reset => enabled_at_reset,
       pixel_bits => 12,

@@ -119,7 +119,7 @@ begin
       output_width_px => 576,
       latency_clocks => 80,
       flush_groups => 14792,
-      gap_groups => 2560,
+      gap_groups => 10880,
       core_id => x"82873884",
       enabled_at_reset => enabled_at_reset)
     port map (

@@ -125,7 +125,7 @@ begin
       latency_clocks => 123,
       flush_groups => 16714,
       gap_groups => 0,
-      core_id => x"25a829e6",
+      core_id => x"18d7ad3c",
       enabled_at_reset => enabled_at_reset,
       clocks_per_group => 8)
     port map (

@@ -209,6 +209,27 @@ def test_broken_streams_of_12_bits_give_no_wrong_frame(ghdl, verilator, deep_sce
         assert verdict == (streams.FRAMES - streams.BROKEN, 0, 0), f"seed {seed}"
 
 
+@pytest.mark.parametrize("gap_percent", [0, 20])
+def test_cameras_that_pause_too_short_give_no_wrong_frame(ghdl, verilator, deep_scene, tmp_path, gap_percent):
+    """Its core needs a gap between frames. Pauses below and above it, and those in which the next frame stands ready
+    when it ends; too short ones cost frames, and these say so."""
+    assert pipeline.rows_of(DEEP)[1]["gap_groups"] == 64
+    simulation, exact = play.Verilated(DEEP), []
+    for pause in (0, 32, 64, 96, 128, 160, 192, 224, 256, 288):
+        conditions = {"gap_percent": gap_percent, "skew_clocks": -40, "blanking_clocks": pause}
+        seen = played(simulation, deep_scene, tmp_path, **conditions)
+        verdict = streams.judge(seen, deep_scene.frames, range(len(deep_scene.pairs)))
+        assert verdict.mismatches == 0, f"{pause} clocks between frames"
+        exact.append(verdict.exact)
+    assert exact[-1] == len(deep_scene.pairs)
+
+
+def test_a_gap_waits_for_the_rectification():
+    assert template.gap_groups(128, 0) == 0
+    assert template.gap_groups(128, 64) == 128
+    assert template.gap_groups(128, 192) == 192
+
+
 def test_a_rectification_of_other_pixels_is_refused():
     mixed = template.System("mixed", TINY.rectification, DEEP.matching)
     with pytest.raises(FlowError, match="rectify_tiny and tiny_12bit_all differ in pixel_bits: 8 and 12"):

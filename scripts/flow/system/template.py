@@ -173,9 +173,14 @@ def _check(system: System, stage: dict[str, int], core: dict[str, int], lowest: 
             raise FlowError(
                 f"{system.rectification} and {system.matching} differ in {key}: {stage[key]} and {core[key]}"
             )
-    # A gap between frames passes through the rectification, which gives a pair for each pair.
     if lowest < 0:
         raise FlowError(f"{system.matching} has disparities below 0, which camera_system does not take")
+
+
+def gap_groups(stage_flush_groups: int, core_gap_groups: int) -> int:
+    """Between two frames. The rectification takes the next frame at once, or when all rows of the last one are out: it
+    gives a pair for each pair, so a shorter gap would stand among the last rows. Both are whole rows."""
+    return max(stage_flush_groups, core_gap_groups) if core_gap_groups else 0
 
 
 def queue_lines(system: System, parameters: Parameters) -> int:
@@ -207,6 +212,7 @@ def text(system: System) -> str:
         "disparity_bits": more.word_bits,
         "latency_clocks": core["latency_clocks"] + stage["latency_clocks"] + DEPTH_CLOCKS,
         "flush_groups": core["flush_groups"] + stage["flush_groups"],
+        "gap_groups": gap_groups(stage["flush_groups"], core["gap_groups"]),
         "core_id": f'x"{core_id(entry)}"',
         "enabled_at_reset": "enabled_at_reset",
         **pixel_generics(pixel_bits),
