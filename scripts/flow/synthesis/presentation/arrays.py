@@ -5,8 +5,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby, product
+from math import prod
+
+from .words import Words
 
 FEWEST = 2  # elements of an array
 _NUMBER = re.compile(r"(?<=_)(0|[1-9]\d*)(?=_|$)")
@@ -23,6 +26,9 @@ RESERVED = frozenset(
     strong subtype then to transport type unaffected units until use variable vmode vprop vunit wait when while
     with xnor xor""".split()
 )
+# The lowering counts variables of the same name: `choice`, `choice_2`, ...
+_COUNTED = "_#"
+_FILLED = 3  # of variables: their array has at most so many places for each
 Places = tuple[int, ...]
 # Of a kind and of what drives it: a process that drives one element drives the whole array.
 Kind = tuple[str, str]
@@ -34,6 +40,7 @@ class Array:
     pattern: str  # of the names of its elements, # for an index
     kind: Kind
     ranges: tuple[tuple[int, int], ...]
+    is_variable: bool = False
 
     @property
     def type_name(self) -> str:
@@ -49,13 +56,28 @@ class Array:
         return ", ".join(f"{first} to {last}" for first, last in self.ranges)
 
     @property
+    def first(self) -> Places:
+        return tuple(low for low, _ in self.ranges)
+
+    @property
+    def size(self) -> int:
+        return prod(last - low + 1 for low, last in self.ranges)
+
+    def reference(self, places: Places) -> Words:
+        """To an element, in words of VHDL."""
+        words = [word for place in places for word in (",", str(place))]
+        return self.name, "(", *words[1:], ")"
+
+    @property
     def is_plain(self) -> bool:
         """Whether its indices are behind its name."""
         return self.pattern == self.name + "_#" * len(self.ranges)
 
     def element(self, indices: Sequence[int]) -> str:
         parts = iter(indices)
-        return re.sub("#", lambda _: str(next(parts)), self.pattern)
+        name = re.sub("#", lambda _: str(next(parts)), self.pattern)
+        is_first = self.is_variable and self.pattern.endswith(_COUNTED) and indices[-1] == 1
+        return name.removesuffix("_1") if is_first else name
 
     def elements(self) -> Iterable[tuple[str, Places]]:
         for indices in product(*(range(first, last + 1) for first, last in self.ranges)):
@@ -72,7 +94,7 @@ def _type_name(kind: str) -> str:
 
 
 def found_in(kinds: Mapping[str, Kind], taken: set[str]) -> list[Array]:
-    """`kinds`: of names, in the order of their declarations; `taken`: names that an array cannot have."""
+    """Of signals. `kinds`: of names, in the order of their declarations; `taken`: names that an array cannot have."""
     families: dict[str, dict[Places, Kind]] = {}
     for name, kind in kinds.items():
         key = _NUMBER.sub("#", name)
@@ -85,6 +107,34 @@ def found_in(kinds: Mapping[str, Kind], taken: set[str]) -> list[Array]:
             arrays.append(_named(key, kind, ranges, used))
             used.add(arrays[-1].name)
     return arrays
+
+
+def of_variables(kinds: Mapping[str, Kind], taken: set[str]) -> list[Array]:
+    """Those may have places for variables that do not exist: nothing is made of them."""
+    families: dict[tuple[str, Kind], list[Places]] = {}
+    keys = {_NUMBER.sub("#", name) for name in kinds}
+    for name, kind in kinds.items():
+        counted = f"{name}_1" if _NUMBER.sub("#", name) + _COUNTED in keys else name
+        key = _NUMBER.sub("#", counted)
+        if key != counted:
+            families.setdefault((key, kind), []).append(tuple(map(int, _NUMBER.findall(counted))))
+    arrays = []
+    used = taken | RESERVED
+    for (key, kind), members in families.items():
+        for ranges in _frames(members):
+            arrays.append(replace(_named(key, kind, ranges, used), is_variable=True))
+            used.add(arrays[-1].name)
+    return arrays
+
+
+def _frames(members: Sequence[Places]) -> list[tuple[tuple[int, int], ...]]:
+    """Bounds of arrays for these places that are not too empty."""
+    bounds = tuple((min(one), max(one)) for one in zip(*members))
+    if len(members) < FEWEST:
+        return []
+    if prod(last - low + 1 for low, last in bounds) <= _FILLED * len(members):
+        return [bounds]
+    return [ranges for _, ranges in _boxes({places: ("", "") for places in members})]
 
 
 _Box = tuple[Kind, tuple[tuple[int, int], ...]]

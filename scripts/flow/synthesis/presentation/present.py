@@ -7,10 +7,10 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 
 from ...base.errors import FlowError
-from . import arrays, bits, core, loops, tree
+from . import arrays, bits, choices, core, functions, loops, memories, slices, tree
 from .arrays import Array, Places
 from .core import Core, Names
-from .words import Words
+from .words import Words, joined, split
 
 _READ_DATA = re.compile(r"\bread_data => (\w+)")
 _REFERENCE = re.compile(r"\b(\w+)\((\d+(?:, \d+)*)\)")
@@ -63,37 +63,69 @@ def _kinds(declarations: Iterable[str | Names | Array]) -> dict[str, str]:
 
 
 def _folded(scalar: Core) -> Core:
-    signals, variables = _kinds(scalar.declarations), _kinds(scalar.variables)
+    ports, cells = memories.read(scalar.concurrent)
+    own = {f"{cell.label}_{name}" for cell in cells for name in cell.types()}
+    signals = {name: kind for name, kind in _kinds(scalar.declarations).items() if name not in own}
+    variables = _kinds(scalar.variables)
     kinds = signals | variables
-    concurrent = "\n".join(scalar.concurrent)
-    of_memories = set(_READ_DATA.findall(concurrent))
+    of_memories = set(_READ_DATA.findall("\n".join(scalar.concurrent)))
+    taken = set(_NAME.findall("\n".join(scalar.head + scalar.concurrent))) | kinds.keys()
+    made = _arrays(scalar, signals, variables, of_memories, taken)
+    places = {
+        name: (array, indices)
+        for array in made
+        for name, indices in array.elements()
+        if kinds.get(name) == array.kind[0]
+    }
+    known = {array.name: array for array in made}
+    reserved = taken | kinds.keys() | known.keys()
+
+    def shown(words: Words) -> Words:
+        return _with_arrays(_with_bits(words, kinds), places)
+
+    body = slices.made(choices.made(_mapped(scalar.body, shown)), known)
+    shown_cells = [memories.in_words(cell, shown) for cell in cells]
+    chosen = {known[words[0]].kind[0] if words[0] in known else kinds[words[0]] for words in _choices(body)}
+    has_bits = any(bits.NAME in words for words in [*_all_words(body), *(cell.words for cell in shown_cells)])
+    return Core(
+        scalar.head,
+        _grouped([one for one in _without(scalar.declarations, own)], places),
+        [_NAME.sub(lambda match: _reference(match[0], places), _qualified(line)) for line in ports]
+        + memories.presented(shown_cells, loops.variables(reserved)[0], known),
+        [one for one in _grouped(scalar.variables, places) if not isinstance(one, str)],
+        loops.fold(body, reserved),
+        scalar.end,
+        functions.needed(has_bits, chosen),
+        known,
+    )
+
+
+def _arrays(
+    scalar: Core, signals: Mapping[str, str], variables: Mapping[str, str], of_memories: set[str], taken: set[str]
+) -> list[Array]:
     clocked = _assigned(scalar.body)
-    taken = set(_NAME.findall("\n".join(scalar.head) + concurrent)) | kinds.keys()
     in_arrays = {
         name: (kind, "memory" if name in of_memories else "process")
         for name, kind in signals.items()
         if name in of_memories or name in clocked
     }
     of_signals = arrays.found_in(in_arrays, taken)
-    taken |= {array.name for array in of_signals}
-    of_variables = arrays.found_in({name: (kind, "variable") for name, kind in variables.items()}, taken)
-    made = [*of_signals, *of_variables]
-    places = {name: (array, indices) for array in made for name, indices in array.elements()}
+    taken = taken | {array.name for array in of_signals}
+    return [*of_signals, *arrays.of_variables({name: (kind, "variable") for name, kind in variables.items()}, taken)]
 
-    def shown(words: Words) -> Words:
-        return _with_arrays(_with_bits(words, kinds), places)
 
-    body = loops.fold(_mapped(scalar.body, shown), taken | kinds.keys())
-    return Core(
-        scalar.head,
-        _grouped(scalar.declarations, places),
-        [_NAME.sub(lambda match: _reference(match[0], places), _qualified(line)) for line in scalar.concurrent],
-        [one for one in _grouped(scalar.variables, places) if not isinstance(one, str)],
-        body,
-        scalar.end,
-        any(bits.NAME in words for words in _all_words(body)),
-        {array.name: array for array in made},
-    )
+def _without(declarations: Iterable[str | Names | Array], names: set[str]) -> Iterable[str | Names | Array]:
+    for one in declarations:
+        if not isinstance(one, Names):
+            yield one
+        elif left := [name for name in one.names if name not in names]:
+            yield Names(one.kind, left)
+
+
+def _choices(statements: Iterable[tree.Statement]) -> Iterable[Words]:
+    for words in _all_words(statements):
+        if any(sign in words and words[words.index(sign) + 1] == choices.NAME for sign in ("<=", ":=")):
+            yield words
 
 
 def _assigned(statements: Iterable[tree.Statement]) -> set[str]:
@@ -189,38 +221,47 @@ def _grouped(
 
 
 def _expanded(presented: Core) -> Core:
-    declarations = _single(presented.declarations)
-    variables = [one for one in _single(presented.variables) if not isinstance(one, str)]
-    kinds = _kinds([*declarations, *variables])
+    known = presented.arrays
+    ports, cells = memories.back(presented.concurrent)
+    there: set[str] = set()  # elements that are named; an array of variables may have places for more
 
-    def plain(words: Words) -> Words:
-        return _value(_without_arrays(words, presented.arrays), bits.arithmetic, kinds)
+    def without_arrays(words: Words) -> Words:
+        return _without_arrays(words, known, there)
 
     def name(match: re.Match[str]) -> str:
-        array = presented.arrays.get(match[1])
-        return match[0] if array is None else array.element([int(index) for index in match[2].split(", ")])
+        array = known.get(match[1])
+        return match[0] if array is None else joined(without_arrays(tuple(split(match[0]))))
 
+    lines = [_REFERENCE.sub(name, _QUALIFIED.sub(r"std_logic_vector(\1);", line)) for line in ports]
+    with_elements = _mapped(slices.unmade(loops.unroll(presented.body), known), without_arrays)
+    cells = [memories.in_words(cell, without_arrays) for cell in cells]
+    declarations = _single(presented.declarations, there)
+    variables = [one for one in _single(presented.variables, there) if not isinstance(one, str)]
+    kinds = _kinds([*declarations, *variables])
+    cells = [memories.in_words(cell, lambda words: bits.arithmetic(words, kinds)) for cell in cells]
+    own = [Names(kind, [f"{cell.label}_{name}"]) for cell in cells for name, kind in cell.types().items()]
     return Core(
         presented.head,
-        declarations,
-        [_REFERENCE.sub(name, _QUALIFIED.sub(r"std_logic_vector(\1);", line)) for line in presented.concurrent],
+        [*declarations, *own],
+        memories.written(lines, cells),
         variables,
-        _mapped(loops.unroll(presented.body), plain),
+        _mapped(choices.unmade(with_elements), lambda words: _value(words, bits.arithmetic, kinds)),
         presented.end,
     )
 
 
-def _single(declarations: Iterable[str | Names | Array]) -> list[str | Names | Array]:
+def _single(declarations: Iterable[str | Names | Array], there: set[str]) -> list[str | Names | Array]:
     found: list[str | Names | Array] = []
     for one in declarations:
         if isinstance(one, Array):
-            found.append(Names(one.kind[0], [name for name, _ in one.elements()]))
+            found.append(Names(one.kind[0], [name for name, _ in one.elements() if name in there]))
         else:
             found.append(one)
     return found
 
 
-def _without_arrays(words: Words, known: Mapping[str, Array]) -> Words:
+def _without_arrays(words: Words, known: Mapping[str, Array], there: set[str]) -> Words:
+    """`there` gets the names of the elements."""
     found: list[str] = []
     at = 0
     while at < len(words):
@@ -231,5 +272,6 @@ def _without_arrays(words: Words, known: Mapping[str, Array]) -> Words:
             continue
         end = words.index(")", at)
         found.append(array.element([int(word) for word in words[at + 2 : end] if word != ","]))
+        there.add(found[-1])
         at = end + 1
     return tuple(found)

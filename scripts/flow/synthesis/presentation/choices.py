@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Choices between two values, `if c then x <= a; else x <= b; end if;`, as `x <= choice(c, a, b);`, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from .tree import Assign, For, If, Statement
+from .words import Words, arguments, sign_of
+
+NAME = "choice"
+_MOST = 60  # characters of a condition that stands in more than two statements
+
+
+def function(kind: str) -> str:
+    """Of one type of values."""
+    return f"""\
+  function {NAME}(test : boolean; yes : {kind}; no : {kind}) return {kind} is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+"""
+
+
+def made(statements: Iterable[Statement]) -> tuple[Statement, ...]:
+    found: list[Statement] = []
+    for one in statements:
+        if not isinstance(one, If):
+            found.append(one)
+        elif (chosen := _chosen(one)) is not None:
+            found += chosen
+        else:
+            otherwise = None if one.otherwise is None else made(one.otherwise)
+            found.append(If(one.test, made(one.then), otherwise))
+    return tuple(found)
+
+
+def _chosen(one: If) -> list[Assign] | None:
+    if one.otherwise is None or len(one.then) != len(one.otherwise):
+        return None
+    if len(one.then) > 2 and sum(map(len, one.test)) > _MOST:
+        return None
+    found = []
+    for yes, no in zip(one.then, one.otherwise):
+        if not isinstance(yes, Assign) or not isinstance(no, Assign):
+            return None
+        sign = sign_of(yes.words)
+        if yes.words[: sign + 1] != no.words[: sign + 1] or (yes.words[sign] == ":=" and len(one.then) > 1):
+            return None
+        values = (",", *yes.words[sign + 1 :], ",", *no.words[sign + 1 :])
+        found.append(Assign((*yes.words[: sign + 1], NAME, "(", *one.test, *values, ")")))
+    return found
+
+
+def unmade(statements: Iterable[Statement]) -> tuple[Statement, ...]:
+    """Neighbours of one condition share an `if`, but for variables, as the lowering writes them."""
+    return tuple(_joined(_single(statements)))
+
+
+def _single(statements: Iterable[Statement]) -> Iterator[Statement]:
+    for one in statements:
+        if isinstance(one, Assign):
+            yield _if(one)
+        elif isinstance(one, If):
+            yield If(one.test, unmade(one.then), None if one.otherwise is None else unmade(one.otherwise))
+        else:
+            assert not isinstance(one, For)
+            yield one
+
+
+def _if(one: Assign) -> Statement:
+    start = sign_of(one.words) + 1
+    if one.words[start : start + 2] != (NAME, "("):
+        return one
+    test, yes, no = arguments(one.words[start + 2 : -1])
+    head = one.words[:start]
+    return If(test, (Assign(head + yes),), (Assign(head + no),))
+
+
+def _joined(statements: Iterable[Statement]) -> list[Statement]:
+    found: list[Statement] = []
+    for one in statements:
+        before = found[-1] if found else None
+        if _is_choice(one) and _is_choice(before) and before.test == one.test:
+            found[-1] = If(one.test, before.then + one.then, before.otherwise + one.otherwise)
+        else:
+            found.append(one)
+    return found
+
+
+def _is_choice(one: Statement | None) -> bool:
+    """Of registers."""
+    if not isinstance(one, If) or one.otherwise is None:
+        return False
+    return all(isinstance(part, Assign) and part.words[sign_of(part.words)] == "<=" for part in one.then)
+
+

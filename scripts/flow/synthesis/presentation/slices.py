@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Neighbouring elements that get neighbouring elements of another array of the same type, or all the same constant, as
+one assignment, `a <= b;`, `a(0 to 23) <= a(1 to 24);`, `a <= (others => 0);`, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import product
+
+from .arrays import Array, Places
+from .tree import Assign, If, Statement
+from .words import Words, sign_of
+
+_Element = tuple[Array, Places]
+_CONSTANTS = (("false",), ("true",))
+
+
+def made(statements: Sequence[Statement], known: Mapping[str, Array]) -> tuple[Statement, ...]:
+    found: list[Statement] = []
+    at = 0
+    while at < len(statements):
+        one = statements[at]
+        if isinstance(one, If):
+            otherwise = None if one.otherwise is None else made(one.otherwise, known)
+            one = If(one.test, made(one.then, known), otherwise)
+        elif isinstance(one, Assign):
+            size, whole = _run(statements, at, known)
+            if whole is not None:
+                found.append(whole)
+                at += size
+                continue
+        found.append(one)
+        at += 1
+    return tuple(found)
+
+
+def _element(words: Words, known: Mapping[str, Array]) -> _Element | None:
+    """Of an array, where that is all that the words say."""
+    array = known.get(words[0])
+    if array is None or len(words) != 2 + 2 * len(array.ranges) or not all(word.isdigit() for word in words[2::2]):
+        return None
+    return array, tuple(map(int, words[2::2]))
+
+
+def _is_constant(words: Words) -> bool:
+    return words in _CONSTANTS or (len(words) == 1 and words[0].isdigit())
+
+
+def _run(statements: Sequence[Statement], at: int, known: Mapping[str, Array]) -> tuple[int, Assign | None]:
+    """(statements, the one in their place)"""
+    pairs: list[tuple[_Element, Words]] = []
+    sign = ""
+    for one in statements[at:]:
+        if not isinstance(one, Assign):
+            break
+        middle = sign_of(one.words)
+        target = _element(one.words[:middle], known)
+        if target is None or (pairs and (target[0] is not pairs[0][0][0] or target[1] != _next(*pairs[-1][0]))):
+            break
+        pairs.append((target, one.words[middle + 1 :]))
+        sign = one.words[middle]
+    if len(pairs) < 2:
+        return 0, None
+    size, value = _value(pairs, sign, known)
+    array, first = pairs[0][0]
+    is_whole = size == array.size and first == array.first
+    if size < 2 or not value or not (is_whole or len(array.ranges) == 1):
+        return 0, None
+    target = _reference(array, first[0], size) if not is_whole else (array.name,)
+    return size, Assign((*target, sign, *value))
+
+
+def _next(array: Array, places: Places) -> Places:
+    """Of the element behind this one, the last index first."""
+    found = list(places)
+    for at in range(len(found) - 1, -1, -1):
+        found[at] += 1
+        if found[at] <= array.ranges[at][1]:
+            return tuple(found)
+        found[at] = array.ranges[at][0]
+    return ()
+
+
+def _value(pairs: Sequence[tuple[_Element, Words]], sign: str, known: Mapping[str, Array]) -> tuple[int, Words]:
+    """(elements, what they get)"""
+    array = pairs[0][0][0]
+    first = pairs[0][1]
+    if _is_constant(first):
+        size = next((at for at, (_, words) in enumerate(pairs) if words != first), len(pairs))
+        return size, _others(first, len(array.ranges))
+    source = _element(first, known)
+    if source is None or source[0].type_name != array.type_name or (sign == ":=" and source[0] is array):
+        return 0, ()
+    size, expected = 1, _next(*source)
+    while size < len(pairs) and _element(pairs[size][1], known) == (source[0], expected):
+        size, expected = size + 1, _next(source[0], expected)
+    if size == source[0].size and source[1] == source[0].first:
+        shapes = [[last - low for low, last in one.ranges] for one in (array, source[0])]
+        return size, (source[0].name,) if shapes[0] == shapes[1] else ()
+    return (size, _reference(source[0], source[1][0], size)) if len(array.ranges) == 1 else (0, ())
+
+
+def _others(value: Words, dimensions: int) -> Words:
+    for _ in range(dimensions):
+        value = ("(", "others", "=>", *value, ")")
+    return value
+
+
+def _reference(array: Array, first: int, size: int) -> Words:
+    return array.name, "(", str(first), "to", str(first + size - 1), ")"
+
+
+# --- and back ---------------------------------------------------------------------------------------------------------
+
+
+def unmade(statements: Iterable[Statement], known: Mapping[str, Array]) -> tuple[Statement, ...]:
+    return tuple(_single(statements, known))
+
+
+def _single(statements: Iterable[Statement], known: Mapping[str, Array]) -> Iterator[Statement]:
+    for one in statements:
+        if isinstance(one, If):
+            yield If(one.test, unmade(one.then, known), one.otherwise and unmade(one.otherwise, known))
+        elif isinstance(one, Assign):
+            yield from _elements_of(one, known)
+        else:
+            yield one
+
+
+def _elements_of(one: Assign, known: Mapping[str, Array]) -> Iterator[Statement]:
+    middle = sign_of(one.words)
+    targets, value = _elements(one.words[:middle], known), one.words[middle + 1 :]
+    if targets is None:
+        yield one
+        return
+    sources: Iterable[Words]
+    if value[:2] == ("(", "others"):
+        dimensions = value.count("others")
+        sources = [value[3 * dimensions : -dimensions]] * len(targets)
+    else:
+        sources = _elements(value, known) or []
+    for target, source in zip(targets, sources):
+        yield Assign((*target, one.words[middle], *source))
+
+
+def _elements(words: Words, known: Mapping[str, Array]) -> list[Words] | None:
+    """Of an array or of a slice, one by one."""
+    array = known.get(words[0])
+    if array is None or not (len(words) == 1 or words[3:4] == ("to",)):
+        return None
+    ranges = array.ranges if len(words) == 1 else ((int(words[2]), int(words[4])),)
+    return [array.reference(places) for places in product(*(range(low, last + 1) for low, last in ranges))]
