@@ -223,7 +223,7 @@ def _grouped(
 def _expanded(presented: Core) -> Core:
     known = presented.arrays
     ports, cells = memories.back(presented.concurrent)
-    there: set[str] = set()  # elements that are named; an array of variables may have places for more
+    there: set[tuple[str, str]] = set()  # (array, element) that are named; one of variables may have places for more
 
     def without_arrays(words: Words) -> Words:
         return _without_arrays(words, known, there)
@@ -250,18 +250,18 @@ def _expanded(presented: Core) -> Core:
     )
 
 
-def _single(declarations: Iterable[str | Names | Array], there: set[str]) -> list[str | Names | Array]:
+def _single(declarations: Iterable[str | Names | Array], there: set[tuple[str, str]]) -> list[str | Names | Array]:
     found: list[str | Names | Array] = []
     for one in declarations:
         if isinstance(one, Array):
-            found.append(Names(one.kind[0], [name for name, _ in one.elements() if name in there]))
+            found.append(Names(one.kind[0], [name for name, _ in one.elements() if (one.name, name) in there]))
         else:
             found.append(one)
     return found
 
 
-def _without_arrays(words: Words, known: Mapping[str, Array], there: set[str]) -> Words:
-    """`there` gets the names of the elements."""
+def _without_arrays(words: Words, known: Mapping[str, Array], there: set[tuple[str, str]]) -> Words:
+    """`there` gets the elements, with the names of their arrays."""
     found: list[str] = []
     at = 0
     while at < len(words):
@@ -272,6 +272,6 @@ def _without_arrays(words: Words, known: Mapping[str, Array], there: set[str]) -
             continue
         end = words.index(")", at)
         found.append(array.element([int(word) for word in words[at + 2 : end] if word != ","]))
-        there.add(found[-1])
+        there.add((array.name, found[-1]))
         at = end + 1
     return tuple(found)
