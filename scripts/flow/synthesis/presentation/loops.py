@@ -142,17 +142,23 @@ def _ties(nodes: Sequence[_Node]) -> tuple[tuple[int, int], ...]:
 
 
 def _folded(nodes: list[_Node], most: int) -> list[_Node]:
+    """Two turns may be so by chance: what has more comes first, and of two turns the longest."""
+    nodes = _all_runs(nodes, range(1, LONGEST + 1), most, 3)
+    return _all_runs(nodes, range(LONGEST, 0, -1), most, 2)
+
+
+def _all_runs(nodes: list[_Node], periods: Sequence[int], most: int, least: int) -> list[_Node]:
+    """`least`: turns of a loop."""
     before = -1
     while before != len(nodes):
         before = len(nodes)
-        for period in range(1, LONGEST + 1):
-            if 2 * period > len(nodes):
-                break
-            nodes = _runs(nodes, period, most)
+        for period in periods:
+            if least * period <= len(nodes):
+                nodes = _runs(nodes, period, most, least)
     return nodes
 
 
-def _runs(nodes: list[_Node], period: int, most: int) -> list[_Node]:
+def _runs(nodes: list[_Node], period: int, most: int, least: int) -> list[_Node]:
     alike = [0] * (len(nodes) + 1)  # how many from here on are as those one period later
     for at in range(len(nodes) - period - 1, -1, -1):
         alike[at] = alike[at + 1] + 1 if nodes[at].shape.number == nodes[at + period].shape.number else 0
@@ -164,7 +170,7 @@ def _runs(nodes: list[_Node], period: int, most: int) -> list[_Node]:
         if alike[at] >= period:
             turns, steps = _turns(nodes, at, period, most)
             rows = sum(node.shape.lines for node in nodes[at : at + period])
-            if turns >= 2 and rows * (turns - 1) >= 4:
+            if turns >= least and rows * (turns - 1) >= 4:
                 found.append(_loop(nodes[at : at + period], turns, steps))
                 at += period * turns
                 continue
