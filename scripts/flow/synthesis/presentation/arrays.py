@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby, product
 from math import prod
 
+from . import widths
+from .widths import Kind
 from .words import Words
 
 FEWEST = 2  # elements of an array
@@ -30,8 +32,6 @@ RESERVED = frozenset(
 _COUNTED = "_#"
 _FILLED = 3  # of variables: their array has at most so many places for each
 Places = tuple[int, ...]
-# Of a kind and of what drives it: a process that drives one element drives the whole array.
-Kind = tuple[str, str]
 
 
 @dataclass(frozen=True)
@@ -41,6 +41,7 @@ class Array:
     kind: Kind
     ranges: tuple[tuple[int, int], ...]
     is_variable: bool = False
+    tops: tuple[int, ...] = ()  # of the elements' own ranges, where those are narrower; in their order
 
     @property
     def type_name(self) -> str:
@@ -69,9 +70,18 @@ class Array:
         return self.name, "(", *words[1:], ")"
 
     @property
+    def remark(self) -> str:
+        return self.pattern + (f" up to {widths.said(self.tops)}" if self.tops else "")
+
+    @property
     def is_plain(self) -> bool:
-        """Whether its indices are behind its name."""
-        return self.pattern == self.name + "_#" * len(self.ranges)
+        """Whether its indices are behind its name, and its elements of its type."""
+        return not self.tops and self.pattern == self.name + "_#" * len(self.ranges)
+
+    def own_kinds(self) -> Iterable[tuple[str, str]]:
+        """(element, its type)"""
+        for at, (name, _) in enumerate(self.elements()):
+            yield name, widths.kind_of(self.tops[at]) if self.tops else self.kind[0]
 
     def element(self, indices: Sequence[int]) -> str:
         parts = iter(indices)
@@ -93,19 +103,37 @@ def _type_name(kind: str) -> str:
     return f"unsigned_{int(wide[1]) + 1}" if wide else kind
 
 
-def found_in(kinds: Mapping[str, Kind], taken: set[str]) -> list[Array]:
-    """Of signals. `kinds`: of names, in the order of their declarations; `taken`: names that an array cannot have."""
-    families: dict[str, dict[Places, Kind]] = {}
+def found_in(kinds: Mapping[str, Kind], taken: set[str], selections: Container[str] = ()) -> list[Array]:
+    """Of signals. `kinds`: of names, in the order of their declarations; `taken`: names that an array cannot have;
+    `selections`: names whose upper bits cost nothing in a wider type."""
+    families: dict[str, dict[str, Kind]] = {}
     for name, kind in kinds.items():
         key = _NUMBER.sub("#", name)
         if key != name:
-            families.setdefault(key, {})[tuple(map(int, _NUMBER.findall(name)))] = kind
+            families.setdefault(key, {})[name] = kind
     arrays = []
     used = taken | RESERVED
     for key, members in families.items():
-        for kind, ranges in sorted(_boxes(members), key=lambda box: box[1]):
-            arrays.append(_named(key, kind, ranges, used))
-            used.add(arrays[-1].name)
+        found = _of_family(key, members, {}, used)
+        wide = _of_family(key, members, widths.common(members, selections), used)
+        single = len(members) - sum(array.size for array in found)
+        tops = [array.tops for array in wide]
+        is_better = len(wide) < len(found) + single and (single > 0 or all(map(widths.is_one, tops)))
+        if is_better and all(map(widths.is_sayable, tops)):
+            found = wide
+        arrays += found
+        used |= {array.name for array in found}
+    return arrays
+
+
+def _of_family(key: str, members: Mapping[str, Kind], common: Mapping[str, Kind], used: set[str]) -> list[Array]:
+    """`common`: types in place of their own."""
+    places = {tuple(map(int, _NUMBER.findall(name))): common.get(name, kind) for name, kind in members.items()}
+    arrays: list[Array] = []
+    for kind, ranges in sorted(_boxes(places), key=lambda box: box[1]):
+        array = _named(key, kind, ranges, used | {one.name for one in arrays})
+        joined, tops = widths.joined([members[name][0] for name, _ in array.elements()])
+        arrays.append(replace(array, kind=(joined, kind[1]), tops=tops))
     return arrays
 
 

@@ -8,12 +8,12 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from ...base.errors import FlowError
-from . import functions, tree
+from . import functions, tree, widths
 from .arrays import Array, types_of
 from .words import split, wrapped
 
 MARK = "-- Where a comment behind a declaration has #, the C++ has the indices.\n"
-_DECLARATION = re.compile(r"(signal|variable) ([\w, ]+) : ([^;]+);(?:  -- ([\w#]+))?")
+_DECLARATION = re.compile(r"(signal|variable) ([\w, ]+) : ([^;]+);(?:  -- ([\w#]+)(?: up to (.+))?)?")
 _ARRAY = re.compile(r"(\w+_\dd)\((.*)\)")
 _TYPE = re.compile(r"  type (\w+) is array \([^)]*\) of (.*);")
 
@@ -74,7 +74,7 @@ def _declarations(lines: list[str], kinds: dict[str, str], is_variable: bool = F
                 raise FlowError(f"unknown form of VHDL: '{line.strip()}'")
             found.append(line.strip()[2:].strip())
             continue
-        _, names, kind, pattern = match.groups()
+        _, names, kind, pattern, tops = match.groups()
         array = _ARRAY.fullmatch(kind)
         if array is None:
             found.append(Names(kind, names.split(", ")))
@@ -84,7 +84,8 @@ def _declarations(lines: list[str], kinds: dict[str, str], is_variable: bool = F
         ranges = tuple((int(low), int(high)) for low, high in re.findall(r"(\d+) to (\d+)", array[2]))
         for name in names.split(", "):
             places = pattern or name + "_#" * len(ranges)
-            found.append(Array(name, places, (kinds[array[1]], ""), ranges, is_variable))
+            own = widths.read(tops) if tops else ()
+            found.append(Array(name, places, (kinds[array[1]], ""), ranges, is_variable, own))
     return found
 
 
@@ -109,7 +110,7 @@ def _declared(start: str, declarations: Iterable[str | Names | Array]) -> list[s
         elif isinstance(one, Names):
             lines += wrapped(start, one.names, f" : {one.kind};")
         else:
-            lines.append(f"{start}{one.name} : {one.type_name}({one.constraint});  -- {one.pattern}")
+            lines.append(f"{start}{one.name} : {one.type_name}({one.constraint});  -- {one.remark}")
     return lines
 
 

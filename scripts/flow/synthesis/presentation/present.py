@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 
 from ...base.errors import FlowError
-from . import arrays, bits, choices, core, functions, loops, memories, slices, tree
+from . import arrays, bits, choices, core, functions, loops, memories, slices, tree, widths
 from .arrays import Array, Places
 from .core import Core, Names
 from .words import Words, joined, split
@@ -75,7 +75,7 @@ def _folded(scalar: Core) -> Core:
         name: (array, indices)
         for array in made
         for name, indices in array.elements()
-        if kinds.get(name) == array.kind[0]
+        if not array.is_variable or kinds.get(name) == array.kind[0]
     }
     known = {array.name: array for array in made}
     reserved = taken | kinds.keys() | known.keys()
@@ -109,7 +109,7 @@ def _arrays(
         for name, kind in signals.items()
         if name in of_memories or name in clocked
     }
-    of_signals = arrays.found_in(in_arrays, taken)
+    of_signals = arrays.found_in(in_arrays, taken, widths.selections(scalar.body, {**signals, **variables}))
     taken = taken | {array.name for array in of_signals}
     return [*of_signals, *arrays.of_variables({name: (kind, "variable") for name, kind in variables.items()}, taken)]
 
@@ -254,7 +254,7 @@ def _single(declarations: Iterable[str | Names | Array], there: set[tuple[str, s
     found: list[str | Names | Array] = []
     for one in declarations:
         if isinstance(one, Array):
-            found.append(Names(one.kind[0], [name for name, _ in one.elements() if (one.name, name) in there]))
+            found += [Names(kind, [name]) for name, kind in one.own_kinds() if (one.name, name) in there]
         else:
             found.append(one)
     return found
