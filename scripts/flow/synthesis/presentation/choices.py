@@ -5,11 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from . import carries
 from .tree import Assign, For, If, Statement
 from .words import Words, arguments, sign_of
 
 NAME = "choice"
 _MOST = 60  # characters of a condition that stands in more than two statements
+# Both values of a choice are evaluated: no calls that refuse a number which an `if` may keep from them.
+_STRICT = ("to_unsigned", "resize")
 
 
 def function(kind: str) -> str:
@@ -51,8 +54,11 @@ def _chosen(one: If) -> list[Assign] | None:
         sign = sign_of(yes.words)
         if yes.words[: sign + 1] != no.words[: sign + 1] or (yes.words[sign] == ":=" and len(one.then) > 1):
             return None
-        values = (",", *yes.words[sign + 1 :], ",", *no.words[sign + 1 :])
-        found.append(Assign((*yes.words[: sign + 1], NAME, "(", *one.test, *values, ")")))
+        values = yes.words[sign + 1 :], no.words[sign + 1 :]
+        if any(word in _STRICT for value in values for word in value):
+            return None
+        said = carries.made(one.test, *values) or (NAME, "(", *one.test, ",", *values[0], ",", *values[1], ")")
+        found.append(Assign(yes.words[: sign + 1] + said))
     return found
 
 
@@ -74,10 +80,14 @@ def _single(statements: Iterable[Statement]) -> Iterator[Statement]:
 
 def _if(one: Assign) -> Statement:
     start = sign_of(one.words) + 1
-    if one.words[start : start + 2] != (NAME, "("):
+    head, value = one.words[:start], one.words[start:]
+    parts = carries.unmade(value)
+    if parts is None and value[:2] == (NAME, "("):
+        test, yes, no = arguments(value[2:-1])
+        parts = test, yes, no
+    if parts is None:
         return one
-    test, yes, no = arguments(one.words[start + 2 : -1])
-    head = one.words[:start]
+    test, yes, no = parts
     return If(test, (Assign(head + yes),), (Assign(head + no),))
 
 

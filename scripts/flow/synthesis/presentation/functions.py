@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
-from . import bits, choices
+from . import bits, carries, choices
 
+_NAMED = {bits.NAME: bits.FUNCTION, carries.NAME: carries.FUNCTION, carries.INVERTED: carries.INVERTED_FUNCTION}
 _OF_CHOICES = {kind: choices.function(kind) for kind in ("boolean", "integer", "unsigned")}
-ALL = (bits.FUNCTION, *_OF_CHOICES.values())
+ALL = (*_NAMED.values(), *_OF_CHOICES.values())
 
 
 def without(text: str) -> str:
@@ -17,8 +18,9 @@ def without(text: str) -> str:
     return text
 
 
-def needed(has_bits: bool, kinds_of_choices: Iterable[str]) -> str:
-    """`kinds_of_choices`: types of their targets."""
+def needed(words: Collection[str], kinds_of_choices: Iterable[str]) -> str:
+    """`words`: all of the text; `kinds_of_choices`: types of their targets."""
     bases = {"unsigned" if kind.startswith("unsigned") else kind for kind in kinds_of_choices}
     used = {base if base in _OF_CHOICES else "integer" for base in bases}
-    return (bits.FUNCTION if has_bits else "") + "".join(_OF_CHOICES[kind] for kind in sorted(used))
+    named = "".join(text for name, text in _NAMED.items() if name in words)
+    return named + "".join(_OF_CHOICES[kind] for kind in sorted(used))

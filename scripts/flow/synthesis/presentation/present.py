@@ -86,7 +86,7 @@ def _folded(scalar: Core) -> Core:
     body = slices.made(choices.made(_mapped(scalar.body, shown)), known)
     shown_cells = [memories.in_words(cell, shown) for cell in cells]
     chosen = {known[words[0]].kind[0] if words[0] in known else kinds[words[0]] for words in _choices(body)}
-    has_bits = any(bits.NAME in words for words in [*_all_words(body), *(cell.words for cell in shown_cells)])
+    used = {word for words in [*_all_words(body), *(cell.words for cell in shown_cells)] for word in words}
     return Core(
         scalar.head,
         _grouped([one for one in _without(scalar.declarations, own)], places),
@@ -95,7 +95,7 @@ def _folded(scalar: Core) -> Core:
         [one for one in _grouped(scalar.variables, places) if not isinstance(one, str)],
         loops.fold(body, reserved),
         scalar.end,
-        functions.needed(has_bits, chosen),
+        functions.needed(used, chosen),
         known,
     )
 
