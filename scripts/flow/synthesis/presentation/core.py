@@ -8,8 +8,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from ...base.errors import FlowError
-from . import functions, tree, widths
+from . import functions, records, tree, widths
 from .arrays import Array, types_of
+from .records import Record
 from .words import split, wrapped
 
 MARK = "-- Where a comment behind a declaration has #, the C++ has the indices.\n"
@@ -36,10 +37,12 @@ class Core:
     end: list[str]
     functions: str = ""  # their text, besides those of the lowering
     arrays: dict[str, Array] = field(default_factory=dict)
+    records: dict[str, Record] = field(default_factory=dict)  # of signals
 
 
 def read(text: str) -> Core:
-    lines = functions.without(text).replace(MARK, "", 1).splitlines()
+    text, types = records.read(functions.without(text).replace(MARK, "", 1))
+    lines = text.splitlines()
     try:
         start = next(at for at, line in enumerate(lines) if line.startswith(("  signal ", "  type ")))
         begin = lines.index("begin", start)
@@ -60,6 +63,8 @@ def read(text: str) -> Core:
     )
     both = [*core.declarations, *core.variables]
     core.arrays = {one.name: one for one in both if isinstance(one, Array)}
+    kept = [one for one in core.declarations if isinstance(one, Names) and one.kind in types]
+    core.records = {name: types[one.kind] for one in kept for name in one.names}
     return core
 
 
@@ -94,7 +99,7 @@ def text(core: Core, is_presented: bool = False) -> str:
     if is_presented:
         lines.insert(lines.index("library ieee;"), MARK.rstrip())
     lines += core.functions.splitlines()
-    lines += [f"  {one}" for one in types_of(core.arrays.values())]
+    lines += [*(f"  {one}" for one in types_of(core.arrays.values())), *records.types_of(core.records)]
     lines += _declared("  signal ", core.declarations)
     lines += ["", "begin", *core.concurrent, "  process (clock)"]
     lines += [*_declared("    variable ", core.variables), "  begin"]

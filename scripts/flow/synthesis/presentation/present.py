@@ -7,13 +7,14 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 
 from ...base.errors import FlowError
-from . import arrays, bits, choices, core, functions, loops, memories, slices, tree, widths
+from . import arrays, bits, choices, core, functions, loops, memories, records, slices, tree, widths
 from .arrays import Array, Places
 from .core import Core, Names
+from .records import Record
 from .words import Words, joined, split
 
 _READ_DATA = re.compile(r"\bread_data => (\w+)")
-_REFERENCE = re.compile(r"\b(\w+)\((\d+(?:, \d+)*)\)")
+_REFERENCE = re.compile(r"\b(\w+)(?:\(\d+(?:, \d+)*\)|\.\w+)")
 _JOINED = re.compile(r"std_logic_vector\((.* & .*)\);$")
 _QUALIFIED = re.compile(r"std_logic_vector\(unsigned'\((.*)\)\);$")
 _NAME = re.compile(r"\b[a-z]\w*\b")
@@ -79,25 +80,51 @@ def _folded(scalar: Core) -> Core:
     }
     known = {array.name: array for array in made}
     reserved = taken | kinds.keys() | known.keys()
+    tags = records.found_in({name: kind for name, kind in signals.items() if name not in places}, reserved)
+    fields = records.members(tags)
 
     def shown(words: Words) -> Words:
-        return _with_arrays(_with_bits(words, kinds), places)
+        return _renamed(_with_arrays(_with_bits(words, kinds), places), fields)
 
-    body = slices.made(choices.made(_mapped(scalar.body, shown)), known)
+    body = records.made(slices.made(choices.made(_mapped(scalar.body, shown)), known), tags)
     shown_cells = [memories.in_words(cell, shown) for cell in cells]
-    chosen = {known[words[0]].kind[0] if words[0] in known else kinds[words[0]] for words in _choices(body)}
+    types = kinds | {field: kinds[name] for name, field in fields.items()}
+    chosen = {known[words[0]].kind[0] if words[0] in known else types[words[0]] for words in _choices(body)}
     used = {word for words in [*_all_words(body), *(cell.words for cell in shown_cells)] for word in words}
     return Core(
         scalar.head,
-        _grouped([one for one in _without(scalar.declarations, own)], places),
-        [_NAME.sub(lambda match: _reference(match[0], places), _qualified(line)) for line in ports]
+        _grouped(_in_records(_without(scalar.declarations, own), tags, fields), places),
+        [_NAME.sub(lambda match: _reference(match[0], places, fields), _qualified(line)) for line in ports]
         + memories.presented(shown_cells, loops.variables(reserved)[0], known),
         [one for one in _grouped(scalar.variables, places) if not isinstance(one, str)],
         loops.fold(body, reserved),
         scalar.end,
         functions.needed(used, chosen),
         known,
+        tags,
     )
+
+
+def _renamed(words: Words, names: Mapping[str, str]) -> Words:
+    return tuple(names.get(word, word) for word in words)
+
+
+def _in_records(
+    declarations: Iterable[str | Names | Array], tags: Mapping[str, Record], fields: Mapping[str, str]
+) -> Iterable[str | Names | Array]:
+    """Tags where their first fields stood."""
+    there: set[str] = set()
+    for one in declarations:
+        if not isinstance(one, Names):
+            yield one
+            continue
+        for name in one.names:
+            tag, _, _ = fields.get(name, "").partition(".")
+            if not tag:
+                yield Names(one.kind, [name])
+            elif tag not in there:
+                there.add(tag)
+                yield Names(tags[tag].name, [tag])
 
 
 def _arrays(
@@ -187,9 +214,9 @@ def _qualified(line: str) -> str:
     return _JOINED.sub(r"std_logic_vector(unsigned'(\1));", line)
 
 
-def _reference(word: str, places: Mapping[str, tuple[Array, Places]]) -> str:
+def _reference(word: str, places: Mapping[str, tuple[Array, Places]], fields: Mapping[str, str]) -> str:
     if word not in places:
-        return word
+        return fields.get(word, word)
     array, indices = places[word]
     return f"{array.name}({', '.join(map(str, indices))})"
 
@@ -223,19 +250,21 @@ def _grouped(
 def _expanded(presented: Core) -> Core:
     known = presented.arrays
     ports, cells = memories.back(presented.concurrent)
+    names = {field: name for name, field in records.members(presented.records).items()}
     there: set[tuple[str, str]] = set()  # (array, element) that are named; one of variables may have places for more
 
     def without_arrays(words: Words) -> Words:
-        return _without_arrays(words, known, there)
+        return _renamed(_without_arrays(words, known, there), names)
 
     def name(match: re.Match[str]) -> str:
-        array = known.get(match[1])
-        return match[0] if array is None else joined(without_arrays(tuple(split(match[0]))))
+        is_known = match[1] in known or match[0] in names
+        return joined(without_arrays(tuple(split(match[0])))) if is_known else match[0]
 
     lines = [_REFERENCE.sub(name, _QUALIFIED.sub(r"std_logic_vector(\1);", line)) for line in ports]
-    with_elements = _mapped(slices.unmade(loops.unroll(presented.body), known), without_arrays)
+    by_fields = records.unmade(slices.unmade(loops.unroll(presented.body), known), presented.records)
+    with_elements = _mapped(by_fields, without_arrays)
     cells = [memories.in_words(cell, without_arrays) for cell in cells]
-    declarations = _single(presented.declarations, there)
+    declarations = _single(_by_fields(presented), there)
     variables = [one for one in _single(presented.variables, there) if not isinstance(one, str)]
     kinds = _kinds([*declarations, *variables])
     cells = [memories.in_words(cell, lambda words: bits.arithmetic(words, kinds)) for cell in cells]
@@ -248,6 +277,15 @@ def _expanded(presented: Core) -> Core:
         _mapped(choices.unmade(with_elements), lambda words: _value(words, bits.arithmetic, kinds)),
         presented.end,
     )
+
+
+def _by_fields(presented: Core) -> Iterable[str | Names | Array]:
+    for one in presented.declarations:
+        if isinstance(one, Names) and one.names[0] in presented.records:
+            for tag in one.names:
+                yield Names("boolean", [f"{tag}_{name}" for name in presented.records[tag].fields])
+        else:
+            yield one
 
 
 def _single(declarations: Iterable[str | Names | Array], there: set[tuple[str, str]]) -> list[str | Names | Array]:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 Words = tuple[str, ...]
-WORD = re.compile(r"--[^\n]*|\*\*|:=|<=|>=|/=|=>|'[01]'|\"[^\"]*\"|\w+|\S")
+WORD = re.compile(r"--[^\n]*|\*\*|:=|<=|>=|/=|=>|'[01]'|\"[^\"]*\"|\w+(?:\.\w+)?|\S")
 LINE = 120
 _OPERATORS = {"not", "and", "or", "xor", "mod", "if", "then", "downto", "to", "in", "when", "else"}
 
