@@ -162,7 +162,7 @@ def _frames(members: Sequence[Places]) -> list[tuple[tuple[int, int], ...]]:
         return []
     if prod(last - low + 1 for low, last in bounds) <= _FILLED * len(members):
         return [bounds]
-    return [ranges for _, ranges in _boxes({places: ("", "") for places in members})]
+    return [ranges for _, ranges in _boxes(dict.fromkeys(members, ("", "")))]
 
 
 _Box = tuple[Kind, tuple[tuple[int, int], ...]]

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
 from . import carries
 from .tree import Assign, For, If, Statement
-from .words import Words, arguments, sign_of
+from .words import arguments, sign_of
 
 NAME = "choice"
 _MOST = 60  # characters of a condition that stands in more than two statements
@@ -93,19 +93,22 @@ def _if(one: Assign) -> Statement:
 
 def _joined(statements: Iterable[Statement]) -> list[Statement]:
     found: list[Statement] = []
+    open_branches: tuple[tuple[Statement, ...], tuple[Statement, ...]] | None = None  # of a choice that stands last
     for one in statements:
+        branches = _branches(one)
         before = found[-1] if found else None
-        if _is_choice(one) and _is_choice(before) and before.test == one.test:
-            found[-1] = If(one.test, before.then + one.then, before.otherwise + one.otherwise)
+        if branches and open_branches and isinstance(one, If) and isinstance(before, If) and before.test == one.test:
+            open_branches = open_branches[0] + branches[0], open_branches[1] + branches[1]
+            found[-1] = If(one.test, *open_branches)
         else:
+            open_branches = branches
             found.append(one)
     return found
 
 
-def _is_choice(one: Statement | None) -> bool:
-    """Of registers."""
+def _branches(one: Statement) -> tuple[tuple[Statement, ...], tuple[Statement, ...]] | None:
+    """Of a choice of registers."""
     if not isinstance(one, If) or one.otherwise is None:
-        return False
-    return all(isinstance(part, Assign) and part.words[sign_of(part.words)] == "<=" for part in one.then)
-
-
+        return None
+    is_choice = all(isinstance(part, Assign) and part.words[sign_of(part.words)] == "<=" for part in one.then)
+    return (one.then, one.otherwise) if is_choice else None

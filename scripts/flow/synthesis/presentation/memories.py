@@ -182,8 +182,8 @@ def _read(body: str) -> Memory:
     _, assignments = body.split("  begin\n", 1)
     values = {name: " ".join(value.split()) for name, value in _ASSIGNED.findall(assignments)}
     _, generics, ports = re.split(r"generic map|port map", " ".join(assignments.split()))
-    said = dict(_MAPPED.findall(generics.strip()[1:-1])) | dict(_MAPPED.findall(ports.strip()[1:-2]))
-    return Memory({name: tuple(split(values.get(name, said.get(name, "")))) for name in _FIELDS})
+    said = dict(_MAPPED.findall(generics.strip()[1:-1])) | dict(_MAPPED.findall(ports.strip()[1:-2])) | values
+    return Memory({name: tuple(split(said[name])) for name in _FIELDS})
 
 
 def in_words(memory: Memory, change: Callable[[Words], Words]) -> Memory:

@@ -66,8 +66,8 @@ def _run(statements: Sequence[Statement], at: int, known: Mapping[str, Array]) -
     is_whole = size == array.size and first == array.first
     if size < 2 or not value or not (is_whole or len(array.ranges) == 1):
         return 0, None
-    target = _reference(array, first[0], size) if not is_whole else (array.name,)
-    return size, Assign((*target, sign, *value))
+    shown = (array.name,) if is_whole else _reference(array, first[0], size)
+    return size, Assign((*shown, sign, *value))
 
 
 def _next(array: Array, places: Places) -> Places:
