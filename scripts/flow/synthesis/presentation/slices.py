@@ -48,26 +48,54 @@ def _is_constant(words: Words) -> bool:
 
 def _run(statements: Sequence[Statement], at: int, known: Mapping[str, Array]) -> tuple[int, Assign | None]:
     """(statements, the one in their place)"""
-    pairs: list[tuple[_Element, Words]] = []
-    sign = ""
-    for one in statements[at:]:
-        if not isinstance(one, Assign):
-            break
-        middle = sign_of(one.words)
-        target = _element(one.words[:middle], known)
-        if target is None or (pairs and (target[0] is not pairs[0][0][0] or target[1] != _next(*pairs[-1][0]))):
-            break
-        pairs.append((target, one.words[middle + 1 :]))
-        sign = one.words[middle]
-    if len(pairs) < 2:
+    first = _parts(statements[at], known)
+    if first is None:
         return 0, None
-    size, value = _value(pairs, sign, known)
-    array, first = pairs[0][0]
-    is_whole = size == array.size and first == array.first
-    if size < 2 or not value or not (is_whole or len(array.ranges) == 1):
+    (array, places), sign, value = first
+    source = None if _is_constant(value) else _element(value, known)
+    if not _is_constant(value) and (source is None or not _may_copy(array, source[0], sign)):
         return 0, None
-    shown = (array.name,) if is_whole else _reference(array, first[0], size)
-    return size, Assign((*shown, sign, *value))
+    size = _size(statements, at, first, source, known)
+    is_whole = size == array.size and places == array.first
+    shown = _shown(value, source, size, array)
+    if size < 2 or not shown or not (is_whole or len(array.ranges) == 1):
+        return 0, None
+    target = (array.name,) if is_whole else _reference(array, places[0], size)
+    return size, Assign((*target, sign, *shown))
+
+
+def _parts(one: Statement, known: Mapping[str, Array]) -> tuple[_Element, str, Words] | None:
+    """(target, sign, value) of an assignment to an element"""
+    if not isinstance(one, Assign) or one.words[0] not in known:
+        return None
+    middle = sign_of(one.words)
+    target = _element(one.words[:middle], known)
+    return target and (target, one.words[middle], one.words[middle + 1 :])
+
+
+def _may_copy(array: Array, source: Array, sign: str) -> bool:
+    return source.type_name == array.type_name and (sign == "<=" or source is not array)
+
+
+def _size(
+    statements: Sequence[Statement],
+    at: int,
+    first: tuple[_Element, str, Words],
+    source: _Element | None,
+    known: Mapping[str, Array],
+) -> int:
+    """How many assignments from the first one on go on as it begins."""
+    (array, places), _, value = first
+    for size in range(1, len(statements) - at):
+        places = _next(array, places)
+        if source:
+            source = source[0], _next(*source)
+        parts = _parts(statements[at + size], known)
+        if parts is None or parts[0] != (array, places):
+            return size
+        if parts[2] != value if source is None else _element(parts[2], known) != source:
+            return size
+    return len(statements) - at
 
 
 def _next(array: Array, places: Places) -> Places:
@@ -81,23 +109,15 @@ def _next(array: Array, places: Places) -> Places:
     return ()
 
 
-def _value(pairs: Sequence[tuple[_Element, Words]], sign: str, known: Mapping[str, Array]) -> tuple[int, Words]:
-    """(elements, what they get)"""
-    array = pairs[0][0][0]
-    first = pairs[0][1]
-    if _is_constant(first):
-        size = next((at for at, (_, words) in enumerate(pairs) if words != first), len(pairs))
-        return size, _others(first, len(array.ranges))
-    source = _element(first, known)
-    if source is None or source[0].type_name != array.type_name or (sign == ":=" and source[0] is array):
-        return 0, ()
-    size, expected = 1, _next(*source)
-    while size < len(pairs) and _element(pairs[size][1], known) == (source[0], expected):
-        size, expected = size + 1, _next(source[0], expected)
-    if size == source[0].size and source[1] == source[0].first:
-        shapes = [[last - low for low, last in one.ranges] for one in (array, source[0])]
-        return size, (source[0].name,) if shapes[0] == shapes[1] else ()
-    return (size, _reference(source[0], source[1][0], size)) if len(array.ranges) == 1 else (0, ())
+def _shown(value: Words, source: _Element | None, size: int, target: Array) -> Words:
+    """What so many elements get; nothing where that has no short form."""
+    if source is None:
+        return _others(value, len(target.ranges))
+    array, places = source
+    if size == array.size and places == array.first:
+        shapes = [[last - low for low, last in one.ranges] for one in (array, target)]
+        return (array.name,) if shapes[0] == shapes[1] else ()
+    return _reference(array, places[0], size) if len(array.ranges) == 1 else ()
 
 
 def _others(value: Words, dimensions: int) -> Words:
