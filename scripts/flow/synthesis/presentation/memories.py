@@ -7,6 +7,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 
 from . import loops
 from .words import Words, folded, joined, split
@@ -25,7 +26,7 @@ _SINGLE = re.compile(
 """
 )
 _FIELDS = ("read_enable", "read_address", "write_address", "write_data", "depth", "width", "address_bits", "read_data")
-_INPUTS = _FIELDS[:4]
+_INPUTS, _GENERICS = _FIELDS[:4], _FIELDS[4:7]
 _SUFFIX = "_memory"
 _TEXT = re.compile(
     r"  (\w+) : (?:block|for (\w+) in (\d+) (to|downto) (\d+) generate)\n(.*?)  end (?:block|generate);\n", re.DOTALL
@@ -41,6 +42,10 @@ class Memory:
     @property
     def words(self) -> Words:
         return tuple(word for name in _FIELDS for word in (*self.fields[name], ";"))
+
+    @property
+    def generics(self) -> list[Words]:
+        return [self.fields[name] for name in _GENERICS]
 
     @property
     def label(self) -> str:
@@ -99,7 +104,8 @@ def presented(memories: Sequence[Memory], variable: str, known: Container[str]) 
     lines: list[str] = []
     at = 0
     while at < len(memories):
-        size, steps = loops.longest([memory.words for memory in memories[at:]])
+        alike = takewhile(lambda one: one.generics == memories[at].generics, memories[at:])
+        size, steps = loops.longest([memory.words for memory in alike])
         of_read_data = memories[at].fields["read_data"]
         if size > 1 and (shown := _generated(memories[at], size, steps, variable, known)):
             lines += shown
@@ -151,7 +157,7 @@ def _framed(start: str, end: str, memory: Memory, known: Container[str]) -> list
     sources = {name: name if name in own else said[name] for name in (*_INPUTS, "read_data")}
     order = ("read_enable", "read_address", "read_data", "write_address", "write_data")
     ports = ", ".join(f"{name} => {sources[name]}" for name in order)
-    generics = ", ".join(f"{name} => {said[name]}" for name in ("depth", "width", "address_bits"))
+    generics = ", ".join(f"{name} => {said[name]}" for name in _GENERICS)
     lines += ["    cell : entity work.line_memory", f"      generic map ({generics})"]
     return [*lines, *folded(f"      port map (clock => clock, {ports});"), f"  end {end};", ""]
 
