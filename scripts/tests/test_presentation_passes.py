@@ -216,7 +216,7 @@ def test_a_wider_type_costs_nothing_or_is_not_taken():
     assert widths.common(members(3, 5, 7), {"x_0"}) != {}
     assert arrays.found_in(members(3, 5, 9), {"x"}, {"x_0", "x_1"})[0].tops == (3, 5, 9)
     assert arrays.found_in(members(3, 3, 9, 9), set(), {"x_0", "x_1"})[0].tops == ()  # arrays of their own
-    assert widths.common({**members(3), **{"x_1": (widths.kind_of(3), "memory")}}, ()) == {}
+    assert widths.common({**members(3), "x_1": (widths.kind_of(3), "memory")}, ()) == {}
 
 
 def test_selections():

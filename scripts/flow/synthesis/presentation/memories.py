@@ -104,8 +104,7 @@ def presented(memories: Sequence[Memory], variable: str, known: Container[str]) 
     lines: list[str] = []
     at = 0
     while at < len(memories):
-        alike = takewhile(lambda one: one.generics == memories[at].generics, memories[at:])
-        size, steps = loops.longest([memory.words for memory in alike])
+        size, steps = loops.longest([memory.words for memory in _alike(memories[at:])])
         of_read_data = memories[at].fields["read_data"]
         if size > 1 and (shown := _generated(memories[at], size, steps, variable, known)):
             lines += shown
@@ -114,6 +113,11 @@ def presented(memories: Sequence[Memory], variable: str, known: Container[str]) 
             lines += _framed(f"{_place(of_read_data)}{_SUFFIX} : block", "block", memories[at], known)
         at += size
     return lines
+
+
+def _alike(memories: Sequence[Memory]) -> Iterable[Memory]:
+    """Those from the first one on that have its size."""
+    return takewhile(lambda one: one.generics == memories[0].generics, memories)
 
 
 def _place(reference: Words) -> str:
