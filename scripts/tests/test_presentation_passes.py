@@ -290,16 +290,28 @@ def cell(place, address="column", depth=16):
     ],
 )
 def test_memories(cells, count):
-    shown = memories.presented(cells, "i", {"held"})
+    shown = memories.presented(cells, "i", {"held"}, {"taken"})
     assert sum(line.endswith((" generate", " : block")) and not line.startswith("  end") for line in shown) == count
     assert memories.back(shown)[1] == cells
     assert max(map(len, shown)) <= 120
 
 
+def test_labels_of_memories_are_unique():
+    cells = [cell(0), cell(1), cell(2, depth=17), cell(3, depth=17)]
+    labels = [
+        line.split()[0] for line in memories.presented(cells, "i", {"held"}, ()) if "generate" in line and ":" in line
+    ]
+    assert labels == ["held_memory", "held_2_memory"]
+    assert memories.presented(cells[:1], "i", {"held"}, {"held_0_memory"})[0] == "  held_0_memory_2 : block"
+
+
 def test_another_form_of_a_memory_stays():
-    plain = memories.written(["  ports <= 1;"], [memories.in_words(cell(0), lambda words: words)])
+    single = memories.in_words(cell(0), lambda words: ("held_0",) if words[0] == "held" else words)
+    plain = memories.written(["  ports <= 1;", ""], [single])
     changed = [line.replace("clock => clock", "clock => other") for line in plain]
     assert memories.read(changed) == (changed, [])
+    assert memories.read(plain, ["held", "column"])[1] == [single]
+    assert memories.read(plain, ["write_data"]) == (plain, [])  # would be another signal in the block
 
 
 # --- all of it --------------------------------------------------------------------------------------------------------

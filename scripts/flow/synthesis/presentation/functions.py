@@ -9,6 +9,7 @@ from . import bits, carries, choices
 
 _NAMED = {bits.NAME: bits.FUNCTION, carries.NAME: carries.FUNCTION, carries.INVERTED: carries.INVERTED_FUNCTION}
 _OF_CHOICES = {kind: choices.function(kind) for kind in ("boolean", "integer", "unsigned")}
+NAMES = {*_NAMED, choices.NAME}
 ALL = (*_NAMED.values(), *_OF_CHOICES.values())
 
 

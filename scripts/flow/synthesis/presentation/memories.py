@@ -27,6 +27,7 @@ _SINGLE = re.compile(
 )
 _FIELDS = ("read_enable", "read_address", "write_address", "write_data", "depth", "width", "address_bits", "read_data")
 _INPUTS, _GENERICS = _FIELDS[:4], _FIELDS[4:7]
+LOCAL = {*_INPUTS, "cell"}  # names inside of the blocks
 _SUFFIX = "_memory"
 _TEXT = re.compile(
     r"  (\w+) : (?:block|for (\w+) in (\d+) (to|downto) (\d+) generate)\n(.*?)  end (?:block|generate);\n", re.DOTALL
@@ -81,14 +82,16 @@ def _of_words(words: Words) -> Memory:
     return Memory(fields)
 
 
-def read(concurrent: Sequence[str]) -> tuple[list[str], list[Memory]]:
-    """(lines of the ports, memories), as the lowering writes them; no memories where one has another form."""
+def read(concurrent: Sequence[str], names: Iterable[str] = ()) -> tuple[list[str], list[Memory]]:
+    """(lines of the ports, memories), as the lowering writes them; no memories where one has another form, or one of
+    the core's `names` would be hidden in their blocks."""
     text = "\n".join(concurrent) + "\n"
     found = list(_SINGLE.finditer(text))
     memories = [Memory({name: tuple(split(match[name])) for name in _FIELDS}) for match in found]
     head = text[: found[0].start()] if found else text
     lines = head.splitlines()
-    return (lines, memories) if written(lines, memories) == list(concurrent) else (list(concurrent), [])
+    is_known = written(lines, memories) == list(concurrent) and LOCAL.isdisjoint(names)
+    return (lines, memories) if is_known else (list(concurrent), [])
 
 
 def written(ports: list[str], memories: Iterable[Memory]) -> list[str]:
@@ -99,20 +102,30 @@ def written(ports: list[str], memories: Iterable[Memory]) -> list[str]:
 # --- there ------------------------------------------------------------------------------------------------------------
 
 
-def presented(memories: Sequence[Memory], variable: str, known: Container[str]) -> list[str]:
-    """With references to `known` arrays in their fields."""
+def presented(memories: Sequence[Memory], variable: str, known: Container[str], taken: Iterable[str]) -> list[str]:
+    """With references to `known` arrays in their fields. `taken`: names that are no label."""
     lines: list[str] = []
+    used = set(taken)
     at = 0
     while at < len(memories):
         size, steps = loops.longest([memory.words for memory in _alike(memories[at:])])
-        of_read_data = memories[at].fields["read_data"]
-        if size > 1 and (shown := _generated(memories[at], size, steps, variable, known)):
-            lines += shown
+        name = memories[at].fields["read_data"][0]
+        place = _place(memories[at].fields["read_data"])
+        generated = _generated(memories[at], size, steps, variable) if size > 1 else None
+        label = next(one for one in _labels(name if generated else place, place) if one not in used)
+        used.add(label)
+        if generated:
+            header, memory = generated
+            lines += _framed(f"{label} : {header}", "generate", memory, known)
         else:
             size = 1
-            lines += _framed(f"{_place(of_read_data)}{_SUFFIX} : block", "block", memories[at], known)
+            lines += _framed(f"{label} : block", "block", memories[at], known)
         at += size
     return lines
+
+
+def _labels(*names: str) -> Iterable[str]:
+    return [*(f"{name}{_SUFFIX}" for name in names), *(f"{names[-1]}{_SUFFIX}_{number}" for number in range(2, 1000))]
 
 
 def _alike(memories: Sequence[Memory]) -> Iterable[Memory]:
@@ -125,12 +138,13 @@ def _place(reference: Words) -> str:
     return "_".join(word for word in reference if word not in ("(", ",", ")"))
 
 
-def _generated(memory: Memory, size: int, steps: Sequence[int], variable: str, known: Container[str]) -> list[str]:
+def _generated(memory: Memory, size: int, steps: Sequence[int], variable: str) -> tuple[str, Memory] | None:
+    """(range of a `generate`, the memory with its variable), where it goes through neighbouring registers"""
     numbers = loops.numbers_of(memory.words)
     before = len(numbers) - len(loops.numbers_of((*memory.fields["read_data"], ";")))
     moving = [(number, step) for number, step in list(zip(numbers, steps))[before:] if step]
     if len(moving) != 1 or abs(moving[0][1]) != 1:
-        return []
+        return None
     first, direction = moving[0]
     last = first + direction * (size - 1)
     values = [
@@ -139,8 +153,7 @@ def _generated(memory: Memory, size: int, steps: Sequence[int], variable: str, k
     ]
     word = "to" if direction > 0 else "downto"
     shown = _of_words(loops.with_numbers(memory.words, values))
-    name = f"{memory.fields['read_data'][0]}{_SUFFIX}"
-    return _framed(f"{name} : for {variable} in {first} {word} {last} generate", "generate", shown, known)
+    return f"for {variable} in {first} {word} {last} generate", shown
 
 
 def _is_signal(words: Words, known: Container[str]) -> bool:

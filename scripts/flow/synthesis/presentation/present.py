@@ -64,13 +64,13 @@ def _kinds(declarations: Iterable[str | Names | Array]) -> dict[str, str]:
 
 
 def _folded(scalar: Core) -> Core:
-    ports, cells = memories.read(scalar.concurrent)
+    ports, cells = memories.read(scalar.concurrent, _kinds(scalar.declarations))
     own = {f"{cell.label}_{name}" for cell in cells for name in cell.types()}
     signals = {name: kind for name, kind in _kinds(scalar.declarations).items() if name not in own}
     variables = _kinds(scalar.variables)
     kinds = signals | variables
     of_memories = set(_READ_DATA.findall("\n".join(scalar.concurrent)))
-    taken = set(_NAME.findall("\n".join(scalar.head + scalar.concurrent))) | kinds.keys()
+    taken = set(_NAME.findall("\n".join(scalar.head + ports))) | kinds.keys() | memories.LOCAL | functions.NAMES
     made = _arrays(scalar, signals, variables, of_memories, taken)
     places = {
         name: (array, indices)
@@ -95,7 +95,7 @@ def _folded(scalar: Core) -> Core:
         scalar.head,
         _grouped(_in_records(_without(scalar.declarations, own), tags, fields), places),
         [_NAME.sub(lambda match: _reference(match[0], places, fields), _qualified(line)) for line in ports]
-        + memories.presented(shown_cells, loops.variables(reserved)[0], known),
+        + memories.presented(shown_cells, loops.variables(reserved)[0], known, reserved | tags.keys()),
         [one for one in _grouped(scalar.variables, places) if not isinstance(one, str)],
         loops.fold(body, reserved),
         scalar.end,
