@@ -4,6 +4,7 @@
 import pytest
 
 from flow.base import committed
+from flow.base.errors import FlowError
 from flow.synthesis.lowering.vhdl_text import type_of
 from flow.synthesis.presentation import arrays, carries, choices, loops, memories, records, slices, tree, widths
 from flow.synthesis.presentation.present import expand, present
@@ -323,6 +324,46 @@ def test_a_changed_function_is_no_presented_core(text_of_tiny):
     changed = text_of_tiny.replace("      return yes;\n", "      return no;\n", 1)
     assert changed != text_of_tiny
     assert structure_digest(changed) != structure_digest(text_of_tiny)
+
+
+def with_fault(fault):
+    """(module, function, a wrong one in its place) of one step"""
+
+    def of(module, name, change):
+        right = getattr(module, name)
+        return module, name, lambda *given: change(right, *given)
+
+    return {
+        "choices": of(
+            choices, "_chosen", lambda right, one: right(tree.If(one.test, one.otherwise or one.then, one.then))
+        ),
+        "carries": of(
+            carries, "made", lambda right, *given: tuple(carries.INVERTED if w == "carry" else w for w in right(*given))
+        ),
+        "slices": of(slices, "_reference", lambda right, one, first, size: right(one, first + 1, size)),
+        "records": of(records, "_whole", lambda right, *given: itself(*right(*given))),
+        "ranges": of(widths, "said", lambda right, tops: right([top + 1 for top in tops])),
+        "memories": of(memories, "_generated", lambda right, *given: shorter(right(*given))),
+        "loops": of(loops, "_loop", lambda right, body, turns, steps: right(body, turns - 1, steps)),
+    }[fault]
+
+
+def itself(size, whole):
+    return size, whole and tree.Assign((*whole.words[:2], whole.words[0]))
+
+
+def shorter(generated):
+    return generated and (generated[0].replace(" downto 0", " downto 1"), generated[1])
+
+
+@pytest.mark.parametrize("fault", ["choices", "carries", "slices", "records", "ranges", "memories", "loops"])
+def test_a_fault_in_a_step_is_refused(fault, monkeypatch):
+    name = "tiny_sgm"
+    scalar = expand((committed.folder(name) / f"{committed.entity(name)}.vhd").read_text())
+    assert present(scalar)
+    monkeypatch.setattr(*with_fault(fault))
+    with pytest.raises(FlowError, match=r"does not expand to what was written|unknown form of VHDL"):
+        present(scalar)
 
 
 def test_words_of_records_are_one():
