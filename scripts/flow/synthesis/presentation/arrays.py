@@ -137,30 +137,34 @@ def _of_family(key: str, members: Mapping[str, Kind], common: Mapping[str, Kind]
     return arrays
 
 
-def of_variables(kinds: Mapping[str, Kind], taken: set[str]) -> list[Array]:
-    """Those may have places for variables that do not exist: nothing is made of them."""
+def of_variables(kinds: Mapping[str, Kind], taken: set[str], kept: Container[str] = ()) -> list[Array]:
+    """Those may have places for variables that do not exist, which get a value and are not read (defaults.py). `kept`:
+    names that are in no such array."""
     families: dict[tuple[str, Kind], list[Places]] = {}
     keys = {_NUMBER.sub("#", name) for name in kinds}
+    full: set[tuple[str, Kind]] = set()
     for name, kind in kinds.items():
         counted = f"{name}_1" if _NUMBER.sub("#", name) + _COUNTED in keys else name
         key = _NUMBER.sub("#", counted)
         if key != counted:
             families.setdefault((key, kind), []).append(tuple(map(int, _NUMBER.findall(counted))))
+            if name in kept:
+                full.add((key, kind))
     arrays = []
     used = taken | RESERVED
     for (key, kind), members in families.items():
-        for ranges in _frames(members):
+        for ranges in _frames(members, 1 if (key, kind) in full else _FILLED):
             arrays.append(replace(_named(key, kind, ranges, used), is_variable=True))
             used.add(arrays[-1].name)
     return arrays
 
 
-def _frames(members: Sequence[Places]) -> list[tuple[tuple[int, int], ...]]:
-    """Bounds of arrays for these places that are not too empty."""
+def _frames(members: Sequence[Places], most: int) -> list[tuple[tuple[int, int], ...]]:
+    """Bounds of arrays that have no more than `most` places for each of these."""
     bounds = tuple((min(one), max(one)) for one in zip(*members))
     if len(members) < FEWEST:
         return []
-    if prod(last - low + 1 for low, last in bounds) <= _FILLED * len(members):
+    if prod(last - low + 1 for low, last in bounds) <= most * len(members):
         return [bounds]
     return [ranges for _, ranges in _boxes(dict.fromkeys(members, ("", "")))]
 

@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 
 from ...base.errors import FlowError
-from . import arrays, bits, choices, core, functions, loops, memories, records, slices, tree, widths
+from . import arrays, bits, choices, core, defaults, functions, loops, memories, records, slices, tree, widths
 from .arrays import Array, Places
 from .core import Core, Names
 from .records import Record
@@ -87,6 +88,8 @@ def _folded(scalar: Core) -> Core:
         return _renamed(_with_arrays(_with_bits(words, kinds), places), fields)
 
     body = records.made(slices.made(choices.made(_mapped(scalar.body, shown)), known), tags)
+    filled = Counter(array.name for array, _ in places.values())
+    sparse = [array for array in made if array.is_variable and filled[array.name] < array.size]
     shown_cells = [memories.in_words(cell, shown) for cell in cells]
     types = kinds | {field: kinds[name] for name, field in fields.items()}
     chosen = {known[words[0]].kind[0] if words[0] in known else types[words[0]] for words in _choices(body)}
@@ -97,7 +100,7 @@ def _folded(scalar: Core) -> Core:
         [_NAME.sub(lambda match: _reference(match[0], places, fields), _qualified(line)) for line in ports]
         + memories.presented(shown_cells, loops.variables(reserved)[0], known, reserved | tags.keys()),
         [one for one in _grouped(scalar.variables, places) if not isinstance(one, str)],
-        loops.fold(body, reserved),
+        loops.fold(defaults.made(body, sparse), reserved),
         scalar.end,
         functions.needed(used, chosen),
         known,
@@ -138,7 +141,9 @@ def _arrays(
     }
     of_signals = arrays.found_in(in_arrays, taken, widths.selections(scalar.body, {**signals, **variables}))
     taken = taken | {array.name for array in of_signals}
-    return [*of_signals, *arrays.of_variables({name: (kind, "variable") for name, kind in variables.items()}, taken)]
+    early = defaults.read_first(scalar.body, variables)
+    in_arrays = {name: (kind, "variable") for name, kind in variables.items()}
+    return [*of_signals, *arrays.of_variables(in_arrays, taken, early)]
 
 
 def _without(declarations: Iterable[str | Names | Array], names: set[str]) -> Iterable[str | Names | Array]:
@@ -261,7 +266,8 @@ def _expanded(presented: Core) -> Core:
         return joined(without_arrays(tuple(split(match[0])))) if is_known else match[0]
 
     lines = [_REFERENCE.sub(name, _QUALIFIED.sub(r"std_logic_vector(\1);", line)) for line in ports]
-    by_fields = records.unmade(slices.unmade(loops.unroll(presented.body), known), presented.records)
+    body = defaults.unmade(loops.unroll(presented.body), known)
+    by_fields = records.unmade(slices.unmade(body, known), presented.records)
     with_elements = _mapped(by_fields, without_arrays)
     cells = [memories.in_words(cell, without_arrays) for cell in cells]
     declarations = _single(_by_fields(presented), there)
