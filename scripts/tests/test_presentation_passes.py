@@ -6,7 +6,18 @@ import pytest
 from flow.base import committed
 from flow.base.errors import FlowError
 from flow.synthesis.lowering.vhdl_text import type_of
-from flow.synthesis.presentation import arrays, carries, choices, loops, memories, records, slices, tree, widths
+from flow.synthesis.presentation import (
+    arrays,
+    carries,
+    choices,
+    defaults,
+    loops,
+    memories,
+    records,
+    slices,
+    tree,
+    widths,
+)
 from flow.synthesis.presentation.present import expand, present
 from flow.synthesis.presentation.words import joined, split
 from flow.synthesis.structure import structure_digest
@@ -248,6 +259,28 @@ def test_arrays_of_variables_may_have_places_for_more():
     assert found[BYTE].keys() == {"x_choice_2", "x_choice_3", "x_choice_4"}
     far = {"x_1": (FLAG, "v"), "x_2": (FLAG, "v"), "x_90": (FLAG, "v")}
     assert [one.ranges for one in arrays.of_variables(far, set())] == [((1, 2),)]
+
+
+# --- places that nothing is made of -----------------------------------------------------------------------------------
+
+
+def test_places_for_more_get_a_value():
+    sparse = [array("x", (1, 4), kind=FLAG), array("n", (0, 1), (0, 2), kind="natural range 1 to 7")]
+    body = read("if rising_edge(clock) then x(1) := a; b <= x(1); end if;")
+    made = defaults.made(body, sparse)
+    assert written(made)[2:4] == ["x := (others => false);", "n := (others => (others => 1));"]
+    known = {one.name: one for one in sparse}
+    assert defaults.unmade(read("\n".join(written(made))), known) == body
+    assert defaults.made(body, []) == defaults.unmade(body, known) == body
+
+
+def test_what_keeps_its_value_is_in_no_such_array():
+    """Neither is what a branch only gives a value."""
+    text = "p := a; if p then q := a; r := a; else q := b; s <= t; end if; u <= q and r; t := a;"
+    assert defaults.read_first(read(text), "pqrt") == {"r", "t"}
+    kinds = {f"x_{n}": (FLAG, "v") for n in (1, 2, 4)}
+    assert [one.ranges for one in arrays.of_variables(kinds, set())] == [((1, 4),)]
+    assert [one.ranges for one in arrays.of_variables(kinds, set(), {"x_2"})] == [((1, 2),)]
 
 
 # --- loops ------------------------------------------------------------------------------------------------------------
