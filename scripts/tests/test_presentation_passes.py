@@ -265,10 +265,21 @@ def test_arrays_of_variables_may_have_places_for_more():
 
 
 def test_places_for_more_get_a_value():
-    sparse = [array("x", (1, 4), kind=FLAG), array("n", (0, 1), (0, 2), kind="natural range 1 to 7")]
+    kinds = {
+        "n": "natural range 1 to 7",
+        "s": "integer range -4 to 3",
+        "m": "integer range -4 to -2",
+        "w": type_of(0, 1 << 40),
+    }
+    sparse = [array("x", (1, 4), kind=FLAG), *(array(name, (0, 1), (0, 2), kind=kind) for name, kind in kinds.items())]
     body = read("if rising_edge(clock) then x(1) := a; b <= x(1); end if;")
     made = defaults.made(body, sparse)
-    assert written(made)[2:4] == ["x := (others => false);", "n := (others => (others => 1));"]
+    values = {"n": "1", "s": "0", "m": "- 2", "w": "(others => '0')"}
+    said = [
+        "x := (others => false);",
+        *(f"{name} := (others => (others => {value}));" for name, value in values.items()),
+    ]
+    assert written(made)[2:7] == said
     known = {one.name: one for one in sparse}
     assert defaults.unmade(read("\n".join(written(made))), known) == body
     assert defaults.made(body, []) == defaults.unmade(body, known) == body

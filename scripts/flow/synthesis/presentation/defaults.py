@@ -12,7 +12,7 @@ from .tree import Assign, Comment, If, Statement
 from .words import Words, sign_of
 
 REMARK = "no bit without a value, where an array has places for more"
-_LOWEST = re.compile(r"(?:natural|integer) range (-?\d+) to \d+")
+_RANGE = re.compile(r"(?:natural|integer) range (-?\d+) to (-?\d+)")
 
 
 def read_first(statements: Sequence[Statement], variables: Iterable[str]) -> set[str]:
@@ -65,10 +65,11 @@ def _is_default(one: Statement, known: Mapping[str, Array]) -> bool:
 
 def _value(array: Array) -> Words:
     kind = array.kind[0]
-    number = _LOWEST.fullmatch(kind)
+    bounds = _RANGE.fullmatch(kind)
     value: Words = ("false",) if kind == "boolean" else ("(", "others", "=>", "'0'", ")")
-    if number:
-        value = (number[1],)
+    if bounds:
+        number = min(max(0, int(bounds[1])), int(bounds[2]))
+        value = (str(number),) if number >= 0 else ("-", str(-number))
     for _ in array.ranges:
         value = ("(", "others", "=>", *value, ")")
     return value
