@@ -344,6 +344,8 @@ begin
     variable winners_column_choice : natural range 0 to 511;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      slice0winner1_of_pair_0_is_less := (others => false);
       -- raster
       raster_place_group_is_equals(1) := raster_place_column = 319;
       raster_place_group_is_equals(2) := raster_place_group = 239;

@@ -564,6 +564,8 @@ begin
     variable slice3cost_difference_difference : integer_minus_255_to_255_2d(2 to 3, 0 to 24);  -- slice3cost_difference_#_#_difference
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      delay_row_inside_value := (others => (others => false));
       -- raster
       raster_place_group_is_equals(1) := raster_place_column = 319;
       raster_place_group_is_equals(2) := raster_place_group = 119;

@@ -612,6 +612,12 @@ begin
     variable slice3cost_difference_difference : integer_minus_255_to_255_2d(4 to 5, 0 to 24);  -- slice3cost_difference_#_#_difference
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      slice0cost_difference_value := (others => (others => false));
+      slice1cost_difference_value := (others => (others => false));
+      slice2cost_difference_value := (others => (others => false));
+      slice3cost_difference_value := (others => (others => false));
+      delay_tag_newest_inside_choices := (others => 0);
       -- raster
       raster_place_group_is_equals(1) := raster_place_column = 319;
       raster_place_group_is_equals(2) := raster_place_group = 59;

@@ -654,6 +654,10 @@ begin
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 32767;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 374;
       transform_counter_group_is_equals(2) := transform_counter_column = 449;

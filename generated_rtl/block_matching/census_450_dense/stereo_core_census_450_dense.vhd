@@ -1064,6 +1064,12 @@ begin
     variable median_of_column_0_a_choice : natural range 0 to 4095;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      support_like_0_0_choice := (others => false);
+      support_like_0_1_differs := (others => false);
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 374;
       transform_counter_group_is_equals(2) := transform_counter_column = 449;

@@ -764,6 +764,11 @@ begin
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 32767;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      transform_left_filter_feature_0_choices := (others => false);
+      transform_right_filter_feature_0_choices := (others => false);
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      best_best_second_0_0_choices := (others => 0);
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 479;
       transform_counter_group_is_equals(2) := transform_counter_column = 639;

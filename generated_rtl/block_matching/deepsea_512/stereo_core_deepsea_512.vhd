@@ -748,6 +748,11 @@ begin
     variable slice3window_sum_0_choice : natural_4095_1d(0 to 12);  -- slice3window_sum_0_#_choice
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice3cost_pixels_first_0_count_value := (others => (others => (others => false)));
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 479;
       transform_counter_group_is_equals(2) := transform_counter_column = 511;

@@ -1499,6 +1499,15 @@ begin
     variable other_29_choice : natural range 95 to 127;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      ranges_pair_0_choices := (others => false);
+      ranges_range_choices := (others => false);
+      targets_column_range_values := (others => false);
+      targets_column_range_choices := (others => false);
+      targets_around_choices := (others => false);
+      targets_low_choices := (others => 0);
+      targets_high_choices := (others => 0);
+      rows_codes_choice := (others => (others => (others => (others => 0))));
       -- coarse
       coarse_pixels_column_any := (not in_start_of_frame) or (not in_valid);
       coarse_pixels_column_is_equals(1) := coarse_pixels_part = 3;

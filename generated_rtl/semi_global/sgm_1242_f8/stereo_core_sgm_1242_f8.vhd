@@ -1184,6 +1184,22 @@ begin
     variable winnerswinner1_best_cost_0_sum : natural_255_to_256_2d(0 to 7, 1 to 2);  -- winnerswinner1_best_cost_0_#_sum_#
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      costscolumn_pixels_first_0_count_value := (others => (others => (others => false)));
+      pathsabove_memory_write_words_0_is_less := (others => false);
+      pathsabove_memory_write_words_0_choice_3 := (others => false);
+      winnerswinner1_best_index_0_choice := (others => (others => false));
+      pathsleft_stay_change_value := (others => 0);
+      pathsright_stay_change_value := (others => 0);
+      pathsright_stay_change_sum := (others => 0);
+      pathsleft_stay_values_from_1 := (others => (others => 0));
+      pathsleft_step_choice := (others => (others => 0));
+      pathsright_stay_values_from_1 := (others => (others => 0));
+      pathsright_step_choice := (others => (others => 0));
+      pathsturn_sum_memory_write_words_0_sum := (others => (others => 0));
+      pathsabove_memory_write_words_0_choice := (others => (others => 0));
+      pathsabove_memory_write_words_0_choice_2 := (others => 0);
+      pathsabove_memory_write_words_0_choice_3s := (others => 0);
       -- transform
       transform_counter_next_frame_is_equal := transform_counter_column = 1241;
       transform_counter_frame_joins_choice := choice(transform_counter_last_column, (not

@@ -829,6 +829,20 @@ begin
     variable other_140_choice, other_142_choice, other_144_choice, other_146_choice : natural range 0 to 11;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      slice0cost_pixels_first_0_0_count_value := (others => (others => false));
+      slice1cost_pixels_first_0_0_count_value := (others => (others => false));
+      slice2cost_pixels_first_0_0_count_value := (others => (others => false));
+      slice3cost_pixels_first_0_0_count_value := (others => (others => false));
+      winnerswinner1_of_pair_0_choice := (others => (others => false));
+      winnerswinner1_of_pair_0_value := (others => (others => false));
+      winnerswinner2_of_pair_0_choice := (others => (others => false));
+      winnerswinner2_of_pair_0_value := (others => (others => false));
+      winnerswinner3_of_pair_0_choice := (others => (others => false));
+      winnerswinner3_of_pair_0_value := (others => (others => false));
+      forward_left_arrived_choice := (others => (others => 0));
+      sums_right_arrived_choice := (others => (others => 0));
+      forward_above_write_words_choice := (others => (others => 0));
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 719;
       transform_counter_group_is_equals(2) := transform_counter_column = 1279;

@@ -1044,6 +1044,13 @@ begin
     variable winners_best_cost_0_0_choice : natural range 0 to 511;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      costscolumn_pixels_first_0_count_value := (others => (others => (others => false)));
+      winnerswinner1_best_index_0_choice := (others => (others => false));
+      pathsleft_step_choice := (others => (others => 0));
+      pathsright_step_choice := (others => (others => 0));
+      pathsabove_beside_choice := (others => 0);
+      pathsabove_memory_write_words_0_choice := (others => (others => 0));
       -- transform
       transform_counter_next_frame_is_equal := transform_counter_column = 319;
       transform_counter_frame_joins_choice := choice(transform_counter_last_column, (not

@@ -909,6 +909,22 @@ begin
     variable sums_right_smallest_difference : integer range -63 to 63;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      transform_left_filter_feature_0_choices := (others => false);
+      transform_right_filter_feature_0_choices := (others => false);
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice3cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      winnerswinner1_of_pair_0_choice := (others => (others => false));
+      winnerswinner1_of_pair_0_value := (others => (others => false));
+      winnerswinner2_of_pair_0_choice := (others => (others => false));
+      winnerswinner2_of_pair_0_value := (others => (others => false));
+      winnerswinner3_of_pair_0_choice := (others => (others => false));
+      winnerswinner3_of_pair_0_value := (others => (others => false));
+      forward_left_arrived_choice := (others => (others => 0));
+      sums_right_arrived_choice := (others => (others => 0));
+      forward_above_write_words_choice := (others => (others => 0));
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 374;
       transform_counter_group_is_equals(2) := transform_counter_column = 449;

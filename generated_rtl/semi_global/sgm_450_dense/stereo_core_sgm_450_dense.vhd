@@ -1287,6 +1287,28 @@ begin
     variable median_of_column_0_a_choice : natural range 0 to 4095;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      transform_left_filter_feature_0_choices := (others => false);
+      transform_right_filter_feature_0_choices := (others => false);
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice3cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      winnersother_cost_0_is_equal := (others => false);
+      winnersother_cost_0_value := (others => (others => false));
+      winnerswinner2_best_below_0_is_equal := (others => false);
+      winnerswinner2_best_below_0_value := (others => (others => false));
+      winnerswinner3_best_below_0_is_equal := (others => false);
+      winnerswinner3_best_below_0_value := (others => false);
+      winnerswinner3_best_above_0_is_equal := (others => false);
+      winnerswinner3_best_above_0_value := (others => (others => false));
+      winnerswinner4_best_above_0_is_equal := (others => false);
+      winnerswinner4_best_above_0_value := (others => (others => false));
+      support_like_0_0_choice := (others => false);
+      support_like_0_1_differs := (others => false);
+      forward_left_arrived_choice := (others => (others => 0));
+      sums_right_arrived_choice := (others => (others => 0));
+      forward_above_write_words_choice := (others => (others => 0));
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 374;
       transform_counter_group_is_equals(2) := transform_counter_column = 449;

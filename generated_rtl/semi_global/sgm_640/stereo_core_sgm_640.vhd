@@ -837,6 +837,27 @@ begin
     variable other_choice : natural_11_1d(4 to 258);  -- other_#_choice
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      slice0cost_pixels_first_0_0_count_value := (others => (others => false));
+      slice1cost_pixels_first_0_0_count_value := (others => (others => false));
+      slice2cost_pixels_first_0_0_count_value := (others => (others => false));
+      slice3cost_pixels_first_0_0_count_value := (others => (others => false));
+      slice4cost_pixels_first_0_0_count_value := (others => (others => false));
+      slice5cost_pixels_first_0_0_count_value := (others => (others => false));
+      slice6cost_pixels_first_0_0_count_value := (others => (others => false));
+      slice7cost_pixels_first_0_0_count_value := (others => (others => false));
+      winnerswinner1_of_pair_0_choice := (others => (others => false));
+      winnerswinner1_of_pair_0_value := (others => (others => false));
+      winnerswinner2_of_pair_0_choice := (others => (others => false));
+      winnerswinner2_of_pair_0_value := (others => (others => false));
+      winnerswinner3_of_pair_0_choice := (others => (others => false));
+      winnerswinner3_of_pair_0_value := (others => (others => false));
+      winnerswinner3_of_four_0_choice := (others => (others => false));
+      winnerswinner3_of_four_0_value := (others => (others => false));
+      forward_left_arrived_choice := (others => (others => 0));
+      sums_right_arrived_choice := (others => (others => 0));
+      forward_above_write_words_choice := (others => (others => 0));
+      other_choice := (others => 0);
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 479;
       transform_counter_group_is_equals(2) := transform_counter_column = 639;

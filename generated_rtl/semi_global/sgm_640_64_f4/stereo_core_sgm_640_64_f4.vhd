@@ -848,6 +848,16 @@ begin
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 255;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      costswindow_first_0_count_value := (others => (others => false));
+      winnerswinner1_best_index_0_choice := (others => (others => false));
+      pathsleft_stay_change_value := (others => 0);
+      pathsright_stay_change_value := (others => 0);
+      pathsabove_memory_write_words_0_choice := (others => (others => 0));
+      pathsleft_stay_value := (others => (others => 0));
+      pathsleft_step_choice := (others => (others => 0));
+      pathsright_stay_value := (others => (others => 0));
+      pathsright_step_choice := (others => (others => 0));
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 479;
       transform_counter_group_is_equals(2) := transform_counter_column = 639;

@@ -1097,6 +1097,17 @@ begin
     variable pathsturn_sum_memory_write_words_0_3_sum : natural range 0 to 253;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      transform_left_filter_low_is_larger_0_choice := (others => (others => (others => false)));
+      transform_right_filter_low_is_larger_0_choice := (others => (others => (others => false)));
+      costswindow_first_0_count_value := (others => (others => false));
+      winnerswinner1_best_index_0_choice := (others => (others => false));
+      pathsabove_memory_write_words_0_choice := (others => (others => 0));
+      pathsright_stay_change_value := (others => 0);
+      pathsleft_stay_value := (others => (others => 0));
+      pathsleft_step_choice := (others => (others => 0));
+      pathsright_stay_value := (others => (others => 0));
+      pathsright_step_choice := (others => (others => 0));
       -- transform
       transform_counter_next_frame_is_equal := transform_counter_column = 639;
       transform_counter_frame_joins_choice := choice(transform_counter_last_column, (not

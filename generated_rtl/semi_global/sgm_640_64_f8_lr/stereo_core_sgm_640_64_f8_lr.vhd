@@ -1224,6 +1224,17 @@ begin
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 32767;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      costscolumn_pixels_first_0_count_value := (others => (others => (others => false)));
+      other_choice := (others => (others => false));
+      other_value := (others => (others => false));
+      other_all := (others => (others => false));
+      pathsright_stay_change_value := (others => 0);
+      pathsleft_stay_value := (others => (others => 0));
+      pathsleft_step_choice := (others => (others => 0));
+      pathsright_stay_value := (others => (others => 0));
+      pathsright_step_choice := (others => (others => 0));
+      pathsabove_memory_write_words_0_choice := (others => (others => 0));
       -- transform
       transform_counter_next_frame_is_equal := transform_counter_column = 639;
       transform_counter_frame_joins_choice := choice(transform_counter_last_column, (not

@@ -1120,6 +1120,15 @@ begin
     variable winnerswinner1_best_cost_0_sum : natural_255_to_256_2d(0 to 3, 1 to 2);  -- winnerswinner1_best_cost_0_#_sum_#
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      costscolumn_pixels_first_0_count_value := (others => (others => (others => false)));
+      winnerswinner1_best_index_0_choice := (others => (others => false));
+      pathsright_stay_change_value := (others => 0);
+      pathsleft_stay_value := (others => (others => 0));
+      pathsleft_step_choice := (others => (others => 0));
+      pathsright_stay_value := (others => (others => 0));
+      pathsright_step_choice := (others => (others => 0));
+      pathsabove_memory_write_words_0_choice := (others => (others => 0));
       -- transform
       transform_counter_next_frame_is_equal := transform_counter_column = 639;
       transform_counter_frame_joins_choice := choice(transform_counter_last_column, (not

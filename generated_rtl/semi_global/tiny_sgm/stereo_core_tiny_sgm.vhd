@@ -672,6 +672,17 @@ begin
     variable forward_above_write_words_choice : natural_68_2d(0 to 1, 1 to 6);  -- forward_above_write_words_#_choice_#
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      transform_read_column_inside_choice := (others => (others => false));
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      winnerswinner1_of_pair_0_choice := (others => (others => false));
+      winnerswinner1_of_pair_0_value := (others => (others => false));
+      winnerswinner1_of_four_0_choice := (others => (others => false));
+      winnerswinner1_of_four_0_value := (others => (others => false));
+      forward_left_arrived_choice := (others => (others => 0));
+      sums_right_arrived_choice := (others => (others => 0));
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_column = 39;
       transform_counter_group_is_equals(2) := transform_counter_group = 11;

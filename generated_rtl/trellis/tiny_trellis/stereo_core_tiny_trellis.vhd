@@ -502,6 +502,12 @@ begin
     variable fill_out_disparity_0_choice : natural range 0 to 255;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      transform_read_column_inside_choice := (others => (others => false));
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      forward_path_choice := (others => (others => 0));
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_column = 39;
       transform_counter_group_is_equals(2) := transform_counter_group = 11;

@@ -633,6 +633,13 @@ begin
     variable traceback_decision_choices : natural_3_1d(1 to 223);  -- traceback_decision_choice_#
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice3cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      forward_far_choice := (others => false);
+      forward_path_choice := (others => (others => 0));
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 639;
       transform_counter_group_is_equals(2) := transform_counter_column = 1299;
