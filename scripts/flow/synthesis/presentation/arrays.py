@@ -69,6 +69,11 @@ class Array:
         words = [word for place in places for word in (",", str(place))]
         return self.name, "(", *words[1:], ")"
 
+    def is_spanned_by(self, names: Container[str]) -> bool:
+        """Whether these elements reach its bounds in each dimension."""
+        places = [indices for name, indices in self.elements() if name in names]
+        return tuple((min(one), max(one)) for one in zip(*places)) == self.ranges
+
     @property
     def remark(self) -> str:
         return self.pattern + (f" up to {widths.said(self.tops)}" if self.tops else "")

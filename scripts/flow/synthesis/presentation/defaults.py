@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import takewhile
 
 from .arrays import Array
 from .tree import Assign, Comment, If, Statement
@@ -48,12 +49,19 @@ def made(statements: tuple[Statement, ...], sparse: Sequence[Array]) -> tuple[St
 
 def unmade(statements: tuple[Statement, ...], known: Mapping[str, Array]) -> tuple[Statement, ...]:
     clocked = statements[0] if statements else None
-    if not isinstance(clocked, If) or clocked.then[:1] != (Comment(REMARK),):
+    count = len(names(statements, known))
+    if count == 0 or not isinstance(clocked, If):
         return statements
-    end = 1
-    while end < len(clocked.then) and _is_default(clocked.then[end], known):
-        end += 1
-    return (If(clocked.test, clocked.then[end:], clocked.otherwise), *statements[1:])
+    return (If(clocked.test, clocked.then[1 + count :], clocked.otherwise), *statements[1:])
+
+
+def names(statements: tuple[Statement, ...], known: Mapping[str, Array]) -> set[str]:
+    """Of the arrays that get a value first."""
+    clocked = statements[0] if statements else None
+    if not isinstance(clocked, If) or clocked.then[:1] != (Comment(REMARK),):
+        return set()
+    defaults = takewhile(lambda one: _is_default(one, known), clocked.then[1:])
+    return {one.words[0] for one in defaults if isinstance(one, Assign)}
 
 
 def _is_default(one: Statement, known: Mapping[str, Array]) -> bool:

@@ -266,12 +266,13 @@ def _expanded(presented: Core) -> Core:
         return joined(without_arrays(tuple(split(match[0])))) if is_known else match[0]
 
     lines = [_REFERENCE.sub(name, _QUALIFIED.sub(r"std_logic_vector(\1);", line)) for line in ports]
-    body = defaults.unmade(loops.unroll(presented.body), known)
+    with_defaults = loops.unroll(presented.body)
+    sparse, body = defaults.names(with_defaults, known), defaults.unmade(with_defaults, known)
     by_fields = records.unmade(slices.unmade(body, known), presented.records)
     with_elements = _mapped(by_fields, without_arrays)
     cells = [memories.in_words(cell, without_arrays) for cell in cells]
-    declarations = _single(_by_fields(presented), there)
-    variables = [one for one in _single(presented.variables, there) if not isinstance(one, str)]
+    declarations = _single(_by_fields(presented), there, sparse)
+    variables = [one for one in _single(presented.variables, there, sparse) if not isinstance(one, str)]
     kinds = _kinds([*declarations, *variables])
     cells = [memories.in_words(cell, lambda words: bits.arithmetic(words, kinds)) for cell in cells]
     own = [Names(kind, [f"{cell.label}_{name}"]) for cell in cells for name, kind in cell.types().items()]
@@ -294,13 +295,18 @@ def _by_fields(presented: Core) -> Iterable[str | Names | Array]:
             yield one
 
 
-def _single(declarations: Iterable[str | Names | Array], there: set[tuple[str, str]]) -> list[str | Names | Array]:
+def _single(
+    declarations: Iterable[str | Names | Array], there: set[tuple[str, str]], sparse: set[str]
+) -> list[str | Names | Array]:
     found: list[str | Names | Array] = []
     for one in declarations:
-        if isinstance(one, Array):
-            found += [Names(kind, [name]) for name, kind in one.own_kinds() if (one.name, name) in there]
-        else:
+        if not isinstance(one, Array):
             found.append(one)
+            continue
+        used = {name for name, _ in one.elements() if (one.name, name) in there}
+        if one.name in sparse and not one.is_spanned_by(used):
+            raise FlowError(f"unknown form of VHDL: nothing needs all of {one.name}")
+        found += [Names(kind, [name]) for name, kind in one.own_kinds() if one.name not in sparse or name in used]
     return found
 
 
