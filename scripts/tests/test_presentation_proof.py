@@ -44,7 +44,7 @@ def test_it_is_the_same_hardware(name, tmp_path):
 
 FAULTS = {
     "the function of choices": ("    if test then\n      return yes;", "    if test then\n      return no;"),
-    "the function for bits": ("(value / 2 ** place) mod 2 = 1", "(value / 2 ** place) mod 2 /= 1"),
+    "a field of a tag": ("slice0cost_tag.valid", "slice0cost_tag.border_column"),
     "the copy of a tag": ("slice0cost_tag <= slice0cost_pair_tag;", "slice0cost_tag <= slice0shift_tag;"),
 }
 
